@@ -3,6 +3,7 @@
 #include "analysis/charpoly.h"
 #include "analysis/deflation_problem.h"
 #include "analysis/quadratic.h"
+#include "dynamics/linear.h"
 #include "ext/arpack.h"
 #include "ext/eigen.h"
 
@@ -18,13 +19,6 @@ static const double roundoff = DBL_EPSILON / 2;
 
 /* The block B is not used if elimination adds an error larger than this, relative to its largest entry. */
 static const double merit_limit = 1e-12;
-
-static double norm(const double *values, size_t count)
-{
-    double sum = 0.0;
-    for (size_t i = 0; i < count; i++) sum += values[i] * values[i];
-    return sqrt(sum);
-}
 
 /* |x| |y| / |y^H x| of the whole matrix for an eigenvalue lambda of B, whose right and left eigenvectors u, v come from the
  * adjugate of B: x = ((A_pf - A_pp W_p^(-1) W_f) u / lambda, u) and y = A_f^T v / lambda. */
@@ -119,7 +113,8 @@ static size_t take_isolated(double *re, double *im, double *error, coupled *acti
 static jlt_status solve_large(double *re, double *im, double *error, const double *block, const double *block_error,
                               size_t n)
 {
-    const double size = norm(block, n * n), noise = norm(block_error, n * n) + 10 * (double)n * roundoff * size;
+    const double size = jlt_linear_length(block, n * n);
+    const double noise = jlt_linear_length(block_error, n * n) + 10 * (double)n * roundoff * size;
     const jlt_status st = jlt_eigen_values(re, im, block, n);
 
     if (st != JLT_OK) return st;
@@ -155,18 +150,6 @@ static jlt_status solve_block(double *re, double *im, double *error, const jlt_d
     return solve_large(re + taken, im + taken, error + taken, block, block_error, n);
 }
 
-/* Sort by (re, im), ascending, together with the errors. */
-static void sort_ascending(double *re, double *im, double *error, size_t n)
-{
-    for (size_t i = 1; i < n; i++)
-        for (size_t j = i; j > 0; j--) {
-            const double held[3] = { re[j], im[j], error[j] };
-            if (re[j - 1] < re[j] || (!(re[j - 1] > re[j]) && im[j - 1] <= im[j])) break;
-            re[j] = re[j - 1], im[j] = im[j - 1], error[j] = error[j - 1];
-            re[j - 1] = held[0], im[j - 1] = held[1], error[j - 1] = held[2];
-        }
-}
-
 /* The largest distance from a value of the first list to the nearest of the second. */
 static double farthest(const double *re, const double *im, size_t count, const double *others_re, const double *others_im,
                        size_t others)
@@ -185,7 +168,7 @@ static double farthest(const double *re, const double *im, size_t count, const d
 static jlt_status cross_check(jlt_deflation *result, const jlt_deflation_problem *p, const jlt_deflation_choice *c)
 {
     const size_t n = p->n, rest = n - p->rank;
-    const double size = fmax(norm(p->a, n * n), DBL_MIN);
+    const double size = fmax(jlt_linear_length(p->a, n * n), DBL_MIN);
     double re[SIZE], im[SIZE], other_re[SIZE], other_im[SIZE];
     size_t nonzero = 0, wanted, found = 0;
     jlt_status st;
@@ -234,7 +217,7 @@ static jlt_status solve_whole(double *re, double *im, double *errors, bool *foun
         re[kept] = re[i], im[kept] = im[i], errors[kept++] = errors[i];
     }
     *found = st == JLT_OK && exact == rank;
-    if (*found) sort_ascending(re, im, errors, kept);
+    if (*found) jlt_eigen_sort(re, im, errors, kept);
     else p->rank = rank;
     return st;
 }
@@ -250,7 +233,7 @@ static jlt_status solve_problem(double *re, double *im, double *errors, jlt_defl
     if (!jlt_deflation_problem_choose(best, p) || best->merit > merit_limit)
         return st == JLT_OK ? JLT_ERR_NO_CONVERGENCE : st;
     st = solve_block(re, im, errors, p, best);
-    if (st == JLT_OK) sort_ascending(re, im, errors, p->n - p->rank);
+    if (st == JLT_OK) jlt_eigen_sort(re, im, errors, p->n - p->rank);
     return st;
 }
 

@@ -120,13 +120,6 @@ static double reach_of(const jlt_linearization *r, const double *x, size_t j)
     return fmin(fmax(JLT_LINEARIZATION_TOLERANCE * size, rounding), 1e-3 * room);
 }
 
-static bool is_proved(const jlt_descriptor *d, const jlt_named *integral)
-{
-    for (const jlt_claim *claim = d->claims; claim->kind != NULL; claim++)
-        if (strcmp(claim->kind, "integral") == 0 && strcmp(claim->name, integral->name) == 0) return claim->verdict == JLT_PROVED;
-    return false;
-}
-
 /* Evaluate the gradients of the integrals that are proved. */
 static jlt_status measure_gradients(jlt_linearization *r, const jlt_instance *instance, const double *x)
 {
@@ -138,7 +131,7 @@ static jlt_status measure_gradients(jlt_linearization *r, const jlt_instance *in
     if (d->integral_gradients.call == NULL || d->integral_count > SIZE) return st;
     JLT_TRY(jlt_instance_gradients(instance, gradients, x));
     for (unsigned k = 0; k < d->integral_count; k++) {
-        if (!is_proved(d, &d->integrals[k])) continue;
+        if (!jlt_descriptor_proves(d, "integral", d->integrals[k].name)) continue;
         memcpy(r->gradients + r->integrals * r->n, gradients + k * r->n, r->n * sizeof *gradients);
         r->held[r->integrals++] = d->integrals[k];
     }

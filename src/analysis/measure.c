@@ -105,12 +105,11 @@ done:
 static jlt_status turn_of(double *turn, const jlt_instance *instance, size_t along, double low, const double *x)
 {
     const jlt_quantity *q = &instance->descriptor->states[along];
-    const jlt_claim *claim = jlt_descriptor_claim(instance->descriptor, "periodic", q->name);
     jlt_density_point ends[2];
     jlt_status st = JLT_OK;
 
     *turn = 1.0;
-    if (q->period == 0.0 || claim == NULL || claim->verdict != JLT_PROVED) return JLT_OK;
+    if (q->period == 0.0 || !jlt_descriptor_proves(instance->descriptor, "periodic", q->name)) return JLT_OK;
     JLT_TRY(jlt_density_tabulate(ends, 2, instance, along, low, low + q->period, x));
     if (fabs(ends[0].density - 1.0) > JLT_DENSITY_TOLERANCE + ends[0].error) *turn = 1.0 / ends[0].density;
 done:

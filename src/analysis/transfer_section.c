@@ -133,11 +133,10 @@ static double density(void *context, const double *q)
     const jlt_transfer_section *self = context;
     const jlt_flow *flow = &self->system->flow;
     const jlt_descriptor *d = self->known->descriptor;
-    double x[JLT_CHART_STATES_MAX], f[JLT_CHART_STATES_MAX], values[MEASURES_MAX], rate = 1;
+    double x[JLT_CHART_STATES_MAX], f[JLT_CHART_STATES_MAX], values[MEASURES_MAX];
 
     if (!at(self, x, f, q)) return 0;
-    if (flow->field->time_rate != NULL) flow->field->time_rate(x, flow->field->p, &rate);
-    double flux = flow->chart->flux(flow->chart, x, f) / rate;
+    double flux = flow->chart->flux(flow->chart, x, f) / jlt_field_time_rate(flow->field, x);
     /* The chart's flux includes the volume element of lifted roots, see chart_section.h; remove it. */
     for (unsigned k = d->state_count; k < flow->chart->states; k++) flux *= x[k];
     for (unsigned k = 0; k < flow->chart->states; k++) x[k] = ldexp(x[k], flow->units.state[k]);

@@ -122,19 +122,14 @@ const char *jlt_assign_fraction(const jlt_assign_list *list, const char *name)
     return NULL;
 }
 
-static const char *condition(jlt_sign sign)
-{
-    return sign == JLT_POSITIVE ? "> 0" : sign == JLT_NONNEGATIVE ? ">= 0" : "!= 0";
-}
-
 jlt_exit jlt_assign_refuse(const jlt_descriptor *descriptor, size_t index, double value)
 {
     const jlt_quantity *q = &descriptor->params[index];
     char digits[JLT_DIGITS_SIZE];
 
     jlt_digits_shortest(digits, value);
-    return jlt_command_fail(JLT_EXIT_INPUT, "parameter %s = %s: %s needs %s %s", q->name, digits, descriptor->model, q->name,
-                            condition(q->sign));
+    return jlt_command_fail(JLT_EXIT_INPUT, "parameter %s = %s: %s needs %s%s", q->name, digits, descriptor->model, q->name,
+                            jlt_descriptor_condition(q));
 }
 
 jlt_exit jlt_assign_refuse_region(const char *what, const jlt_descriptor *descriptor, const jlt_region *region, double value)

@@ -25,7 +25,7 @@ typedef struct {
     const char *name;
     const char *arguments; /* as shown in the list of commands */
     const char *summary;   /* one line, no full stop */
-    jlt_exit (*run)(int argc, char **argv); /* argv[0] is "jellett NAME" */
+    jlt_exit (*run)(int argc, char **argv); /* argv[0] is "jellett NAME"; NULL: the command is run by `together` */
     const struct argp *parser; /* its options are the keys of a scene's entry; NULL: scenes cannot ask for the command */
     const struct jlt_shelf_form *together; /* how several runs of a sweep or a study are computed together (cli/shelf.h); NULL: each
                                               is computed by itself */

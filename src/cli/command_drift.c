@@ -249,7 +249,7 @@ static jlt_exit watch_proved(report *r)
     bool turns, left_out = false;
 
     for (unsigned i = 0; i < d->integral_count; i++) {
-        if (jlt_descriptor_claim(d, "integral", d->integrals[i].name)->verdict != JLT_PROVED) continue;
+        if (!jlt_descriptor_proves(d, "integral", d->integrals[i].name)) continue;
         const jlt_status st = jlt_drift_turns(&turns, r->drift.system, r->drift.q, i);
         if (st != JLT_OK) return jlt_motion_fail(st, r->drift.system, "--start");
         if (turns) {

@@ -35,8 +35,8 @@ static error_t parse(int key, char *value, struct argp_state *state)
         code = jlt_eigen_parse_sweep(r, value);
         break;
     case KEY_DIGITS:
-        code = jlt_grid_count(&digits, value, 1, JLT_BALL_TEXTS_DIGITS_MAX, "--digits");
-        if (code == JLT_EXIT_DONE) r->question.digits = (long)digits;
+        jlt_common_count(&digits, value, 1, JLT_BALL_TEXTS_DIGITS_MAX, "--digits");
+        r->question.digits = (long)digits;
         break;
     case KEY_FAST: r->question.fast = true; break;
     case KEY_THREADS: jlt_common_count(&r->processes, value, 1, 1024, "--threads"); break;

@@ -332,18 +332,7 @@ static void follow(void *const *runs, size_t count)
 
 static const jlt_shelf_form together = { begin, are_enough, follow, finish, drop };
 
-static jlt_exit run(int argc, char **argv)
-{
-    jlt_exit code;
-    exponents *self = begin(&code, argc, argv);
-
-    if (self == NULL) return code;
-    code = finish(self);
-    drop(self);
-    return code;
-}
-
 const jlt_command jlt_command_lyapunov = {
     "lyapunov", "[MODEL] [OPTION...]",
-    "Lyapunov exponents with their convergence, or a chart of finite-time exponents", run, &parser, &together
+    "Lyapunov exponents with their convergence, or a chart of finite-time exponents", NULL, &parser, &together
 };

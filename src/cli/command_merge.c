@@ -6,7 +6,6 @@
 #include <string.h>
 #include <sys/stat.h>
 
-#include "cli/common.h"
 #include "cli/merged.h"
 #include "cli/study.h"
 #include "core/memory.h"
@@ -236,7 +235,7 @@ static jlt_exit pass(merge *self, bool is_second)
     jlt_exit code = JLT_EXIT_DONE;
 
     for (size_t i = 0; code == JLT_EXIT_DONE && i < pieces; i++) {
-        char over[JLT_STUDY_PLACE_MAX], *text;
+        char over[JLT_GRID_PLACE_MAX], *text;
         jlt_shard_record record;
         const jlt_status st = jlt_gather_piece(self->gather, &record, i);
         if (st != JLT_OK) return jlt_command_fail(jlt_command_exit(st), "piece %zu cannot be read again: %s", i,
@@ -246,7 +245,7 @@ static jlt_exit pass(merge *self, bool is_second)
             if (!jlt_merged_piece(&self->outputs[k], &record)) return jlt_command_cannot_write(self->outputs[k].path);
         if (!is_second) note(self, &record);
         if (record.rows_size == 0) continue;
-        jlt_study_values(over, self->over, self->over_count, i / each);
+        jlt_grid_fields(over, self->over, self->over_count, i / each);
         text = strndup(record.rows, record.rows_size);
         if (text == NULL) return jlt_command_no_memory();
         code = take_rows(self, text, over, i, is_second);

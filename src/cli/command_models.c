@@ -178,9 +178,7 @@ static void print_section(FILE *stream, const jlt_descriptor *d, const jlt_secti
 
 static bool excludes(const jlt_descriptor *d, const jlt_equilibria *family)
 {
-    const jlt_claim *claim = jlt_descriptor_claim(d, "obstructs", family->name);
-
-    return family->obstructs && claim != NULL && claim->verdict == JLT_PROVED;
+    return family->obstructs && jlt_descriptor_proves(d, "obstructs", family->name);
 }
 
 static void print_way(FILE *stream, const jlt_descriptor *d, const jlt_way *way)

@@ -145,6 +145,7 @@ static jlt_status find_attracting(jlt_periodic *out, jlt_map *map, const options
     return JLT_OK;
 }
 
+/* Newton from one point, or the zeros on one line through it. */
 static jlt_exit from_start(jlt_orbits *list, jlt_map *map, const options *o, jlt_system *system)
 {
     const jlt_chart *chart = system->flow.chart;

@@ -163,18 +163,7 @@ static void follow(void *const *runs, size_t count)
 
 static const jlt_shelf_form together = { begin, are_enough, follow, finish, drop };
 
-static jlt_exit run(int argc, char **argv)
-{
-    jlt_exit code;
-    section *self = begin(&code, argc, argv);
-
-    if (self == NULL) return code;
-    code = finish(self);
-    drop(self);
-    return code;
-}
-
 const jlt_command jlt_command_section = {
     "section", "[MODEL] --start ...|--grid ... [OPTION...]",
-    "Poincare map at levels of E and G: returns, fates, picture", run, &parser, &together
+    "Poincare map at levels of E and G: returns, fates, picture", NULL, &parser, &together
 };

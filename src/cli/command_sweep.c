@@ -6,7 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
-#include <time.h>
 #if defined(_OPENMP)
 #include <omp.h>
 #endif
@@ -223,7 +222,7 @@ static bool goes_on(const sweep *self, jlt_exit status)
 static jlt_exit compute(sweep *self, size_t position)
 {
     const size_t number = piece_at(self, position);
-    char at[JLT_STUDY_PLACE_MAX];
+    char at[JLT_GRID_PLACE_MAX];
     jlt_worker *worker = &self->worker;
     jlt_exit status;
     int by;
@@ -248,14 +247,6 @@ static jlt_exit compute(sweep *self, size_t position)
     const jlt_status st = jlt_shard_add(&self->shard, &record);
     jlt_interrupt_release();
     return st == JLT_OK ? JLT_EXIT_DONE : cannot_write(self, st);
-}
-
-static double seconds(void)
-{
-    struct timespec now;
-
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
 /* Suggest larger pieces if they take so little time that starting them costs a noticeable share. */
@@ -287,7 +278,7 @@ static size_t next_position(const void *context, size_t position)
 
 static jlt_exit compute_all(sweep *self, bool *interrupted)
 {
-    const double begun = seconds();
+    const double begun = jlt_interrupt_clock();
     jlt_progress progress;
     size_t done = 0;
     self->work = (jlt_work){ self->study.command, arguments_of, self, next_position };
@@ -310,8 +301,8 @@ static jlt_exit compute_all(sweep *self, bool *interrupted)
                 self->own, self->path);
     else if (code == JLT_EXIT_DONE) {
         fprintf(stderr, "jellett: %s has its %zu pieces%s; %zu of them now, in %.3g s\n", self->path, self->own - self->lost,
-                self->lost > 0 ? ", but for some" : "", done - self->lost, seconds() - begun);
-        advise(self, done, seconds() - begun);
+                self->lost > 0 ? ", but for some" : "", done - self->lost, jlt_interrupt_clock() - begun);
+        advise(self, done, jlt_interrupt_clock() - begun);
     }
     *interrupted = *interrupt != 0;
     return code;

@@ -58,7 +58,7 @@ static error_t parse_common(int key, char *value, struct argp_state *state)
     case PLAN: self->plan = true; return 0;
     case AT:
         self->at_point = true;
-        jlt_common_replace(&self->set, value, "--sweep");
+        jlt_common_replace(&self->set, value);
         return 0;
     case ARGP_KEY_ARG:
         if (self->model != NULL) argp_error(state, "one model at most: '%s' is too many", value);
@@ -240,9 +240,9 @@ void jlt_common_check_files(const jlt_common *self, const char *option, const ch
     if (code != JLT_EXIT_DONE) exit((int)code);
 }
 
-void jlt_common_replace(jlt_assign_list *list, const char *text, const char *option)
+void jlt_common_replace(jlt_assign_list *list, const char *text)
 {
-    const jlt_exit code = jlt_assign_replace(list, text, option);
+    const jlt_exit code = jlt_assign_replace(list, text, "--sweep");
 
     if (code != JLT_EXIT_DONE) exit((int)code);
 }

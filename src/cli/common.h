@@ -95,10 +95,10 @@ void jlt_common_not_swept(const jlt_common *self, const jlt_assign_list *list, c
 void jlt_common_check_files(const jlt_common *self, const char *option, const char *path);
 
 /* Read the value of an option; if it cannot be used, print why and end the program, as argp does. _list adds assignments to the
- * list, _replace lets them replace those for the same names; _count reads a whole number from low to high, _number any finite
- * number, _positive one that is > 0. */
+ * list, _replace puts those of --sweep in place of the list's for the same names; _count reads a whole number from low to high,
+ * _number any finite number, _positive one that is > 0. */
 void jlt_common_list(jlt_assign_list *list, const char *text, const char *option);
-void jlt_common_replace(jlt_assign_list *list, const char *text, const char *option);
+void jlt_common_replace(jlt_assign_list *list, const char *text);
 void jlt_common_count(size_t *value, const char *text, size_t low, size_t high, const char *option);
 void jlt_common_number(double *value, const char *text, const char *option);
 void jlt_common_positive(double *value, const char *text, const char *option);

@@ -6,9 +6,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/digits.h"
 #include "ext/number.h"
+#include "kernel/descriptor.h"
 
 static const size_t PART_MAX = (size_t)1 << 50;
+
+enum { AXES_MAX = 16 }; /* that a caller may ask for at once */
 
 jlt_exit jlt_grid_number(double *value, const char *text, size_t length, const char *option)
 {
@@ -191,4 +195,50 @@ void jlt_grid_point(double *values, const jlt_grid_axis *axes, size_t count, siz
         values[k] = jlt_grid_value(&axes[k], index % axes[k].count, 0);
         index /= axes[k].count;
     }
+}
+
+size_t jlt_grid_place(char *text, const jlt_grid_axis *axes, size_t count, size_t index)
+{
+    double values[AXES_MAX];
+    size_t used = 0;
+
+    jlt_grid_point(values, axes, count, index);
+    text[0] = '\0';
+    for (size_t k = 0; k < count && used < JLT_GRID_PLACE_MAX; k++)
+        used += (size_t)snprintf(text + used, JLT_GRID_PLACE_MAX - used, "%s%s=%.10g", k > 0 ? ", " : "", axes[k].name, values[k]);
+    return used;
+}
+
+void jlt_grid_fields(char *text, const jlt_grid_axis *axes, size_t count, size_t index)
+{
+    double values[AXES_MAX];
+
+    jlt_grid_point(values, axes, count, index);
+    for (size_t k = 0; k < count; k++) {
+        text = jlt_digits_shortest(text, values[k]);
+        *text++ = ',';
+    }
+    *text = '\0';
+}
+
+char *jlt_grid_assignments(const char *option, const jlt_grid_axis *axes, size_t count, size_t index, const jlt_descriptor *model,
+                           bool params)
+{
+    double values[AXES_MAX];
+    char digits[JLT_DIGITS_SIZE], *text = NULL;
+    size_t size = 0;
+    bool first = true;
+    FILE *stream = open_memstream(&text, &size);
+
+    if (stream == NULL) return NULL;
+    jlt_grid_point(values, axes, count, index);
+    for (size_t k = 0; k < count; k++) {
+        if (jlt_descriptor_param(model, axes[k].name, &(size_t){ 0 }) != params) continue;
+        jlt_digits_shortest(digits, values[k]);
+        fprintf(stream, "%s%s%s=%s", first ? option : "", first ? "=" : ",", axes[k].name, digits);
+        first = false;
+    }
+    if (fclose(stream) == 0) return text;
+    free(text);
+    return NULL;
 }

@@ -6,6 +6,8 @@
 
 #include "cli/command.h"
 
+enum { JLT_GRID_PLACE_MAX = 512 };
+
 typedef struct {
     char name[32];
     double low, high;
@@ -43,6 +45,16 @@ jlt_exit jlt_grid_whole(const jlt_grid_axis *axes, const char *option);
 /** Point number `index` among the wanted points of the grid of these axes, shape (count,); the last axis runs fastest. Out: values,
  *  shape (count,). */
 void jlt_grid_point(double *values, const jlt_grid_axis *axes, size_t count, size_t index);
+
+/** Such a point in words, "k=0.1, E=2", for messages, and its values as the first fields of a row, each with a comma behind it.
+ *  Out: text, shape (JLT_GRID_PLACE_MAX,). Returns its length; one beyond its shape: it was cut. */
+size_t jlt_grid_place(char *text, const jlt_grid_axis *axes, size_t count, size_t index);
+void jlt_grid_fields(char *text, const jlt_grid_axis *axes, size_t count, size_t index);
+
+/** The option that gives those of the axes their values at such a point which are parameters of the model, or which are none:
+ *  "--set=k=0.1" for the option "--set"; "": there are none of them. For the caller to free(); NULL: memory is out. */
+char *jlt_grid_assignments(const char *option, const jlt_grid_axis *axes, size_t count, size_t index, const jlt_descriptor *model,
+                           bool params);
 
 /** Read a whole number from low to high. */
 jlt_exit jlt_grid_count(size_t *value, const char *text, size_t low, size_t high, const char *option);

@@ -16,7 +16,7 @@ enum { SECONDS = 1, SECONDS_TO_DRAW = 10, FILES = 8 };
 static volatile sig_atomic_t raised; /* the first signal that asked the program to end; 0: none */
 static volatile sig_atomic_t polled; /* a command looks at `raised` */
 static volatile sig_atomic_t child;  /* the process to which signals are passed on; 0: none */
-static struct timespec raised_at;
+static double raised_at;
 static int first;                    /* the same as `raised`, set atomically: decides which handler is the first */
 static int phase;                    /* FREE, HELD while files change, ENDING for good; set atomically */
 static int due;                      /* a signal that ends the program once files no longer change; set atomically */
@@ -76,12 +76,12 @@ static void end_now(int signal_number)
     die(signal_number == SIGALRM && first != 0 ? first : signal_number);
 }
 
-static double seconds_since(const struct timespec *then)
+double jlt_interrupt_clock(void)
 {
     struct timespec now;
 
     clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)(now.tv_sec - then->tv_sec) + 1e-9 * (double)(now.tv_nsec - then->tv_nsec);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
 static void meet(int signal_number, siginfo_t *about, void *unused)
@@ -93,11 +93,11 @@ static void meet(int signal_number, siginfo_t *about, void *unused)
     /* A signal from the terminal (si_code > 0) reaches the child by itself, as it goes to the whole process group. */
     if (child > 0 && about->si_code <= 0) kill((pid_t)child, signal_number);
     if (__atomic_compare_exchange_n(&first, &none, signal_number, false, __ATOMIC_SEQ_CST, __ATOMIC_SEQ_CST)) {
-        clock_gettime(CLOCK_MONOTONIC, &raised_at);
+        raised_at = jlt_interrupt_clock();
         raised = signal_number;
         if (!polled) end_now(signal_number);
         else if (child == 0) alarm(SECONDS);
-    } else if (raised != 0 && child == 0 && seconds_since(&raised_at) >= SECONDS) {
+    } else if (raised != 0 && child == 0 && jlt_interrupt_clock() - raised_at >= SECONDS) {
         end_now(signal_number);
     }
     errno = reason;

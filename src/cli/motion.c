@@ -59,7 +59,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case 'l': jlt_common_list(&o->level, value, "--level"); return 0;
     case AT:
         o->common.at_point = true;
-        jlt_common_replace(&o->level, value, "--sweep");
+        jlt_common_replace(&o->level, value);
         return 0;
     case ARGP_KEY_END: jlt_common_not_swept(&o->common, &o->level, "--level"); return 0;
     case SECTION: o->section = value; return 0;

@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "core/digits.h"
-#include "ext/number.h"
 #include "kernel/descriptor.h"
 
 static jlt_exit read_section(jlt_motion_plane *out, const jlt_motion_options *options, const jlt_descriptor *d)
@@ -92,8 +91,8 @@ static jlt_exit read_modulo(jlt_motion_plane *out, const char *text, const jlt_d
     const jlt_exit code = read_states(states, numbers, &count, text, d, "--modulo");
 
     for (unsigned i = 0; i < d->state_count; i++) {
-        const jlt_claim *claim = jlt_descriptor_claim(d, "periodic", d->states[i].name);
-        out->periods[i] = claim != NULL && claim->verdict == JLT_PROVED && !is_solved_for(out, i) ? d->states[i].period : 0;
+        const bool is_proved = jlt_descriptor_proves(d, "periodic", d->states[i].name);
+        out->periods[i] = is_proved && !is_solved_for(out, i) ? d->states[i].period : 0;
     }
     for (size_t i = 0; code == JLT_EXIT_DONE && i < count; i++) {
         const char *name = d->states[states[i]].name;

@@ -65,7 +65,6 @@ static jlt_exit refuse_large(const jlt_surface *surface)
 
 jlt_exit jlt_motion_refuse(const jlt_surface *surface, const double *values, jlt_status status, const char *what)
 {
-    static const char *const conditions[] = { "", " > 0", " >= 0", " != 0" };
     char where[256] = "";
 
     if (what != NULL) snprintf(where, sizeof where, "%s: ", what);
@@ -76,12 +75,9 @@ jlt_exit jlt_motion_refuse(const jlt_surface *surface, const double *values, jlt
         size_t entry = surface->entries[i];
         if (table == surface->asked && !jlt_descriptor_param(table, surface->names[i], &entry)) continue;
         const jlt_quantity *q = &table->params[entry];
-        const double v = values[i];
-        const bool fits = q->sign == JLT_ANY_SIGN || v > 0 || (q->sign == JLT_NONNEGATIVE && v == 0)
-                          || (q->sign == JLT_NONZERO && v != 0);
-        if (!fits)
-            return jlt_command_fail(JLT_EXIT_INPUT, "%s%s = %.10g: %s needs %s%s", where, q->name, v, table->model, q->name,
-                                     conditions[q->sign]);
+        if (!jlt_descriptor_allows(q, values[i]))
+            return jlt_command_fail(JLT_EXIT_INPUT, "%s%s = %.10g: %s needs %s%s", where, q->name, values[i], table->model, q->name,
+                                    jlt_descriptor_condition(q));
     }
     if (status == JLT_ERR_ARG)
         return jlt_command_fail(
@@ -341,43 +337,34 @@ jlt_exit jlt_motion_surface(jlt_surface *surface, bool *has, const jlt_motion_op
     const jlt_common *common = &options->common;
     const jlt_claim *broken = NULL;
     jlt_way_tables others = { .count = 0 };
-    jlt_status st = JLT_ERR_UNSUPPORTED;
+    jlt_exit code = JLT_EXIT_DONE;
 
-    if (!is_plane && common->model != NULL) { /* the user's smaller tables may have a section */
-        const jlt_exit code = jlt_table_others(&others, asked, common->model, "reduction", common->lanes);
-        if (code != JLT_EXIT_DONE) return code;
-    }
-    if (!is_plane) st = jlt_surface_find(surface, &broken, asked, &others, options->section);
-    *has = st == JLT_OK;
-    if (!is_plane && !*has && surface->table != NULL) return refuse_large(surface);
-    if (!is_plane && !*has) {
-        const jlt_exit code = refuse_larger(asked, &others, options->section);
-        if (code != JLT_EXIT_DONE) return code;
-    }
-    if (!is_plane && !*has && options->section == NULL) return refuse_lost(asked, &others);
-    if (!is_plane && !*has)
-        return jlt_command_fail(JLT_EXIT_USAGE,
-                                "--section: '%s' is no section (write STATE=VALUE); no table describes one of this name of %s",
-                                options->section, asked->model);
-    if (*has && broken != NULL) return refuse_broken(surface, broken, asked);
-    return *has ? refuse_unwatched(surface, asked) : JLT_EXIT_DONE;
-}
-
-static const char *start_name(jlt_surface_start purpose)
-{
-    static const char *const names[JLT_STARTS] = { "regular", "chaotic", "saddle" };
-    return names[purpose];
+    *has = false;
+    if (is_plane) return code;
+    if (common->model != NULL) /* smaller tables beside it may have one */
+        code = jlt_table_others(&others, asked, common->model, "reduction", common->lanes);
+    if (code != JLT_EXIT_DONE) return code;
+    *has = jlt_surface_find(surface, &broken, asked, &others, options->section) == JLT_OK;
+    if (*has) return broken != NULL ? refuse_broken(surface, broken, asked) : refuse_unwatched(surface, asked);
+    if (surface->table != NULL) return refuse_large(surface);
+    code = refuse_larger(asked, &others, options->section);
+    if (code != JLT_EXIT_DONE) return code;
+    if (options->section == NULL) return refuse_lost(asked, &others);
+    return jlt_command_fail(JLT_EXIT_USAGE,
+                            "--section: '%s' is no section (write STATE=VALUE); no table describes one of this name of %s",
+                            options->section, asked->model);
 }
 
 jlt_exit jlt_motion_default_start(jlt_motion_options *options, const jlt_system *system, jlt_surface_start purpose,
                                   const char *wanted)
 {
+    static const char *const names[JLT_STARTS] = { "regular", "chaotic", "saddle" };
     const jlt_section_chart *section = system->surface != NULL ? system->surface->section : NULL;
     const char **start = &options->starts[0];
     size_t used = 0;
 
     for (unsigned i = 0; *start == NULL && section != NULL && i < section->start_count; i++) {
-        if (strcmp(section->starts[i].name, start_name(purpose)) != 0) continue;
+        if (strcmp(section->starts[i].name, names[purpose]) != 0) continue;
         for (unsigned k = 0; k < section->coordinate_count && used < sizeof options->start; k++) {
             char digits[JLT_DIGITS_SIZE];
             jlt_digits_shortest(digits, section->starts[i].point[k]);

@@ -3,6 +3,7 @@
 #include "base/exhaustion.h"
 #include "base/output.h"
 #include "cli/interrupt.h"
+#include "cli/shelf.h"
 
 #include <argp.h>
 #include <errno.h>
@@ -41,6 +42,18 @@ jlt_exit jlt_program_begin(void)
     return atexit(close_output) == 0 ? JLT_EXIT_DONE : JLT_EXIT_NUMERICAL;
 }
 
+jlt_exit jlt_program_call(const jlt_command *command, int argc, char **argv)
+{
+    jlt_exit code;
+
+    if (command->run != NULL) return command->run(argc, argv);
+    void *const run = command->together->begin(&code, argc, argv);
+    if (run == NULL) return code;
+    code = command->together->finish(run);
+    command->together->drop(run);
+    return code;
+}
+
 jlt_exit jlt_program_run(const jlt_command *command, int argc, char **argv)
 {
     char name[64], *first = argv[0];
@@ -49,7 +62,7 @@ jlt_exit jlt_program_run(const jlt_command *command, int argc, char **argv)
     /* argp takes the program's name from argv[0]. */
     snprintf(name, sizeof name, "jellett %s", command->name);
     argv[0] = name;
-    code = command->run(argc, argv);
+    code = jlt_program_call(command, argc, argv);
     argv[0] = first;
     jlt_interrupt_obey();
     return code == JLT_EXIT_PLANNED ? JLT_EXIT_DONE : code;

@@ -8,6 +8,9 @@
  *  FLINT or GMP run out of memory, and with JLT_EXIT_IO when standard output could not be written. */
 jlt_exit jlt_program_begin(void);
 
+/** Run the command once, by itself. argv[0] is "jellett NAME" already. */
+jlt_exit jlt_program_call(const jlt_command *command, int argc, char **argv);
+
 /* Run a command, with "jellett NAME" for argv[0]. Does not return if the command was interrupted: the program then ends by the
  * signal, after the command has saved its rows. */
 jlt_exit jlt_program_run(const jlt_command *command, int argc, char **argv);

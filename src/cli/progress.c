@@ -3,29 +3,21 @@
 #include <stdio.h>
 #include <unistd.h>
 
-static double since(const struct timespec *then, const struct timespec *now)
-{
-    return (double)(now->tv_sec - then->tv_sec) + 1e-9 * (double)(now->tv_nsec - then->tv_nsec);
-}
+#include "cli/interrupt.h"
 
 void jlt_progress_start(jlt_progress *self, const char *unit)
 {
     *self = (jlt_progress){ .unit = unit };
     self->visible = isatty(STDERR_FILENO) == 1;
-    clock_gettime(CLOCK_MONOTONIC, &self->started);
-    self->shown = self->started;
+    self->started = self->shown = jlt_interrupt_clock();
 }
 
 void jlt_progress_show(jlt_progress *self, size_t done, size_t all)
 {
-    struct timespec now;
-    double seconds;
-
     if (!self->visible || __atomic_test_and_set(&self->showing, __ATOMIC_ACQUIRE)) return;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    if (since(&self->shown, &now) < 0.2) goto done;
+    const double now = jlt_interrupt_clock(), seconds = now - self->started;
+    if (now - self->shown < 0.2) goto done;
     self->shown = now;
-    seconds = since(&self->started, &now);
     fprintf(stderr, "\r%zu", done);
     if (all > 0) fprintf(stderr, " of %zu", all);
     fprintf(stderr, " %s, %.3g a second", self->unit, (double)done / seconds);

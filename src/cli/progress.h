@@ -4,12 +4,11 @@
 
 #include <stdbool.h>
 #include <stddef.h>
-#include <time.h>
 
 typedef struct {
     const char *unit; /* "returns", "starts" */
     bool visible;
-    struct timespec started, shown;
+    double started, shown;
     char showing; /* a thread is writing the line; set atomically */
 } jlt_progress;
 

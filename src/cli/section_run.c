@@ -3,7 +3,8 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
+
+#include "cli/interrupt.h"
 
 /* For each thread: BLOCK, orbits followed together, so many that lanes rarely idle while the last ones end; ROWS, rows written
  * together. ROWS_MAX: the most rows written together, for all threads. */
@@ -44,12 +45,7 @@ static jlt_status put(jlt_section_run *f, const jlt_return *at, const double *be
 
 static bool stopped(const jlt_section_run *f)
 {
-    struct timespec now;
-
-    if (!jlt_motion_interrupted(&f->o->motion)) return false;
-    if (!f->cut) return true;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)(now.tv_sec - f->cut_at.tv_sec) + 1e-9 * (double)(now.tv_nsec - f->cut_at.tv_nsec) > 0.5;
+    return jlt_motion_interrupted(&f->o->motion) && (!f->cut || jlt_interrupt_clock() - f->cut_at > 0.5);
 }
 
 /* The point at which to compute DP of the next return; NaN if the chart lifts it to another state than the orbit's. */
@@ -271,7 +267,7 @@ static jlt_exit run_block(jlt_section_run *f, const double *q, size_t first, siz
             return jlt_command_fail(JLT_EXIT_IO, "the temporary file of rows cannot be written: is there room in TMPDIR?");
         if (st != JLT_OK) return jlt_motion_fail(st, system, "section");
         f->cut = jlt_motion_interrupted(&o->motion);
-        clock_gettime(CLOCK_MONOTONIC, &f->cut_at);
+        f->cut_at = jlt_interrupt_clock();
     }
     for (size_t i = 0; i < count && (f->batch == NULL || f->begins + i < jlt_section_batch_begun(f->batch)); i++) {
         st = run_orbit(f, q + i * system->flow.chart->dim, i);

@@ -53,7 +53,7 @@ typedef struct {
     size_t before;            /* returns of the blocks before */
     size_t block;             /* returns of the block that is being followed */
     bool cut;                 /* an interrupt came before the batch was done: rows are still written for half a second */
-    struct timespec cut_at;
+    double cut_at;
 } jlt_section_run;
 
 /** Whether a batch follows the orbits: if there are several starts; if --project is given on a section that tables describe, where

@@ -5,7 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/digits.h"
 #include "kernel/batch_isa.h"
 #include "kernel/descriptor.h"
 #include "report/json.h"
@@ -219,44 +218,6 @@ static void points_of(size_t *outer, size_t *first, size_t *count, const jlt_stu
     *count = self->inner - *first < self->piece ? self->inner - *first : self->piece;
 }
 
-void jlt_study_values(char *text, const jlt_grid_axis *axes, size_t count, size_t point)
-{
-    double values[JLT_STUDY_OVER_MAX];
-    size_t used = 0;
-
-    text[0] = '\0';
-    jlt_grid_point(values, axes, count, point);
-    for (size_t k = 0; k < count; k++) {
-        jlt_digits_shortest(text + used, values[k]);
-        used += strlen(text + used);
-        text[used++] = ',';
-        text[used] = '\0';
-    }
-}
-
-/* --set=NAME=VALUE,... for parameters (params) that the study runs over, or --level=... for levels, with their values at this
- * point; "" if there are none. */
-static char *assignments(const jlt_study *self, size_t outer, bool params)
-{
-    double values[JLT_STUDY_OVER_MAX];
-    char digits[JLT_DIGITS_SIZE], *text = NULL;
-    size_t size = 0;
-    bool first = true;
-    FILE *stream = open_memstream(&text, &size);
-
-    if (stream == NULL) return NULL;
-    jlt_grid_point(values, self->over, self->over_count, outer);
-    for (size_t k = 0; k < self->over_count; k++) {
-        if (jlt_descriptor_param(self->scene->model, self->over[k].name, &(size_t){ 0 }) != params) continue;
-        jlt_digits_shortest(digits, values[k]);
-        fprintf(stream, "%s%s=%s", !first ? "," : params ? "--set=" : "--level=", self->over[k].name, digits);
-        first = false;
-    }
-    if (fclose(stream) == 0) return text;
-    free(text);
-    return NULL;
-}
-
 char **jlt_study_arguments(const jlt_study *self, size_t piece, int *argc)
 {
     size_t outer, first, count;
@@ -268,7 +229,8 @@ char **jlt_study_arguments(const jlt_study *self, size_t piece, int *argc)
     points_of(&outer, &first, &count, self, piece);
     if (whole) argv = grown;
     for (int params = 1; whole && params >= 0; params--) {
-        char *text = assignments(self, outer, params != 0);
+        char *text = jlt_grid_assignments(params != 0 ? "--set" : "--level", self->over, self->over_count, outer,
+                                          self->scene->model, params != 0);
         whole = text != NULL;
         if (whole && text[0] != '\0') argv[used++] = text;
         else free(text);
@@ -292,17 +254,12 @@ char **jlt_study_arguments(const jlt_study *self, size_t piece, int *argc)
 
 void jlt_study_place(char *place, const jlt_study *self, size_t piece)
 {
-    double values[JLT_STUDY_OVER_MAX];
-    size_t outer, first, count, used = 0;
+    size_t outer, first, count;
 
     points_of(&outer, &first, &count, self, piece);
-    jlt_grid_point(values, self->over, self->over_count, outer);
-    place[0] = '\0';
-    for (size_t k = 0; k < self->over_count && used < JLT_STUDY_PLACE_MAX; k++)
-        used += (size_t)snprintf(place + used, JLT_STUDY_PLACE_MAX - used, "%s%s=%.10g", k > 0 ? ", " : "", self->over[k].name,
-                                 values[k]);
-    if (self->dealt < self->job->count && used < JLT_STUDY_PLACE_MAX)
-        snprintf(place + used, JLT_STUDY_PLACE_MAX - used, "%spoints %zu to %zu of the %s", used > 0 ? ", " : "", first,
+    const size_t used = jlt_grid_place(place, self->over, self->over_count, outer);
+    if (self->dealt < self->job->count && used < JLT_GRID_PLACE_MAX)
+        snprintf(place + used, JLT_GRID_PLACE_MAX - used, "%spoints %zu to %zu of the %s", used > 0 ? ", " : "", first,
                  first + count - 1,
                  self->job->options[self->dealt].name);
 }

@@ -7,7 +7,7 @@
 #include "cli/grid.h"
 #include "cli/job.h"
 
-enum { JLT_STUDY_OVER_MAX = 16, JLT_STUDY_PLACE_MAX = 512 };
+enum { JLT_STUDY_OVER_MAX = 16 };
 
 typedef struct {
     jlt_scene *scene;
@@ -29,11 +29,7 @@ void jlt_study_clear(jlt_study *self);
 /** The command line of piece number `piece`, *argc arguments, for jlt_command_free. NULL: memory is out. */
 char **jlt_study_arguments(const jlt_study *self, size_t piece, int *argc);
 
-/** Say in words where a piece lies, for messages: "rho=24, points 64 to 127 of the grid". place: shape (JLT_STUDY_PLACE_MAX,). */
+/** Say in words where a piece lies, for messages: "rho=24, points 64 to 127 of the grid". place: shape (JLT_GRID_PLACE_MAX,). */
 void jlt_study_place(char *place, const jlt_study *self, size_t piece);
-
-/** The values at point number `point` of the grid of axes, shape (count,), as the first fields of a row, each followed by a comma.
- *  Out: text, shape (JLT_STUDY_PLACE_MAX,). */
-void jlt_study_values(char *text, const jlt_grid_axis *axes, size_t count, size_t point);
 
 #endif

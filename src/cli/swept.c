@@ -4,10 +4,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/program.h"
 #include "cli/progress.h"
 #include "cli/swept_rows.h"
 #include "cli/worker.h"
-#include "core/digits.h"
 #include "kernel/descriptor.h"
 
 enum { SWEEP = 2900 };
@@ -45,28 +45,6 @@ typedef struct {
 
 /* ---- the command line of a point ---- */
 
-/* The hidden option that sets the axes that are parameters (params), or levels, to their values; *is_empty: there are none. NULL:
- * no memory. */
-static char *assignments(bool *is_empty, const sweep *self, const double *values, bool params)
-{
-    char digits[JLT_DIGITS_SIZE], *text = NULL;
-    size_t size = 0;
-    FILE *stream = open_memstream(&text, &size);
-
-    *is_empty = true;
-    if (stream == NULL) return NULL;
-    fputs(params ? JLT_COMMAND_HIDDEN "set=" : JLT_COMMAND_HIDDEN "level=", stream);
-    for (size_t k = 0; k < self->rows.count; k++) {
-        if (jlt_descriptor_param(self->model, self->rows.axes[k].name, &(size_t){ 0 }) != params) continue;
-        jlt_digits_shortest(digits, values[k]);
-        fprintf(stream, "%s%s=%s", *is_empty ? "" : ",", self->rows.axes[k].name, digits);
-        *is_empty = false;
-    }
-    if (fclose(stream) == 0) return text;
-    free(text);
-    return NULL;
-}
-
 /* The command line of a point: the hidden options come after all typed ones, so that they win, but before a "--", behind which are
  * only operands. */
 static char **arguments(const void *context, size_t point, int *argc)
@@ -74,16 +52,15 @@ static char **arguments(const void *context, size_t point, int *argc)
     const sweep *self = context;
     const int count = self->common->argc;
     char *const *typed = self->common->argv, **argv = calloc((size_t)count + 3, sizeof *argv);
-    double values[JLT_SWEPT_AXES_MAX];
     int used = 0, at = 0;
-    bool whole = argv != NULL, is_empty;
+    bool whole = argv != NULL;
 
-    jlt_grid_point(values, self->rows.axes, self->rows.count, point);
     for (; whole && at < count && strcmp(typed[at], "--") != 0; at++) whole = (argv[used++] = strdup(typed[at])) != NULL;
     for (int params = 1; whole && params >= 0; params--) {
-        char *option = assignments(&is_empty, self, values, params != 0);
+        char *option = jlt_grid_assignments(params != 0 ? JLT_COMMAND_HIDDEN "set" : JLT_COMMAND_HIDDEN "level", self->rows.axes,
+                                            self->rows.count, point, self->model, params != 0);
         whole = option != NULL;
-        if (whole && !is_empty) argv[used++] = option;
+        if (whole && option[0] != '\0') argv[used++] = option;
         else free(option);
     }
     for (; whole && at < count; at++) whole = (argv[used++] = strdup(typed[at])) != NULL;
@@ -103,10 +80,10 @@ static size_t next_point(const void *context, size_t point)
 /* Print the messages of a point, unless they repeat those of the point before. */
 static void tell(sweep *self, size_t point, const char *words)
 {
-    char where[JLT_SWEPT_PLACE_MAX];
+    char where[JLT_GRID_PLACE_MAX];
 
     if (*words == '\0' || (self->told != NULL && strcmp(self->told, words) == 0)) return;
-    jlt_swept_rows_place(where, &self->rows, point);
+    (void)jlt_grid_place(where, self->rows.axes, self->rows.count, point);
     fprintf(stderr, "jellett: at %s:\n%s", where, words);
     free(self->told);
     self->told = strdup(words);
@@ -158,14 +135,14 @@ static jlt_exit open_sweep(sweep *self)
 /* Print the plan of the first point, in this process. */
 static jlt_exit plan(const sweep *self)
 {
-    char where[JLT_SWEPT_PLACE_MAX];
+    char where[JLT_GRID_PLACE_MAX];
     int argc = 0;
     char **argv = arguments(self, 0, &argc);
 
     if (argv == NULL) return jlt_command_no_memory();
-    jlt_swept_rows_place(where, &self->rows, 0);
+    (void)jlt_grid_place(where, self->rows.axes, self->rows.count, 0);
     printf("at %s, the first of %zu points:\n", where, self->all);
-    const jlt_exit code = self->form->command->run(argc, argv);
+    const jlt_exit code = jlt_program_call(self->form->command, argc, argv);
     jlt_command_free(argv, argc);
     return code;
 }

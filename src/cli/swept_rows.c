@@ -5,23 +5,10 @@
 #include <string.h>
 
 #include "cli/plot.h"
-#include "core/digits.h"
-#include "kernel/descriptor.h"
 #include "report/csv.h"
+#include "report/table.h"
 
 enum { COLUMNS_MAX = 256 };
-
-void jlt_swept_rows_place(char text[JLT_SWEPT_PLACE_MAX], const jlt_swept_rows *self, size_t point)
-{
-    double values[JLT_SWEPT_AXES_MAX];
-    size_t used = 0;
-
-    jlt_grid_point(values, self->axes, self->count, point);
-    text[0] = '\0';
-    for (size_t k = 0; k < self->count && used < JLT_SWEPT_PLACE_MAX; k++)
-        used += (size_t)snprintf(text + used, JLT_SWEPT_PLACE_MAX - used, "%s%s=%.10g", k > 0 ? ", " : "", self->axes[k].name,
-                                 values[k]);
-}
 
 /* The length of the line at the start of the text, without its newline. Out: *next, the line after it, NULL if there is none. */
 static size_t line_at(const char *text, const char **next)
@@ -58,14 +45,9 @@ static char *comments(const char *text, const char *with)
 /* Cut a line at its commas into fields. Returns their number, at most COLUMNS_MAX. */
 static unsigned cut(char *fields[COLUMNS_MAX], char *line)
 {
-    unsigned count = 0;
+    const size_t count = jlt_table_cut(fields, COLUMNS_MAX, line);
 
-    for (char *next; line != NULL && count < COLUMNS_MAX; line = next) {
-        next = strchr(line, ',');
-        if (next != NULL) *next++ = '\0';
-        fields[count++] = line;
-    }
-    return count;
+    return (unsigned)(count < COLUMNS_MAX ? count : COLUMNS_MAX);
 }
 
 /* from: for each column of the table, shape (count,), its index among a point's columns, COLUMNS_MAX if it is not among them. */
@@ -94,7 +76,7 @@ static unsigned tell_missing(const char *where, char *const *names, unsigned cou
 /* Map the columns `names` of a point to those of the table, and print the differences once. Returns false when memory is out. */
 static bool map_columns(column_map *map, jlt_swept_rows *self, size_t point, const char *names)
 {
-    char where[JLT_SWEPT_PLACE_MAX], *own[COLUMNS_MAX], *whole[COLUMNS_MAX];
+    char where[JLT_GRID_PLACE_MAX], *own[COLUMNS_MAX], *whole[COLUMNS_MAX];
     char *own_text = strdup(names), *whole_text = strdup(self->names);
     const bool is_new = self->odd == NULL || strcmp(self->odd, names) != 0;
     const bool has_memory = own_text != NULL && whole_text != NULL;
@@ -108,7 +90,7 @@ static bool map_columns(column_map *map, jlt_swept_rows *self, size_t point, con
             while (k < count && strcmp(own[k], whole[i]) != 0) k++;
             map->from[i] = k < count ? k : COLUMNS_MAX;
         }
-        jlt_swept_rows_place(where, self, point);
+        (void)jlt_grid_place(where, self->axes, self->count, point);
         if (is_new) {
             (void)tell_missing(where, whole, map->count, own, count, "no columns here, and left empty");
             (void)tell_missing(where, own, count, whole, map->count, "columns that the first point has not, and left out");
@@ -171,23 +153,15 @@ static void draw_row(jlt_swept_rows *self, char *row)
 static jlt_exit write_rows(jlt_swept_rows *self, size_t point, const char *text, const char *names)
 {
     FILE *file = self->common->table.file;
-    char values[JLT_SWEPT_PLACE_MAX] = "", where[JLT_SWEPT_PLACE_MAX];
-    double at[JLT_SWEPT_AXES_MAX];
-    size_t used = 0;
+    char values[JLT_GRID_PLACE_MAX] = "", where[JLT_GRID_PLACE_MAX];
     column_map map;
     char *own = strndup(names, strcspn(names, "\n"));
     const bool has_memory = own != NULL && map_columns(&map, self, point, own);
 
     free(own);
     if (!has_memory) return jlt_command_no_memory();
-    jlt_grid_point(at, self->axes, self->count, point);
-    jlt_swept_rows_place(where, self, point);
-    for (size_t k = 0; k < self->count; k++) {
-        jlt_digits_shortest(values + used, at[k]);
-        used += strlen(values + used);
-        values[used++] = ',';
-        values[used] = '\0';
-    }
+    (void)jlt_grid_place(where, self->axes, self->count, point);
+    jlt_grid_fields(values, self->axes, self->count, point);
     for (const char *next; text != NULL && *text != '\0'; text = next) {
         const size_t length = line_at(text, &next);
         if (*text == '#' && !has_line(self->header, text, length))

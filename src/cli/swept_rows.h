@@ -5,7 +5,7 @@
 #include "cli/common.h"
 #include "cli/grid.h"
 
-enum { JLT_SWEPT_AXES_MAX = 8, JLT_SWEPT_PLACE_MAX = 512 };
+enum { JLT_SWEPT_AXES_MAX = 8 };
 
 /* The caller sets the first six members. */
 typedef struct {
@@ -26,9 +26,6 @@ typedef struct {
     bool has_numbers[2], has_points; /* whether a row so far has a number in these columns; in both */
     jlt_extent extent[2];            /* of the rows with numbers in both, if has_points */
 } jlt_swept_rows;
-
-/** Write the values at a point as "k=0.1, E=2", for messages. */
-void jlt_swept_rows_place(char text[JLT_SWEPT_PLACE_MAX], const jlt_swept_rows *self, size_t point);
 
 /** Take what the command wrote at a point: comments, column names, rows; text without column names is ignored. Comments that are
  *  not in the header stay with the rows. Columns that the first point lacks are left out, and those that this point lacks are

@@ -18,7 +18,7 @@ typedef struct {
 } sequence;
 
 struct jlt_spool {
-    size_t width, room, sequences;
+    size_t width, room;
     sequence *of;
     double *recent; /* (sequences, room, width) */
     double *block;  /* (room, width), read from the file */
@@ -39,7 +39,7 @@ jlt_status jlt_spool_create(jlt_spool **out, size_t width, size_t sequences, siz
     if (sequences > SIZE_MAX / (room * width * sizeof(double))) return JLT_ERR_NOMEM;
     self = calloc(1, sizeof *self);
     if (self == NULL) return JLT_ERR_NOMEM;
-    *self = (jlt_spool){ .width = width, .room = room, .sequences = sequences, .file = -1 };
+    *self = (jlt_spool){ .width = width, .room = room, .file = -1 };
     self->of = calloc(sequences, sizeof *self->of);
     self->recent = malloc(sequences * room * width * sizeof *self->recent);
     self->block = malloc(room * width * sizeof *self->block);

@@ -7,35 +7,28 @@
 
 #include "dynamics/linear.h"
 
-jlt_status jlt_branch_init(jlt_branch *out, jlt_map *map, const jlt_periodic *saddle, size_t point, bool stable,
-                           int side, double seed)
+jlt_status jlt_branch_init(jlt_branch *out, jlt_map *map, const jlt_periodic *saddle, bool stable, int side, double seed)
 {
     const jlt_chart *chart = jlt_map_flow(map)->chart;
-    jlt_periodic orbit = *saddle;
     jlt_branch self = { .map = map, .time_direction = stable ? -1 : 1, .seed = seed };
     double multiplier, turn, slope[4];
-    jlt_status st;
 
     if (chart->dim != 2 || (side != 1 && side != -1)) return JLT_ERR_ARG;
     if (!(seed >= JLT_BRANCH_SEED_LEAST && seed <= JLT_BRANCH_SEED_MOST)) return JLT_ERR_ARG;
     if (saddle->type != JLT_ORBIT_SADDLE && saddle->type != JLT_ORBIT_FLIP_SADDLE) return JLT_ERR_ARG;
-    if (point != 0) {
-        st = jlt_periodic_rotate(map, &orbit, point);
-        if (st != JLT_OK) return st;
-    }
-    multiplier = stable ? orbit.re[1] : orbit.re[0];
-    jlt_chart_scaled_slope(chart, slope, orbit.slope);
+    multiplier = stable ? saddle->re[1] : saddle->re[0];
+    jlt_chart_scaled_slope(chart, slope, saddle->slope);
     jlt_linear_eigenvector(self.v, slope, multiplier);
     turn = fabs(self.v[0]) > fabs(self.v[1]) ? self.v[0] : self.v[1];
     if ((turn < 0) != (side < 0)) self.v[0] = -self.v[0], self.v[1] = -self.v[1];
     jlt_chart_unscaled(chart, self.v, self.v);
-    self.returns = orbit.period;
+    self.returns = saddle->period;
     self.lambda = stable ? 1 / multiplier : multiplier;
     if (multiplier < 0) {
         self.returns *= 2;
         self.lambda *= self.lambda;
     }
-    memcpy(self.q, orbit.points, sizeof self.q);
+    memcpy(self.q, saddle->points, sizeof self.q);
     *out = self;
     return JLT_OK;
 }
@@ -58,9 +51,7 @@ static void turn(double *tangent, const jlt_branch *self, double rate, const dou
     for (unsigned k = 0; k < 2; k++) tangent[k] = rate * (slope[2 * k] * self->v[0] + slope[2 * k + 1] * self->v[1]);
 }
 
-static const double unity[4] = { 1, 0, 0, 1 };
-
-jlt_status jlt_branch_point(const jlt_branch *self, double q[2], double *tangent, double sigma)
+jlt_status jlt_branch_point(const jlt_branch *self, double q[2], double sigma)
 {
     double start[2], rate;
     jlt_image image;
@@ -70,15 +61,12 @@ jlt_status jlt_branch_point(const jlt_branch *self, double q[2], double *tangent
     const size_t n = begin(self, start, &rate, sigma);
     if (n == 0) {
         memcpy(q, start, sizeof start);
-        if (tangent != NULL) turn(tangent, self, rate, unity);
         return JLT_OK;
     }
-    if (tangent == NULL) st = jlt_map_point(self->map, &image, start, n * self->returns, self->time_direction);
-    else st = jlt_map_apply(self->map, &image, start, n * self->returns, self->time_direction);
+    st = jlt_map_point(self->map, &image, start, n * self->returns, self->time_direction);
     if (st != JLT_OK) return st;
     if (!jlt_chart_follows(jlt_map_flow(self->map)->chart, image.x)) return JLT_ERR_DOMAIN;
     memcpy(q, image.q, sizeof start);
-    if (tangent != NULL) turn(tangent, self, rate, image.slope);
     return JLT_OK;
 }
 

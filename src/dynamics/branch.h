@@ -27,22 +27,22 @@ typedef struct {
     double seed;        /* distance of gamma(0) from the saddle's point, scaled (jlt_chart_scaled) */
 } jlt_branch;
 
-/** Take the stable or the unstable branch at one point of the orbit. In: point, its index, 0 .. period-1; side, +1 along the
- *  eigenvector whose larger component is positive, -1 against it; seed, in [JLT_BRANCH_SEED_LEAST, JLT_BRANCH_SEED_MOST].
- *  Errors: ARG, the orbit is no saddle of a two-dimensional map; side or seed out of range; those of jlt_periodic_rotate. */
-JLT_CHECKED jlt_status jlt_branch_init(jlt_branch *out, jlt_map *map, const jlt_periodic *saddle, size_t point,
-                                       bool stable, int side, double seed);
+/** Take the stable or the unstable branch at the orbit's first point (jlt_periodic_rotate makes another point the first). In: side,
+ *  +1 along the eigenvector whose larger component is positive, -1 against it; seed, the distance of the branch's first point, in
+ *  [JLT_BRANCH_SEED_LEAST, JLT_BRANCH_SEED_MOST]. Errors: ARG, the orbit is no saddle of a two-dimensional map; side or seed out of
+ *  range. */
+JLT_CHECKED jlt_status jlt_branch_init(jlt_branch *out, jlt_map *map, const jlt_periodic *saddle, bool stable, int side,
+                                       double seed);
 
-/** Compute the point q = gamma(sigma), sigma >= 0, and, unless NULL, tangent, shape (2,), its derivative by sigma from the
- *  variational equations, which costs five times as much.
+/** Compute the point q = gamma(sigma), sigma >= 0.
  *  Errors: ARG, sigma < 0 or not finite; as jlt_map_apply; DOMAIN where the branch ends at a pole, or is on another branch of a
  *  chart that solves for states.
  *  Cost: ceil(sigma)*returns returns. */
-JLT_CHECKED jlt_status jlt_branch_point(const jlt_branch *self, double q[2], double *tangent, double sigma);
+JLT_CHECKED jlt_status jlt_branch_point(const jlt_branch *self, double q[2], double sigma);
 
 /** Compute many points and tangents at once, point i at sigma[i] on branches[i]; maps: a batch for the branches' section. Out:
- *  status, shape (count,), what jlt_branch_point would return; q, tangent, shape (count, 2), untouched where that is not OK.
- *  Errors: as jlt_map_batch_apply. */
+ *  status, shape (count,), what jlt_branch_point would return; q, and tangent, its derivative by sigma from the variational
+ *  equations, shape (count, 2), untouched where that is not OK. Errors: as jlt_map_batch_apply. */
 JLT_CHECKED jlt_status jlt_branch_points(const jlt_branch *const *branches, jlt_map_batch *maps, jlt_status *status, double *q,
                                          double *tangent, const double *sigma, size_t count);
 

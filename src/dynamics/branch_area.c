@@ -186,7 +186,7 @@ static jlt_status refine(joint **list, size_t *count, const jlt_branch *branch)
             if (!at->is_open) continue;
             joint *middle = &finer[n++];
             *middle = (joint){ .sigma = at->sigma + (at[1].sigma - at->sigma) / 2, .index = SIZE_MAX, .is_open = true };
-            const jlt_status st = jlt_branch_point(branch, middle->q, NULL, middle->sigma);
+            const jlt_status st = jlt_branch_point(branch, middle->q, middle->sigma);
             if (st != JLT_OK) middle->area = NAN;
         }
         free(*list);

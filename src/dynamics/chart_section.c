@@ -143,7 +143,7 @@ void jlt_chart_section_point(const jlt_chart_section *self, double *q, size_t in
     for (unsigned k = 0; k < self->base.dim; k++) {
         const jlt_quantity *coordinate = &self->section->coordinates[k];
         const double period = self->base.period[k];
-        const double low = period != 0 ? -period / 2 : fmax(coordinate->low, -INFINITY);
+        const double low = period != 0 ? -period / 2 : coordinate->low;
         const unsigned places = jlt_chart_section_places(self, k, angles);
         const double from = isfinite(low) ? low : isfinite(coordinate->high) ? coordinate->high - 2 : -1;
         const double to = period != 0 ? period / 2 : isfinite(coordinate->high) ? coordinate->high : from + 2;

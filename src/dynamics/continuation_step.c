@@ -90,8 +90,7 @@ static jlt_status tangent_at(const jlt_continuation_runner *self, double *tangen
                              const double *last)
 {
     const unsigned d = self->d;
-    double matrix[U * U], right[U] = { 0 }, sum = 0;
-    unsigned i;
+    double matrix[U * U], right[U] = { 0 };
     jlt_status st;
 
     border(matrix, at, last, d);
@@ -99,9 +98,9 @@ static jlt_status tangent_at(const jlt_continuation_runner *self, double *tangen
     right[d] = 1;
     st = jlt_eigen_least_squares(tangent, matrix, right, d + 1, d + 1, 1e-14);
     if (st != JLT_OK) return st;
-    for (i = 0; i <= d; i++) sum += tangent[i] * tangent[i];
-    if (!(sum > 0)) return JLT_ERR_NO_CONVERGENCE;
-    for (i = 0; i <= d; i++) tangent[i] /= sqrt(sum);
+    const double length = jlt_linear_length(tangent, d + 1);
+    if (!(length > 0)) return JLT_ERR_NO_CONVERGENCE;
+    for (unsigned i = 0; i <= d; i++) tangent[i] /= length;
     return JLT_OK;
 }
 
@@ -226,22 +225,20 @@ jlt_status jlt_continuation_step_begin(jlt_continuation_runner *self, jlt_contin
 {
     const unsigned d = self->d;
     jlt_continuation_place first = { .symmetric = start->orbit.symmetric };
-    double guess[U], mirror[JLT_CHART_DIM_MAX], sum = 0;
+    double guess[U], mirror[JLT_CHART_DIM_MAX];
     const jlt_chart *chart = &self->chart;
     jlt_status st = JLT_OK;
-    unsigned i;
 
     if (start->orbit.symmetric) {
         jlt_chart_mirror(chart, mirror, start->orbit.points);
         if (jlt_chart_distance(chart, mirror, start->orbit.points) < same_point)
-            for (i = 0; i < d; i++) self->held[i] = chart->mirror[i] < 0;
+            for (unsigned i = 0; i < d; i++) self->held[i] = chart->mirror[i] < 0;
     }
     jlt_chart_scaled(chart, first.u, start->orbit.points);
     first.u[d] = start->value / self->options.scale;
     JLT_TRY(jlt_continuation_step_evaluate(self, &first.at, first.u));
     memcpy(guess, start->tangent, sizeof guess);
-    for (i = 0; i <= d; i++) sum += guess[i] * guess[i];
-    if (!(sum > 0)) guess[d] = direction;
+    if (!(jlt_linear_length(guess, d + 1) > 0)) guess[d] = direction;
     JLT_TRY(tangent_at(self, first.tangent, &first.at, guess));
     test_functions(first.test, &first.at, first.tangent, first.symmetric, d);
     *out = first;
@@ -259,10 +256,10 @@ static double dot(const double *a, const double *b, unsigned count)
 bool jlt_continuation_step_straight(const jlt_continuation_place *from, const jlt_continuation_place *to, double angle,
                                     unsigned d)
 {
-    double way[U], length;
+    double way[U];
 
     for (unsigned i = 0; i <= d; i++) way[i] = to->u[i] - from->u[i];
-    length = sqrt(dot(way, way, d + 1));
+    const double length = jlt_linear_length(way, d + 1);
     return dot(from->tangent, to->tangent, d + 1) >= cos(angle) &&
            fabs(dot(way, from->tangent, d + 1)) >= length * cos(angle / 2) &&
            fabs(dot(way, to->tangent, d + 1)) >= length * cos(angle / 2);

@@ -13,7 +13,6 @@ enum { U = JLT_CONTINUATION_U, HALVINGS = 12 };
 static void other_direction(double *direction, const jlt_continuation_equation *at, const jlt_continuation_point *point)
 {
     const double *first = at->jacobian, *second = at->jacobian + 3, *row, *t = point->tangent;
-    double length;
 
     if (point->kind == JLT_BIFURCATION_DOUBLING) {
         jlt_linear_eigenvector(direction, at->slope, -1);
@@ -25,7 +24,7 @@ static void other_direction(double *direction, const jlt_continuation_equation *
     direction[0] = row[1] * t[2] - row[2] * t[1];
     direction[1] = row[2] * t[0] - row[0] * t[2];
     direction[2] = row[0] * t[1] - row[1] * t[0];
-    length = sqrt(direction[0] * direction[0] + direction[1] * direction[1] + direction[2] * direction[2]);
+    const double length = jlt_linear_length(direction, 3);
     direction[0] /= length, direction[1] /= length, direction[2] /= length;
 }
 

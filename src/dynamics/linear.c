@@ -21,11 +21,11 @@ void jlt_linear_multiply(double *out, const double *a, const double *b, unsigned
     memcpy(out, product, sizeof *out * dim * dim);
 }
 
-double jlt_linear_length(const double *v, unsigned count)
+double jlt_linear_length(const double *v, size_t count)
 {
     double sum = 0;
 
-    for (unsigned i = 0; i < count; i++) sum += v[i] * v[i];
+    for (size_t i = 0; i < count; i++) sum += v[i] * v[i];
     return sqrt(sum);
 }
 

@@ -4,13 +4,15 @@
 
 #include "core/status.h"
 
+#include <stddef.h>
+
 enum { JLT_LINEAR_DIM_MAX = 128 };
 
 /** out = a b; out may be a or b. */
 void jlt_linear_multiply(double *out, const double *a, const double *b, unsigned dim);
 
 /** Euclidean length of v, shape (count,). */
-double jlt_linear_length(const double *v, unsigned count);
+double jlt_linear_length(const double *v, size_t count);
 
 /** Determinant of a, shape (dim, dim), by elimination with partial pivoting; for dim = 2 by a compensated difference of products,
  *  good to 2 ulp. */

@@ -139,7 +139,7 @@ jlt_status jlt_lyapunov_run_each(jlt_map_batch *maps, jlt_lyapunov_state *out, j
         memcpy(out[i].q, q + i * d, d * sizeof *q);
         begin_frame(all.frames + i * d * d, d);
     }
-    JLT_TRY(jlt_map_batch_apply_flows(maps, &images, q, flow_of, count, skip + returns, 1, take_return, &all));
+    JLT_TRY(jlt_map_batch_apply_flows(maps, &images, q, flow_of, count, skip + returns, take_return, &all));
     memcpy(status, images.status, count * sizeof *status);
 done:
     jlt_map_batch_images_clear(&images);

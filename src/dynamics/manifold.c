@@ -68,11 +68,11 @@ jlt_status jlt_manifold_grow(jlt_manifold *out, const jlt_branch *branch, const 
 
     if (!(options.spacing > options.finest) || !(options.turn > 0) || options.points_max < 2) return JLT_ERR_ARG;
     JLT_TRY(reserve(&self, options.points_max));
-    JLT_TRY(jlt_branch_point(branch, q, NULL, 0));
+    JLT_TRY(jlt_branch_point(branch, q, 0));
     append(&self, flow->chart, q, 0);
     while (self.count < options.points_max) {
         double distance, turn;
-        st = jlt_branch_point(branch, q, NULL, sigma + step);
+        st = jlt_branch_point(branch, q, sigma + step);
         if (flow->interrupt != NULL && *flow->interrupt) {
             st = JLT_OK;
             self.end = JLT_MANIFOLD_INTERRUPT;

@@ -17,17 +17,23 @@ enum { D = JLT_CHART_DIM_MAX };
 static const double root_floor = 1e-9;
 static const size_t most_steps = 1000;
 
+/* What points are asked for: the most returns of any; of each its flow, its returns, its direction of time, NULL where that is the
+ * first, the most, and `direction`. */
+typedef struct {
+    size_t returns;
+    const size_t *flow_of, *each;
+    int direction;
+    const int *directions;
+    jlt_map_batch_observer observer; /* NULL: none */
+    void *context;
+} request;
+
 /* What one thread works on: BLOCK points at a time, through all their returns. */
 enum { BLOCK = 256 };
 typedef struct {
     const jlt_map_batch *batch;
     const jlt_map_images *out;
-    const size_t *flow_of; /* index of every point's flow; NULL: the first */
-    const int *directions; /* of time, of every point; NULL: `direction` */
-    const size_t *each;    /* returns of every point; NULL: `returns` */
-    jlt_map_batch_observer observer; /* NULL: none */
-    void *context;
-    size_t returns;
+    const request *wanted;
     int direction;         /* of time, being computed */
     jlt_map *alone;  /* for orbits that are followed alone, */
     size_t alone_of; /* of this flow */
@@ -150,7 +156,10 @@ void jlt_map_batch_destroy(jlt_map_batch *self)
     free(self);
 }
 
-static size_t flow_index(const worker *self, size_t point) { return self->flow_of != NULL ? self->flow_of[point] : 0; }
+static size_t flow_index(const worker *self, size_t point)
+{
+    return self->wanted->flow_of != NULL ? self->wanted->flow_of[point] : 0;
+}
 
 static const jlt_flow *flow_of(const worker *self, size_t point) { return &self->batch->flows[flow_index(self, point)]; }
 
@@ -171,7 +180,7 @@ static void add(const worker *self, size_t point, const jlt_map_batch_return *ma
     const jlt_map_images *out = self->out;
     const unsigned d = self->batch->flows->chart->dim;
 
-    if (self->observer != NULL) self->observer(self->context, point, made);
+    if (self->wanted->observer != NULL) self->wanted->observer(self->wanted->context, point, made);
     jlt_linear_multiply(out->slope + point * d * d, made->slope, out->slope + point * d * d, d);
     out->T[point] += made->T;
     out->expansion[point] += made->expansion;
@@ -248,8 +257,10 @@ static void go_alone(worker *self, size_t point)
 /* Whether a point goes in the direction being computed, and has more than `number` returns to make. */
 static bool is_due(const worker *self, size_t point, size_t number)
 {
-    if (self->directions != NULL && self->directions[point] != self->direction) return false;
-    return number < (self->each != NULL ? self->each[point] : self->returns);
+    const request *wanted = self->wanted;
+
+    if (wanted->directions != NULL && wanted->directions[point] != self->direction) return false;
+    return number < (wanted->each != NULL ? wanted->each[point] : wanted->returns);
 }
 
 /* Fill lanes with the varied states of those of the points first .. first + count - 1 that are due; a point without a state gets
@@ -297,14 +308,13 @@ static jlt_status follow(worker *self, size_t first, size_t count, int direction
     jlt_status st = JLT_OK;
 
     self->direction = direction;
-    for (size_t number = 0; number < self->returns && st == JLT_OK; number++) st = one_return(self, first, count, number);
+    for (size_t number = 0; number < self->wanted->returns && st == JLT_OK; number++) st = one_return(self, first, count, number);
     return st;
 }
 
 /* Take blocks of points until *next, shared by the threads, has passed the last point. */
 static jlt_status work(worker *self, size_t count, size_t block, size_t *next)
 {
-    const int only = self->direction;
     jlt_status st = JLT_OK;
 
     for (;;) {
@@ -312,22 +322,11 @@ static jlt_status work(worker *self, size_t count, size_t block, size_t *next)
                      size = count - first < block ? count - first : block;
         if (first >= count || st != JLT_OK) return st;
         for (int way = 1; way >= -1 && st == JLT_OK; way -= 2)
-            if (self->directions != NULL || way == only) st = follow(self, first, size, way);
+            if (self->wanted->directions != NULL || way == self->wanted->direction) st = follow(self, first, size, way);
     }
 }
 
 const jlt_flow *jlt_map_batch_flow(const jlt_map_batch *self) { return self->flows; }
-
-/* What is asked for. returns: of the point with the most; flow_of, each, directions: flow, returns and direction of time of each
- * point, NULL where that is the first flow, `returns`, `direction` for all. */
-typedef struct {
-    size_t returns;
-    const size_t *flow_of, *each;
-    int direction;
-    const int *directions;
-    jlt_map_batch_observer observer; /* NULL: none */
-    void *context;
-} request;
 
 static jlt_status apply(jlt_map_batch *self, const jlt_map_images *out, const double *q, size_t count, const request *wanted)
 {
@@ -355,13 +354,7 @@ static jlt_status apply(jlt_map_batch *self, const jlt_map_images *out, const do
     for (unsigned thread = 0; thread < threads; thread++) {
         worker *w = &self->workers[thread];
         w->out = out;
-        w->direction = wanted->direction;
-        w->directions = wanted->directions;
-        w->flow_of = wanted->flow_of;
-        w->each = wanted->each;
-        w->observer = wanted->observer;
-        w->context = wanted->context;
-        w->returns = wanted->returns;
+        w->wanted = wanted;
         const int st = (int)work(w, count, block, &next);
         if (st > failure) failure = st;
     }
@@ -385,9 +378,8 @@ jlt_status jlt_map_batch_apply_each(jlt_map_batch *self, const jlt_map_images *o
 }
 
 jlt_status jlt_map_batch_apply_flows(jlt_map_batch *self, const jlt_map_images *out, const double *q, const size_t *flow_of,
-                                     size_t count, size_t returns, int time_direction, jlt_map_batch_observer observer,
-                                     void *context)
+                                     size_t count, size_t returns, jlt_map_batch_observer observer, void *context)
 {
     return returns == 0 ? JLT_ERR_ARG
-                        : apply(self, out, q, count, &(request){ returns, flow_of, NULL, time_direction, NULL, observer, context });
+                        : apply(self, out, q, count, &(request){ returns, flow_of, NULL, 1, NULL, observer, context });
 }

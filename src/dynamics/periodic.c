@@ -135,7 +135,7 @@ done:
 bool jlt_periodic_moves(const jlt_flow *flow, const jlt_periodic *orbit)
 {
     const jlt_chart *chart = flow->chart;
-    double x[JLT_CHART_STATES_MAX], f[JLT_CHART_STATES_MAX], q[D], speed = 0, rate = 1;
+    double x[JLT_CHART_STATES_MAX], f[JLT_CHART_STATES_MAX], q[D], speed = 0;
 
     for (size_t k = orbit->period; k-- > 0;) { /* the first point last */
         if (chart->lift(chart, x, NULL, orbit->points + k * chart->dim) != JLT_OK) return false;
@@ -143,9 +143,8 @@ bool jlt_periodic_moves(const jlt_flow *flow, const jlt_periodic *orbit)
         speed = jlt_chart_speed(chart, x, f);
         if (fabs(ldexp(f[chart->column], -chart->column_scale)) <= in_section * speed) return false;
     }
-    if (flow->field->time_rate != NULL) flow->field->time_rate(x, flow->field->p, &rate);
     jlt_chart_scaled(chart, q, orbit->points);
-    return speed / rate * ldexp(orbit->T, -flow->units.time) / (double)orbit->period >
+    return speed / jlt_field_time_rate(flow->field, x) * ldexp(orbit->T, -flow->units.time) / (double)orbit->period >
            standstill * fmax(1, jlt_linear_length(q, chart->dim));
 }
 

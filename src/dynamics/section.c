@@ -146,10 +146,9 @@ void jlt_section_destroy(jlt_section *self)
     free(self);
 }
 
-/* Make x, at the fraction theta of the last step, the point of the current return; f gets the field there. */
-static void arrive(jlt_section *self, double theta, const double *x, double *f)
+/* Make x, at the fraction theta of the last step, the point of the current return. */
+static void arrive(jlt_section *self, double theta, const double *x)
 {
-    self->flow.field->call(x, self->flow.field->p, f);
     memcpy(self->x, x, self->flow.chart->states * sizeof *x);
     jlt_chart_turn_back(self->flow.chart, self->x);
     jlt_section_conditions_arrive(&self->watched, theta, x);
@@ -188,7 +187,7 @@ static void set_fate(jlt_return *row, const jlt_section *self, const double *x, 
 static jlt_status begin(jlt_section *self, jlt_return *row, const double *x, int time_direction)
 {
     const jlt_chart *chart = self->flow.chart;
-    double f[JLT_CHART_STATES_MAX], turned[JLT_CHART_STATES_MAX];
+    double turned[JLT_CHART_STATES_MAX];
     jlt_status st;
 
     memcpy(turned, x, chart->states * sizeof *x);
@@ -205,7 +204,7 @@ static jlt_status begin(jlt_section *self, jlt_return *row, const double *x, int
     self->rest = (jlt_rest_watch){ 0 };
     self->time_direction = time_direction;
     jlt_section_conditions_begin(&self->watched);
-    arrive(self, 0, x, f);
+    arrive(self, 0, x);
     if (jlt_rest_is_still(self->flow.field, x)) self->start_fate = JLT_FATE_EQUILIBRIUM;
     if (self->event_count > self->crossings && self->watched.so_far.value <= 0) self->start_fate = JLT_FATE_INVALID;
     if (row == NULL) return JLT_OK;
@@ -285,7 +284,6 @@ jlt_status jlt_section_next(jlt_section *self, jlt_return *row)
 {
     jlt_status st = JLT_OK;
     const jlt_stepper *stepper = jlt_orbit_stepper(self->orbit);
-    double f[JLT_CHART_STATES_MAX];
     jlt_outcome outcome = { .t = self->t_start, .x = self->x };
     jlt_fate fate;
 
@@ -313,7 +311,7 @@ jlt_status jlt_section_next(jlt_section *self, jlt_return *row)
     } else if (outcome.end == JLT_END_EVENT && outcome.crossing.event < self->crossings) {
         self->number++;
         self->t_start = outcome.t;
-        arrive(self, outcome.crossing.theta, outcome.x, f);
+        arrive(self, outcome.crossing.theta, outcome.x);
         fill(row, self, outcome.t, self->x, true);
         row->direction = outcome.crossing.direction;
         self->accepted = self->flow.chart->turn != 0; /* self->x was turned back */
@@ -335,7 +333,8 @@ void jlt_section_accept(jlt_section *self, jlt_return *row, double t, const doub
     self->t_start = t;
     self->accepted = true;
     jlt_section_conditions_turn(&self->watched);
-    arrive(self, 0, x, f);
+    self->flow.field->call(x, self->flow.field->p, f);
+    arrive(self, 0, x);
     fill(row, self, t, x, true);
     row->direction = (f[column] > 0) - (f[column] < 0);
 }

@@ -82,7 +82,7 @@ jlt_status jlt_separatrices_grow(jlt_separatrices *self, jlt_map *map, const jlt
     self->chart = jlt_map_flow(map)->chart;
     if (options != NULL) self->growth = *options;
     for (int k = 0; k < JLT_SEPARATRICES; k++) {
-        JLT_TRY(jlt_branch_init(&self->branch[k], map, saddle, 0, k >= 2, k % 2 == 0 ? 1 : -1, seed));
+        JLT_TRY(jlt_branch_init(&self->branch[k], map, saddle, k >= 2, k % 2 == 0 ? 1 : -1, seed));
         self->original[k] = original_of(self, k);
         if (self->original[k] < JLT_SEPARATRICES) reflect_branch(self, k);
     }

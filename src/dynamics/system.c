@@ -191,9 +191,7 @@ static void point_number(const jlt_system *self, double *x, int k)
 
 static bool is_proved(const jlt_descriptor *d, unsigned state, double period)
 {
-    const jlt_claim *claim = jlt_descriptor_claim(d, "periodic", d->states[state].name);
-
-    return claim != NULL && claim->verdict == JLT_PROVED && period == d->states[state].period;
+    return period == d->states[state].period && jlt_descriptor_proves(d, "periodic", d->states[state].name);
 }
 
 jlt_status jlt_system_angles(jlt_system *self, const double *periods, unsigned *state)

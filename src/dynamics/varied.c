@@ -93,7 +93,7 @@ jlt_status jlt_varied_make(jlt_varied *self, const jlt_field *plain, jlt_kernel_
                                           .time_factor = plain->time_rate != NULL ? time_rate_on_lanes : NULL };
         self->products = jlt_varied_batch_find(kernels);
         self->field.batch = &self->batch;
-        self->spread = jlt_batch_isa_spread(kernels, plain->p, 1);
+        self->spread = jlt_batch_isa_spread(kernels, plain->p);
         if (self->spread == NULL) return JLT_ERR_NOMEM;
     }
     for (unsigned i = 0; i < self->field.dim; i++) self->scale[i] = 1;

@@ -27,16 +27,22 @@ static bool all_finite(const double *values, size_t count)
     return true;
 }
 
-/* Insertion sort by (re, im). */
-static void sort_ascending(double *re, double *im, size_t n)
+static void swap(double *a, double *b)
+{
+    const double held = *a;
+
+    *a = *b;
+    *b = held;
+}
+
+void jlt_eigen_sort(double *re, double *im, double *error, size_t n)
 {
     for (size_t i = 1; i < n; i++)
         for (size_t j = i; j > 0; j--) {
-            double held = re[j];
             if (re[j - 1] < re[j] || (!(re[j - 1] > re[j]) && im[j - 1] <= im[j])) break;
-            re[j] = re[j - 1], re[j - 1] = held;
-            held = im[j];
-            im[j] = im[j - 1], im[j - 1] = held;
+            swap(&re[j - 1], &re[j]);
+            swap(&im[j - 1], &im[j]);
+            if (error != NULL) swap(&error[j - 1], &error[j]);
         }
 }
 
@@ -61,7 +67,7 @@ jlt_status jlt_eigen_values(double *re, double *im, const double *a, size_t n)
         re[i] = GSL_REAL(gsl_vector_complex_get(values, i));
         im[i] = GSL_IMAG(gsl_vector_complex_get(values, i));
     }
-    sort_ascending(re, im, n);
+    jlt_eigen_sort(re, im, NULL, n);
     if (!all_finite(re, n) || !all_finite(im, n)) st = JLT_ERR_NONFINITE;
 done:
     gsl_eigen_nonsymm_free(space);
@@ -89,7 +95,7 @@ jlt_status jlt_eigen_polynomial_roots(double *re, double *im, const double *coef
         re[i] = roots[2 * i];
         im[i] = roots[2 * i + 1];
     }
-    sort_ascending(re, im, n);
+    jlt_eigen_sort(re, im, NULL, n);
     if (!all_finite(re, n) || !all_finite(im, n)) st = JLT_ERR_NONFINITE;
 done:
     gsl_poly_complex_workspace_free(space);

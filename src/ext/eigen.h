@@ -17,6 +17,9 @@ JLT_CHECKED jlt_status jlt_eigen_values(double *re, double *im, const double *a,
  *  0. Errors: NONFINITE, NO_CONVERGENCE, NOMEM. Accuracy: a k-fold root keeps 1/k of the digits. */
 JLT_CHECKED jlt_status jlt_eigen_polynomial_roots(double *re, double *im, const double *coefficients, size_t n);
 
+/** Sort eigenvalues by (re, im), ascending. In/out: re, im, and error unless NULL, shape (n,). Cost: n^2. */
+void jlt_eigen_sort(double *re, double *im, double *error, size_t n);
+
 /** The shortest z that minimizes |a z - b|; singular values not above cutoff * largest count as zero.
  *  Out: z, shape (columns,). In: a, shape (rows, columns); b, shape (rows,). Errors: NONFINITE, also if products of entries
  *  overflow, so that the decomposition does not converge; NOMEM. */

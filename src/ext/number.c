@@ -1,7 +1,11 @@
 #include "ext/number.h"
 
+#if __has_include(<flint/arf.h>)
+#include <flint/arf.h>
+#else
+#include <arf.h>
+#endif
 #include <flint/fmpq.h>
-#include <flint/fmpz.h>
 
 #include <math.h>
 #include <stdbool.h>
@@ -77,60 +81,27 @@ static bool read_plain(fmpq_t value, const char *text, size_t length)
     return good;
 }
 
-/* Round value = p/q to 53 bits. With a shift such that 2^54 <= 2^shift |p|/q < 2^56, the bits of the integer quotient beyond the
- * first 53, and whether there is a remainder, decide the rounding exactly. */
 static jlt_status round_nearest(double *result, const fmpq_t value)
 {
-    fmpz_t p, quotient, remainder;
-    long shift;
-    int surplus;
-    double magnitude;
+    arf_t nearest;
 
-    if (fmpq_is_zero(value)) {
-        *result = 0.0;
-        return JLT_OK;
-    }
-    fmpz_init(p);
-    fmpz_init(quotient);
-    fmpz_init(remainder);
-    fmpz_abs(p, fmpq_numref(value));
-    shift = 55 - ((long)fmpz_bits(p) - (long)fmpz_bits(fmpq_denref(value)));
-    if (shift >= 0) {
-        fmpz_mul_2exp(p, p, (unsigned long)shift);
-        fmpz_fdiv_qr(quotient, remainder, p, fmpq_denref(value));
-    } else {
-        fmpz_t q;
-        fmpz_init(q);
-        fmpz_mul_2exp(q, fmpq_denref(value), (unsigned long)-shift);
-        fmpz_fdiv_qr(quotient, remainder, p, q);
-        fmpz_clear(q);
-    }
-    surplus = (int)fmpz_bits(quotient) - 53;
-    {
-        unsigned long bits = fmpz_get_ui(quotient);
-        const unsigned long unit = 1ul << surplus, half = unit >> 1, tail = bits & (unit - 1);
-        bits -= tail;
-        if (tail > half || (tail == half && (!fmpz_is_zero(remainder) || (bits & unit) != 0))) bits += unit;
-        magnitude = shift < -2000 ? INFINITY : shift > 2000 ? 0.0 : ldexp((double)bits, (int)-shift);
-    }
-    fmpz_clear(remainder);
-    fmpz_clear(quotient);
-    fmpz_clear(p);
-    if (!isnormal(magnitude)) return JLT_ERR_NONFINITE;
-    *result = fmpz_sgn(fmpq_numref(value)) < 0 ? -magnitude : magnitude;
+    arf_init(nearest);
+    (void)arf_fmpz_div_fmpz(nearest, fmpq_numref(value), fmpq_denref(value), 53, ARF_RND_NEAR);
+    const double rounded = arf_get_d(nearest, ARF_RND_NEAR);
+    arf_clear(nearest);
+    if (!fmpq_is_zero(value) && !isnormal(rounded)) return JLT_ERR_NONFINITE;
+    *result = rounded;
     return JLT_OK;
 }
 
 static void set_double(fmpq_t out, double value)
 {
-    int exponent;
-    const double mantissa = frexp(value, &exponent);
+    arf_t exact;
 
-    fmpz_set_d(fmpq_numref(out), ldexp(mantissa, 53));
-    fmpz_one(fmpq_denref(out));
-    if (exponent >= 53) fmpz_mul_2exp(fmpq_numref(out), fmpq_numref(out), (unsigned long)(exponent - 53));
-    else fmpz_mul_2exp(fmpq_denref(out), fmpq_denref(out), (unsigned long)(53 - exponent));
-    fmpq_canonicalise(out);
+    arf_init(exact);
+    arf_set_d(exact, value);
+    arf_get_fmpq(out, exact);
+    arf_clear(exact);
 }
 
 /* Read pi, -pi, 2*pi, 2*pi/3, pi/2 and the like; out is the double that double arithmetic gives. */

@@ -270,7 +270,7 @@ static int sign_of(const jlt_surd *a, const jlt_surd_field *field)
     arb_init(ball);
     for (slong precision = 64; sign == 0; precision *= 2) {
         jlt_surd_enclose(ball, a, field, precision);
-        sign = arb_is_positive(ball) ? 1 : arb_is_negative(ball) ? -1 : 0;
+        sign = arb_sgn_nonzero(ball);
     }
     arb_clear(ball);
     return sign;

@@ -40,12 +40,6 @@ jlt_dop853 *jlt_dop853_new(const jlt_stepper *stepper)
     return self;
 }
 
-static inline void slope(const jlt_field *field, const double *x, double *k)
-{
-    field->call(x, field->p, k);
-    if (field->time_rate != NULL) field->time_rate(x, field->p, k + field->dim);
-}
-
 /* Add the newest slope to the sum, and evaluate the field there. */
 static inline void close_stage(jlt_dop853 *self, const jlt_field *field, double ha, const double *newest, double *k)
 {
@@ -56,7 +50,7 @@ static inline void close_stage(jlt_dop853 *self, const jlt_field *field, double 
 #pragma clang loop vectorize(disable)
 #endif
     for (unsigned i = 0; i < dim; i++) stage[i] = part[i] + ha * newest[i];
-    slope(field, stage, k);
+    jlt_field_rates(field, k, stage);
 }
 
 #define K(j) k[((j) - 1) * blocks + b]
@@ -106,7 +100,7 @@ static inline void solution(jlt_dop853 *self, const jlt_stepper *stepper, const 
         self->trial[i] = x[i] + move;
         self->trial_low[i] = (x[i] - self->trial[i]) + move;
     }
-    slope(stepper->field, self->trial, ROW(13));
+    jlt_field_rates(stepper->field, ROW(13), self->trial);
 }
 
 /* max(|a|, |b|, c) lane by lane, c >= 0, by masks: C has no conditional on vectors. */
@@ -274,7 +268,7 @@ void jlt_dop853_single(jlt_dop853 *self, const jlt_stepper *stepper, const doubl
 void jlt_dop853_dense(jlt_dop853 *self, jlt_stepper *stepper, const double *x, double h, const double *x_end)
 {
     const unsigned stride = stepper->stride;
-    slope(stepper->field, x_end, ROW(13));
+    jlt_field_rates(stepper->field, ROW(13), x_end);
     polynomial(self, stepper, x, ROW(1), h, x_end);
     stepper->evaluations++;
 }
@@ -307,7 +301,7 @@ static double first_step(jlt_dop853 *self, jlt_stepper *stepper)
     double h = unit * (size < 1e-5 || speed < 1e-5 ? 1e-6 : 0.01 * size / speed);
     h = jlt_smaller(h, stepper->max_step);
     for (unsigned i = 0; i < columns; i++) self->trial[i] = stepper->x[i] + stepper->direction * h * stepper->f[i];
-    slope(stepper->field, self->trial, self->stage);
+    jlt_field_rates(stepper->field, self->stage, self->trial);
     stepper->evaluations++;
     for (unsigned i = 0; i < columns; i++) {
         const double w = jlt_larger(fabs(stepper->x[i]), stepper->scale[i]);
@@ -360,7 +354,6 @@ const jlt_method jlt_method_dop853 = {
     .meaning = "Dormand and Prince 8(5,3), 12 stages, dense output of order 7 (Hairer, Norsett and Wanner)",
     .order = 8,
     .share = 1.0 / 32,
-    .dense_order = 7,
     .evaluations = 12,
     .create = create,
     .destroy = destroy,

@@ -17,11 +17,11 @@ bool jlt_field_watches(const jlt_field *field)
 
 unsigned jlt_field_unbounded(const jlt_field *field, const double *x, double t)
 {
-    double f[JLT_FIELD_DIM_MAX], rate = 1, first = 1e5 * DBL_EPSILON * fabs(t);
+    const double rate = jlt_field_time_rate(field, x);
+    double f[JLT_FIELD_DIM_MAX], first = 1e5 * DBL_EPSILON * fabs(t);
     unsigned found = field->dim;
 
     field->call(x, field->p, f);
-    if (field->time_rate != NULL) field->time_rate(x, field->p, &rate);
     for (unsigned i = 0; i < field->dim; i++) {
         const double doubles = fabs(x[i] * rate / f[i]);
         if (!(fabs(x[i]) > 1) || !(x[i] * (f[i] / rate) * t > 0) || !(doubles < first)) continue;

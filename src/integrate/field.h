@@ -45,6 +45,22 @@ typedef struct {
     unsigned sized;                /* leading states for which a scale of 1 means jlt_field_size of an orbit's start; 0: none */
 } jlt_field;
 
+/** dx/dtau at x, shape (dim,), and behind it dt/dtau where the field has a time of its own: f, shape (dim,) or (dim + 1,). */
+static inline void jlt_field_rates(const jlt_field *field, double *f, const double *x)
+{
+    field->call(x, field->p, f);
+    if (field->time_rate != NULL) field->time_rate(x, field->p, f + field->dim);
+}
+
+/** dt/dtau at x, shape (dim,): 1 where tau is t. */
+static inline double jlt_field_time_rate(const jlt_field *field, const double *x)
+{
+    double rate = 1;
+
+    if (field->time_rate != NULL) field->time_rate(x, field->p, &rate);
+    return rate;
+}
+
 /** The size of an orbit, below which its states count as small. largest: the largest |state| at its start, the root left out. The
  *  size is 1 where largest is 0 or at least 1/64; else the largest power of two that is at most `largest`, but at least 2^-100. */
 double jlt_field_size(double largest);

@@ -100,7 +100,7 @@ static jlt_status create(jlt_stepper *stepper)
     self->batch = instance(field->batch);
     self->p = field->p;
     if (field->batch == NULL || field->batch->prepared == 0) return JLT_OK;
-    self->p = self->spread = jlt_batch_isa_spread(field->batch, field->p, 1);
+    self->p = self->spread = jlt_batch_isa_spread(field->batch, field->p);
     return self->spread == NULL ? JLT_ERR_NOMEM : JLT_OK;
 }
 
@@ -258,8 +258,7 @@ static jlt_status step(jlt_stepper *stepper, double limit)
                     self->end_low[c] = (stepper->x[c] - self->end[c]) + move;
                 }
                 double *f = self->end_f;
-                field->call(self->end, field->p, f);
-                if (field->time_rate != NULL) field->time_rate(self->end, field->p, f + field->dim);
+                jlt_field_rates(field, f, self->end);
                 stepper->evaluations++;
                 for (unsigned c = 0; c < columns; c++) defect += 0 * (self->end[c] + f[c]);
                 if (defect == 0) break;
@@ -388,7 +387,6 @@ const jlt_method jlt_method_gauss = {
     .meaning = "Gauss-Legendre collocation of order 16, eight nodes at once by vectors (Hairer, Lubich and Wanner)",
     .order = 16,
     .share = 1,
-    .dense_order = 8,
     .create = create,
     .destroy = destroy,
     .start = start,

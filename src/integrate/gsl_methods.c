@@ -22,9 +22,8 @@ typedef struct {
 static void field(void *context, const double *x, double *f)
 {
     jlt_stepper *stepper = context;
-    const jlt_field *of = stepper->field;
-    of->call(x, of->p, f);
-    if (of->time_rate != NULL) of->time_rate(x, of->p, f + of->dim);
+
+    jlt_field_rates(stepper->field, f, x);
     stepper->evaluations++;
 }
 
@@ -114,7 +113,6 @@ const jlt_method jlt_method_rk8pd = {
     .name = "rk8pd",
     .meaning = "Prince and Dormand 8(7), 13 stages, from GSL",
     .order = 8,
-    .dense_order = 7,
     .evaluations = 14,
     .share = 1.0 / 16,
     .create = create_rk8pd,
@@ -125,7 +123,6 @@ const jlt_method jlt_method_rkf45 = {
     .name = "rkf45",
     .meaning = "Runge, Kutta and Fehlberg 4(5), from GSL",
     .order = 5,
-    .dense_order = 7,
     .evaluations = 7,
     .share = 1.0 / 1024,
     .create = create_rkf45,
@@ -135,7 +132,6 @@ const jlt_method jlt_method_rkf45 = {
 const jlt_method jlt_method_msadams = {
     .name = "msadams",
     .meaning = "Adams of orders 1 to 12 in Nordsieck form, P(EC)^m, from GSL",
-    .dense_order = 7,
     .multistep = true,
     .share = 1.0 / 4096,
     .create = create_msadams,

@@ -37,11 +37,9 @@ double jlt_locate_unit(const jlt_event *event, const jlt_stepper *stepper)
 jlt_status jlt_locate_state(const jlt_event *event, jlt_stepper *stepper, double theta, double *x, double *f, double *value,
                             double *slope)
 {
-    const jlt_field *field = stepper->field;
     const jlt_status st = stepper->method->partial(stepper, theta, x);
     if (st != JLT_OK) return st;
-    field->call(x, field->p, f);
-    if (field->time_rate != NULL) field->time_rate(x, field->p, f + field->dim);
+    jlt_field_rates(stepper->field, f, x);
     stepper->evaluations++;
     *value = jlt_locate_value(event, x);
     *slope = jlt_locate_slope(event, stepper, x, f);
@@ -52,16 +50,13 @@ jlt_status jlt_locate_state(const jlt_event *event, jlt_stepper *stepper, double
  * in the middle, whose error is of third order. Returns the time it took. */
 static double nudge(jlt_stepper *stepper, const jlt_event *event, double *x, double *f, double g, double move)
 {
-    const jlt_field *field = stepper->field;
     double middle[JLT_FIELD_DIM_MAX + 8], slope[JLT_FIELD_DIM_MAX + 8];
 
     for (unsigned i = 0; i < stepper->columns; i++) middle[i] = x[i] + 0.5 * move * f[i];
-    field->call(middle, field->p, slope);
-    if (field->time_rate != NULL) field->time_rate(middle, field->p, slope + field->dim);
+    jlt_field_rates(stepper->field, slope, middle);
     move = -g / jlt_locate_slope(event, stepper, middle, slope);
     for (unsigned i = 0; i < stepper->columns; i++) x[i] += move * slope[i];
-    field->call(x, field->p, f);
-    if (field->time_rate != NULL) field->time_rate(x, field->p, f + field->dim);
+    jlt_field_rates(stepper->field, f, x);
     stepper->evaluations += 2;
     return move;
 }

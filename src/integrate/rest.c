@@ -21,11 +21,10 @@ static bool slower(const double *f, const double *x, unsigned count, double size
 
 bool jlt_rest_is_slower(const jlt_field *field, const double *x, double size, double speed)
 {
-    double f[JLT_FIELD_DIM_MAX], pace = 1;
+    double f[JLT_FIELD_DIM_MAX];
 
     field->call(x, field->p, f);
-    if (field->time_rate != NULL) field->time_rate(x, field->p, &pace);
-    return slower(f, x, field->dim, size, speed * pace);
+    return slower(f, x, field->dim, size, speed * jlt_field_time_rate(field, x));
 }
 
 bool jlt_rest_is_still(const jlt_field *field, const double *x)

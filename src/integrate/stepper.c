@@ -9,12 +9,6 @@
 
 enum { ATTEMPTS_MAX = 12, APPROACHES_MAX = 30 };
 
-static void evaluate(const jlt_field *field, const double *x, double *f)
-{
-    field->call(x, field->p, f);
-    if (field->time_rate != NULL) field->time_rate(x, field->p, f + field->dim);
-}
-
 static bool all_finite(const double *x, unsigned count)
 {
     for (unsigned i = 0; i < count; i++)
@@ -118,7 +112,7 @@ jlt_status jlt_stepper_start(jlt_stepper *self, double t, const double *x, doubl
     self->approaches = 0;
     self->direction = direction < 0 ? -1 : 1;
     self->h_next = first_step > 0 ? first_step : 0;
-    evaluate(self->field, self->x, self->f);
+    jlt_field_rates(self->field, self->f, self->x);
     self->evaluations++;
     forget_step(self);
     self->at_edge = jlt_edge_is_outside(self);
@@ -131,7 +125,7 @@ jlt_status jlt_stepper_replace(jlt_stepper *self, const double *x)
     if (!all_finite(x, self->field->dim)) return JLT_ERR_NONFINITE;
     memcpy(self->x, x, self->field->dim * sizeof *x);
     memset(self->x_low, 0, self->field->dim * sizeof *self->x_low);
-    evaluate(self->field, self->x, self->f);
+    jlt_field_rates(self->field, self->f, self->x);
     self->evaluations++;
     self->dense_ready = false;
     return self->method->start(self);

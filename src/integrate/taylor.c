@@ -161,8 +161,7 @@ static jlt_status step(jlt_stepper *stepper, double limit)
         stepper->x[i] = from + self->move[i];
         stepper->x_low[i] = (from - stepper->x[i]) + self->move[i];
     }
-    field->call(stepper->x, field->p, stepper->f);
-    if (field->time_rate != NULL) field->time_rate(stepper->x, field->p, stepper->f + field->dim);
+    jlt_field_rates(field, stepper->f, stepper->x);
     stepper->h_next = size;
     return JLT_OK;
 }

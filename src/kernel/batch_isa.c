@@ -44,12 +44,11 @@ const jlt_kernel_batch *jlt_batch_isa_best(const jlt_descriptor *descriptor, uns
     return NULL;
 }
 
-double *jlt_batch_isa_spread(const jlt_kernel_batch *kernels, const double *p, unsigned vectors)
+double *jlt_batch_isa_spread(const jlt_kernel_batch *kernels, const double *p)
 {
-    const size_t rows = (size_t)vectors * kernels->prepared;
-    double *block = jlt_memory_array(rows * kernels->lanes, sizeof *block);
+    double *block = jlt_memory_array((size_t)kernels->prepared * kernels->lanes, sizeof *block);
 
-    for (size_t i = 0; block != NULL && i < rows; i++)
-        for (unsigned lane = 0; lane < kernels->lanes; lane++) block[i * kernels->lanes + lane] = p[i % kernels->prepared];
+    for (size_t i = 0; block != NULL && i < kernels->prepared; i++)
+        for (unsigned lane = 0; lane < kernels->lanes; lane++) block[i * kernels->lanes + lane] = p[i];
     return block;
 }

@@ -17,8 +17,8 @@ unsigned jlt_batch_isa_lanes(void);
  *  have kernels of 2 lanes; a descriptor that was compiled for one number of lanes has those of jlt_batch_isa_lanes(). */
 const jlt_kernel_batch *jlt_batch_isa_best(const jlt_descriptor *descriptor, unsigned lanes);
 
-/** Replicate the prepared values p, shape (kernels->prepared,), to all lanes of `vectors` vectors: the result, shape (vectors,
- *  prepared, lanes), is the argument p of these kernels. The caller frees it with free(). Returns NULL if memory is out. */
-double *jlt_batch_isa_spread(const jlt_kernel_batch *kernels, const double *p, unsigned vectors);
+/** Replicate the prepared values p, shape (kernels->prepared,), to all lanes: the result, shape (prepared, lanes), is the argument
+ *  p of these kernels. The caller frees it with free(). Returns NULL if memory is out. */
+double *jlt_batch_isa_spread(const jlt_kernel_batch *kernels, const double *p);
 
 #endif

@@ -86,14 +86,19 @@ const jlt_claim *jlt_descriptor_claim(const jlt_descriptor *of, const char *kind
     return NULL;
 }
 
+bool jlt_descriptor_proves(const jlt_descriptor *of, const char *kind, const char *name)
+{
+    const jlt_claim *claim = jlt_descriptor_claim(of, kind, name);
+
+    return claim != NULL && claim->verdict == JLT_PROVED;
+}
+
 bool jlt_descriptor_has_poles(const jlt_descriptor *of)
 {
     const jlt_descriptor *general = of->family[0];
 
-    for (unsigned i = 0; i < general->pole_count; i++) {
-        const jlt_claim *claim = jlt_descriptor_claim(general, "pole", general->states[general->poles[i].state].name);
-        if (claim == NULL || claim->verdict != JLT_PROVED) return false;
-    }
+    for (unsigned i = 0; i < general->pole_count; i++)
+        if (!jlt_descriptor_proves(general, "pole", general->states[general->poles[i].state].name)) return false;
     return general->pole_count > 0;
 }
 
@@ -185,15 +190,27 @@ jlt_status jlt_descriptor_check_state(const jlt_descriptor *descriptor, const do
     return JLT_OK;
 }
 
+const char *jlt_descriptor_condition(const jlt_quantity *param)
+{
+    static const char *const conditions[] = {
+        [JLT_ANY_SIGN] = "", [JLT_POSITIVE] = " > 0", [JLT_NONNEGATIVE] = " >= 0", [JLT_NONZERO] = " != 0"
+    };
+
+    return conditions[param->sign];
+}
+
+bool jlt_descriptor_allows(const jlt_quantity *param, double value)
+{
+    return param->sign == JLT_ANY_SIGN || value > 0.0 || (param->sign == JLT_NONNEGATIVE && value == 0.0)
+           || (param->sign == JLT_NONZERO && value != 0.0);
+}
+
 jlt_status jlt_descriptor_check_params(const jlt_descriptor *descriptor, const double *params, size_t *index)
 {
     for (unsigned i = 0; i < descriptor->param_count; i++) {
-        const jlt_sign sign = descriptor->params[i].sign;
         *index = i;
         if (!isfinite(params[i])) return JLT_ERR_NONFINITE;
-        if (sign == JLT_POSITIVE && !(params[i] > 0.0)) return JLT_ERR_DOMAIN;
-        if (sign == JLT_NONNEGATIVE && !(params[i] >= 0.0)) return JLT_ERR_DOMAIN;
-        if (sign == JLT_NONZERO && params[i] == 0.0) return JLT_ERR_DOMAIN;
+        if (!jlt_descriptor_allows(&descriptor->params[i], params[i])) return JLT_ERR_DOMAIN;
     }
     return JLT_OK;
 }

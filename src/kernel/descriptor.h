@@ -33,6 +33,9 @@ unsigned jlt_descriptor_operations(const jlt_operation_count *count);
 /** The claim of the model with this kind and name; NULL if its table makes none. */
 const jlt_claim *jlt_descriptor_claim(const jlt_descriptor *of, const char *kind, const char *name);
 
+/** Whether the table makes this claim, and it is proved. */
+bool jlt_descriptor_proves(const jlt_descriptor *of, const char *kind, const char *name);
+
 /** The first unproved claim that the field itself rests on: that of a root, a logarithm, or of the field's variant, time or
  *  elimination. Returns NULL if there is none; claims about the field, such as integrals and equilibria, may still be unproved. */
 const jlt_claim *jlt_descriptor_doubted_field(const jlt_descriptor *of);
@@ -50,6 +53,12 @@ bool jlt_descriptor_unproved(char *claims, size_t size, const jlt_descriptor *of
 
 /** Append the claim of this kind and name to such a list, if the table makes it, and it is neither proved nor listed yet. */
 void jlt_descriptor_add_unproved(char *claims, size_t size, const jlt_descriptor *of, const char *kind, const char *name);
+
+/** The condition on a parameter's sign, " > 0" and the like; "" if it may have any value. */
+const char *jlt_descriptor_condition(const jlt_quantity *param);
+
+/** Whether the parameter may have this value, which is finite. */
+bool jlt_descriptor_allows(const jlt_quantity *param, double value);
 
 /* Find the state or parameter of this name. Returns false, and leaves *index, if there is none. */
 bool jlt_descriptor_state(const jlt_descriptor *descriptor, const char *name, size_t *index);

@@ -317,8 +317,7 @@ static bool is_near_pole(const jlt_course *self)
 
     for (unsigned i = 0; i < model->pole_count; i++) {
         const jlt_quantity *q = &model->states[model->poles[i].state];
-        const jlt_claim *claim = jlt_descriptor_claim(model, "pole", q->name);
-        if (claim == NULL || claim->verdict != JLT_PROVED) continue;
+        if (!jlt_descriptor_proves(model, "pole", q->name)) continue;
         const double x = ldexp(self->x[model->poles[i].state], jlt_units_exponent(&self->units, q->unit));
         if (fmin(x - q->low, q->high - x) < 1e-4 * (q->high - q->low)) return true;
     }

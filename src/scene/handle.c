@@ -114,8 +114,7 @@ static jlt_status set_angles(jlt_system *system, const jlt_descriptor *d)
     unsigned state;
 
     for (unsigned i = 0; i < d->state_count; i++) {
-        const jlt_claim *claim = jlt_descriptor_claim(d, "periodic", d->states[i].name);
-        periods[i] = claim != NULL && claim->verdict == JLT_PROVED ? d->states[i].period : 0;
+        periods[i] = jlt_descriptor_proves(d, "periodic", d->states[i].name) ? d->states[i].period : 0;
         has_angles = has_angles || periods[i] != 0;
     }
     return has_angles ? jlt_system_angles(system, periods, &state) : JLT_OK;

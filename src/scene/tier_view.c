@@ -21,11 +21,7 @@ JLT_PRINTF(2, 3) static jlt_status refuse(char *refusal, const char *format, ...
 
 static jlt_status refuse_param(char *refusal, const jlt_quantity *param)
 {
-    static const char *const conditions[] = {
-        [JLT_ANY_SIGN] = "", [JLT_POSITIVE] = " > 0", [JLT_NONNEGATIVE] = " >= 0", [JLT_NONZERO] = " != 0"
-    };
-
-    return refuse(refusal, "its table asks for %s%s", param->name, conditions[param->sign]);
+    return refuse(refusal, "its table asks for %s%s", param->name, jlt_descriptor_condition(param));
 }
 
 static bool is_counted(const jlt_tier *tier) { return tier->units.mass != 0 || tier->units.length != 0 || tier->units.time != 0; }

@@ -37,7 +37,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case TRAJECTORIES: r->trajectories = value; return 0;
     case AT:
         r->session.common.at_point = true;
-        jlt_common_replace(&r->level, value, "--sweep");
+        jlt_common_replace(&r->level, value);
         return 0;
     case ARGP_KEY_END:
         jlt_common_not_swept(&r->session.common, &r->level, "--level");

@@ -90,13 +90,13 @@ static jlt_status turn_rate(void *context, double *value, double u)
     return isfinite(*value) ? JLT_OK : JLT_ERR_NONFINITE;
 }
 
-static jlt_status over(jlt_rod *rod, double *integral, jlt_quadrature_integrand rate, double from, double to)
+static jlt_status over(jlt_rod *rod, double *integral, jlt_quadrature_integrand rate, double to)
 {
     double error;
 
     *integral = 0;
-    if (from == to) return JLT_OK;
-    return jlt_quadrature_integrate(integral, &error, rate, rod, from, to, 1e-300, quadrature_accuracy);
+    if (to == 0) return JLT_OK;
+    return jlt_quadrature_integrate(integral, &error, rate, rod, 0, to, 1e-300, quadrature_accuracy);
 }
 
 static void find_turning_points(jlt_rod *rod, const double *x)
@@ -164,12 +164,12 @@ static jlt_status measure(jlt_rod *out, const double *x)
     /* gamma3' = half sin u / pace, and gamma3 = mid - half cos u */
     u = atan2(s * x[JLT_TOP_OMEGA_TAU] * pace(&rod, gamma3, s2), (rod.below - rod.above) / 2 - gamma3);
     rod.psi = atan2(v_tau, x[JLT_TOP_V_NU]); /* at the start; converted to the lower turning point below */
-    JLT_TRY(over(&rod, &rod.period, time_rate, 0, acos(-1)));
-    JLT_TRY(over(&rod, &rod.turn, turn_rate, 0, acos(-1)));
+    JLT_TRY(over(&rod, &rod.period, time_rate, acos(-1)));
+    JLT_TRY(over(&rod, &rod.turn, turn_rate, acos(-1)));
     rod.period *= 2;
     rod.turn *= 2;
-    JLT_TRY(over(&rod, &rod.elapsed, time_rate, 0, u));
-    JLT_TRY(over(&rod, &turned, turn_rate, 0, u));
+    JLT_TRY(over(&rod, &rod.elapsed, time_rate, u));
+    JLT_TRY(over(&rod, &turned, turn_rate, u));
     rod.psi -= turned;
     *out = rod;
 done:
@@ -208,7 +208,7 @@ static jlt_status locate(jlt_rod *rod, double *u, double wanted)
     double at = 2 * pi * wanted / rod->period, low = -1.5 * pi, high = 1.5 * pi, last = INFINITY, now, rate;
 
     for (int i = 0; i < NEWTON_MAX; i++) {
-        JLT_TRY(over(rod, &now, time_rate, 0, at));
+        JLT_TRY(over(rod, &now, time_rate, at));
         JLT_TRY(time_rate(rod, &rate, at));
         const double change = (wanted - now) / rate;
         if (fabs(change) <= 1e-9) { /* by quadratic convergence, further changes are negligible */
@@ -248,7 +248,7 @@ jlt_status jlt_rod_at(jlt_rod *rod, double *x, double t)
 
     if (!isfinite(t)) return JLT_ERR_NONFINITE;
     JLT_TRY(locate(rod, &u, fma(-periods, rod->period, since)));
-    JLT_TRY(over(rod, &psi, turn_rate, 0, u));
+    JLT_TRY(over(rod, &psi, turn_rate, u));
     psi += rod->psi + periods * rod->turn;
     tilt(rod, &gamma3, &s2, u);
     s = sqrt(s2);

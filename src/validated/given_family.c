@@ -21,10 +21,10 @@ static const ttc_claim *claim_of(const ttc_model *model, ttc_claim_kind kind, co
 static bool read_family(jlt_given_family *self, const char *name, char *problem)
 {
     const jlt_claim *claim = name == NULL ? NULL : jlt_descriptor_claim(self->descriptor, "equilibria", name);
-    const jlt_claim *trace = name == NULL ? NULL : jlt_descriptor_claim(self->descriptor, "trace", name);
 
     if (claim != NULL) self->question.family = claim_of(self->model, TTC_CLAIM_EQUILIBRIA, name);
-    if (trace != NULL && trace->verdict == JLT_PROVED) self->question.trace = claim_of(self->model, TTC_CLAIM_TRACE, name);
+    if (name != NULL && jlt_descriptor_proves(self->descriptor, "trace", name))
+        self->question.trace = claim_of(self->model, TTC_CLAIM_TRACE, name);
     if (self->question.family == NULL)
         return jlt_refuse(problem, "%s has no family of equilibria '%s'", self->descriptor->model, name == NULL ? "" : name);
     if (claim->verdict != JLT_PROVED) return jlt_refuse(problem, "it is not proved that the points of '%s' are equilibria", name);

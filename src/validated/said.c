@@ -110,7 +110,7 @@ static int side(const json_t *shown, const char *name, slong of)
     arb_init(value);
     read_number(value, shown, name);
     arb_sub_si(value, value, of, bits);
-    found = arb_is_positive(value) ? 1 : arb_is_negative(value) ? -1 : 0;
+    found = arb_sgn_nonzero(value);
     arb_clear(value);
     return found;
 }
@@ -129,7 +129,7 @@ static int side_of_circle(const json_t *multiplier)
     arb_mul(re, re, re, bits);
     arb_addmul(re, im, im, bits);
     arb_sub_ui(re, re, 1, bits);
-    found = arb_is_positive(re) ? 1 : arb_is_negative(re) ? -1 : 0;
+    found = arb_sgn_nonzero(re);
     arb_clear(re);
     arb_clear(im);
     return found;

@@ -109,8 +109,8 @@ json_t *jlt_shown_conditions(const arf_struct *least, const jlt_descriptor *d)
     return conditions;
 }
 
-/* The states of a point on the section, shape (states - 1,), by names. */
-static json_t *point_of(arb_srcptr y, const jlt_given *given)
+/* States other than the section's by names: x has these alone, or, with has_all, all of them. */
+static json_t *point_of(arb_srcptr x, bool has_all, const jlt_given *given)
 {
     const jlt_descriptor *d = given->question.descriptor;
     json_t *point = json_object();
@@ -118,22 +118,8 @@ static json_t *point_of(arb_srcptr y, const jlt_given *given)
 
     for (unsigned i = 0; i < d->state_count; i++)
         if (i != given->question.column)
-            good = set(point, d->states[i].name, jlt_shown_ball(y++, given->question.digits)) && good;
-    if (good) return point;
-    json_decref(point);
-    return NULL;
-}
-
-/* The states of x, shape (states,), by names, without the section's. */
-static json_t *states_of(arb_srcptr x, const jlt_given *given)
-{
-    const jlt_descriptor *d = given->question.descriptor;
-    json_t *point = json_object();
-    bool good = true;
-
-    for (unsigned i = 0; i < d->state_count; i++)
-        if (i != given->question.column)
-            good = set(point, d->states[i].name, jlt_shown_ball(x + i, given->question.digits)) && good;
+            good = set(point, d->states[i].name, jlt_shown_ball(x++, given->question.digits)) && good;
+        else if (has_all) x++;
     if (good) return point;
     json_decref(point);
     return NULL;
@@ -146,7 +132,7 @@ json_t *jlt_shown_cycle(const jlt_cycle_result *result, const jlt_given *given, 
     bool good = true;
 
     for (unsigned i = 0; i < result->legs; i++)
-        good = good && json_array_append_new(orbit, point_of(result->solution + i * result->unknowns, given)) == 0;
+        good = good && json_array_append_new(orbit, point_of(result->solution + i * result->unknowns, false, given)) == 0;
     for (unsigned i = 0; i < result->multipliers && result->multipliers <= 2; i++)
         good = good && json_array_append_new(multipliers,
                    json_pack("{s:o,s:o}", "re", jlt_shown_ball(acb_realref(result->multiplier + i), digits), "im",
@@ -193,9 +179,9 @@ json_t *jlt_shown_homoclinic(const jlt_homoclinic_result *result, const jlt_give
     json_t *shown = jlt_shown_cycle(&result->saddle, given, true), *part = json_object();
     bool good = set(part, "start", jlt_shown_ball(result->start, given->question.digits));
 
-    good = set(part, "first", point_of(result->solution, given)) && good;
-    good = set(part, "point", states_of(result->point, given)) && good;
-    good = set(part, "tangent", states_of(result->tangent, given)) && good;
+    good = set(part, "first", point_of(result->solution, false, given)) && good;
+    good = set(part, "point", point_of(result->point, true, given)) && good;
+    good = set(part, "tangent", point_of(result->tangent, true, given)) && good;
     good = set(part, "conditions", jlt_shown_conditions(result->least, given->question.descriptor)) && good;
     good = shown != NULL && set(shown, "homoclinic", part) && good;
     if (good) return shown;

@@ -32,12 +32,12 @@ static void branches_are_invariant(void **unused)
     assert_ok(jlt_map_create(&map, &system->flow));
     const jlt_periodic saddle = saddle_of(map);
     for (int stable = 0; stable < 2; stable++) {
-        assert_ok(jlt_branch_init(&branch, map, &saddle, 0, stable, 1, 1e-4));
+        assert_ok(jlt_branch_init(&branch, map, &saddle, stable, 1, 1e-4));
         assert_int_equal(branch.returns, 2);
         assert_near(branch.lambda, 1.24275395055591 * 1.24275395055591, 1e-10);
         for (double sigma = 0.3; sigma < 20; sigma += 4.2) {
-            assert_ok(jlt_branch_point(&branch, q, NULL, sigma));
-            assert_ok(jlt_branch_point(&branch, next, NULL, sigma + 1));
+            assert_ok(jlt_branch_point(&branch, q, sigma));
+            assert_ok(jlt_branch_point(&branch, next, sigma + 1));
             assert_ok(jlt_map_point(map, &image, q, branch.returns, branch.time_direction));
             assert_true(jlt_chart_distance(system->flow.chart, image.q, next) < 1e-9);
         }
@@ -60,12 +60,12 @@ static void stable_branch_mirrors_the_unstable_one(void **unused)
     (void)unused;
     assert_ok(jlt_map_create(&map, &system->flow));
     const jlt_periodic saddle = saddle_of(map);
-    assert_ok(jlt_branch_init(&u, map, &saddle, 0, false, 1, 1e-4));
+    assert_ok(jlt_branch_init(&u, map, &saddle, false, 1, 1e-4));
     assert_ok(jlt_manifold_grow(&unstable, &u, &options));
     assert_int_equal(unstable.end, JLT_MANIFOLD_LENGTH);
     assert_ok(jlt_manifold_reflect(&mirrored, &unstable, chart));
     for (int side = -1; side <= 1; side += 2) {
-        assert_ok(jlt_branch_init(&s, map, &saddle, 0, true, side, 1e-4));
+        assert_ok(jlt_branch_init(&s, map, &saddle, true, side, 1e-4));
         if (-u.v[0] * s.v[0] + u.v[1] * s.v[1] < 0) continue;
         assert_ok(jlt_manifold_grow(&stable, &s, &options));
         for (size_t i = 0; i < stable.count && stable.length[i] < 0.49; i++) {
@@ -104,7 +104,7 @@ static void separatrices_cross_transversally(void **unused)
     assert_ok(jlt_map_batch_create(&coarse, &rough->flow, rough->field.batch, NULL, 2));
     const jlt_periodic saddle = saddle_of(map);
     for (int stable = 0; stable < 2; stable++) {
-        assert_ok(jlt_branch_init(&branches[stable], map, &saddle, 0, stable, 1, 1e-4));
+        assert_ok(jlt_branch_init(&branches[stable], map, &saddle, stable, 1, 1e-4));
         assert_ok(jlt_manifold_grow(&curves[stable], &branches[stable], &options));
     }
     assert_ok(jlt_homoclinic_find(&points, &count, NULL, &curves[0], &branches[0], &curves[1], &branches[1], false, fine, coarse));

@@ -289,7 +289,7 @@ static void images_of_several_flows_are_those_of_each(void **unused)
             assert_ok(jlt_map_batch_add(batch, &index, &systems[k]->flow));
             assert_int_equal(index, k);
         }
-        assert_ok(jlt_map_batch_apply_flows(batch, &into, q, flow_of, count, 2, 1, NULL, NULL));
+        assert_ok(jlt_map_batch_apply_flows(batch, &into, q, flow_of, count, 2, NULL, NULL));
         jlt_map_batch_destroy(batch);
         for (size_t k = 0; k < FLOWS; k++) {
             apply(&alone, systems[k], kernels, 1, q, count, 2);

@@ -139,10 +139,10 @@ static void sections_and_maps_refuse_them(void **unused)
             assert_refused(jlt_section_start_state(section, &row, x, 1));
             assert_ok(jlt_section_start(section, &row, point, 1));
         }
-        assert_refused(jlt_branch_init(&branch, map, &saddle, 0, false, 1, *value));
-        assert_ok(jlt_branch_init(&branch, map, &saddle, 0, false, 1, 1e-4));
+        assert_refused(jlt_branch_init(&branch, map, &saddle, false, 1, *value));
+        assert_ok(jlt_branch_init(&branch, map, &saddle, false, 1, 1e-4));
         double q[2];
-        assert_refused(jlt_branch_point(&branch, q, NULL, *value));
+        assert_refused(jlt_branch_point(&branch, q, *value));
         const jlt_flow odd = { .tolerance = *value };
         jlt_system *odd_system = NULL;
         jlt_section *odd_section = NULL;

@@ -23,7 +23,7 @@ static void piece(jlt_manifold *out, const jlt_branch *branch, double sigma, dou
 {
     for (int i = 0; i < SIDES; i++) {
         sigmas[i] = sigma + 0.04 * (i - SIDES / 2);
-        assert_ok(jlt_branch_point(branch, points + 2 * i, NULL, sigmas[i]));
+        assert_ok(jlt_branch_point(branch, points + 2 * i, sigmas[i]));
         lengths[i] = i;
     }
     *out = (jlt_manifold){ .points = points, .sigma = sigmas, .length = lengths, .count = SIDES };
@@ -57,7 +57,7 @@ static crossing cross(int place, double tolerance, const char *method, double se
     assert_ok(jlt_map_batch_create(&maps[1], &coarse, kernels, NULL, 1));
     assert_ok(jlt_periodic_find(map, &saddle, (double[2]){ 0, -0.6136 }, 1, NULL));
     for (int s = 0; s < 2; s++) {
-        assert_ok(jlt_branch_init(&branch[s], map, &saddle, 0, s == 1, 1, seed));
+        assert_ok(jlt_branch_init(&branch[s], map, &saddle, s == 1, 1, seed));
         const double shift = log(seed / 1e-4) / log(branch[s].lambda);
         piece(&curve[s], &branch[s], (s == 0 ? places[place].unstable : places[place].stable) - shift, points[s], sigmas[s],
               lengths[s]);

@@ -191,7 +191,7 @@ static jlt_status all_ways(FILE *table, const jlt_bench_options *options, way *w
         snprintf(name, sizeof name, "generated %sx%u", w->batch->isa, w->batch->lanes);
         w->name = name;
         w->step = 0;
-        w->spread = jlt_batch_isa_spread(w->batch, w->instance->prepared, 1);
+        w->spread = jlt_batch_isa_spread(w->batch, w->instance->prepared);
         st = w->spread != NULL ? measure(table, options, w, points) : JLT_ERR_NOMEM;
         free(w->spread);
         if (st != JLT_OK) goto done;
