@@ -39,6 +39,9 @@ struct ttc_valuation {
     size_t memo_size;
 };
 
+/* The valuation that this is a map into, or a map of a map into: where functions have their bases. */
+ttc_valuation *ttc_valuation_plain(ttc_valuation *v);
+
 /* The value of any symbol; failure is the ring's sticky status. */
 void ttc_valuation_value(ttc_valuation *v, ttc_ratio *out, uint32_t symbol);
 
