@@ -58,7 +58,7 @@ static void defined_value(ttc_valuation *v, ttc_ratio *out, uint32_t symbol)
     } else if (v->variable[symbol] >= 0) {
         ttc_ratio_set_variable(v->ring, out, v->variable[symbol]);
     } else {
-        ttc_ring_fail(v->ring, TTC_RING_CIRCULAR);
+        ttc_ring_fail(v->ring, TTC_RING_ANGLE_ALONE);
     }
 }
 
