@@ -185,15 +185,17 @@ static jlt_status find_homoclinic(json_t *given, double *x, const jlt_given *que
 static jlt_exit add_homoclinic(json_t *given, const jlt_given *question, const options *o, const jlt_system *system)
 {
     const jlt_descriptor *d = question->question.descriptor;
+    const jlt_chart *chart = system->flow.chart;
     double *x = calloc((size_t)JLT_CERTIFY_RETURNS_MAX * d->state_count, sizeof *x), q[JLT_CHART_DIM_MAX];
     double saddle[JLT_CHART_STATES_MAX] = { 0 };
     jlt_certify_search search = { .states = d->state_count, .saddle = q, .which = (unsigned)o->which, .distance = o->distance };
     jlt_status st = x == NULL ? JLT_ERR_NOMEM : JLT_ERR_UNSUPPORTED;
 
     for (unsigned i = 0, k = 0; i < d->state_count; i++)
-        saddle[i] = i == question->question.column ? system->chart.plane.level
-                                                   : arf_get_d(arb_midref(question->legs.box + k++), ARF_RND_NEAR);
-    system->chart.plane.lower(&system->chart.plane, q, NULL, saddle);
+        saddle[i] = i == question->question.column
+                        ? chart->level
+                        : ldexp(arf_get_d(arb_midref(question->legs.box + k++), ARF_RND_NEAR), -system->flow.units.state[i]);
+    chart->lower(chart, q, NULL, saddle);
     for (unsigned i = 0; x != NULL && st != JLT_OK && i < d->reversor_count; i++) {
         const jlt_status found = jlt_theorem_is_proved(d, &d->reversors[i])
                                      ? find_homoclinic(given, x, question, &d->reversors[i], system, &search)
