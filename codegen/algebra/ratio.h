@@ -24,6 +24,7 @@ typedef enum {
     TTC_RING_ROOT_OF_ZERO,     /* roots are positive by declaration */
     TTC_RING_ROOT_OF_NEGATIVE,
     TTC_RING_CIRCULAR,
+    TTC_RING_ANGLE_ALONE, /* a state that is an angle, of which a map gives no more than cosine and sine */
     TTC_RING_ANGLE,
     TTC_RING_ANGLE_FRACTION,
     TTC_RING_EXPONENT,

@@ -31,6 +31,12 @@ size_t ttc_valuation_symbol(const ttc_valuation *v, slong variable)
     return SIZE_MAX;
 }
 
+ttc_valuation *ttc_valuation_plain(ttc_valuation *v)
+{
+    while (v->base != NULL) v = v->base;
+    return v;
+}
+
 static void defined_value(ttc_valuation *v, ttc_ratio *out, uint32_t symbol)
 {
     bool spare = symbol >= v->model->symbol_count;
@@ -52,7 +58,7 @@ static void defined_value(ttc_valuation *v, ttc_ratio *out, uint32_t symbol)
     } else if (v->variable[symbol] >= 0) {
         ttc_ratio_set_variable(v->ring, out, v->variable[symbol]);
     } else {
-        ttc_ring_fail(v->ring, TTC_RING_CIRCULAR);
+        ttc_ring_fail(v->ring, TTC_RING_ANGLE_ALONE);
     }
 }
 

@@ -205,7 +205,7 @@ void ttc_valuation_angle_value(ttc_valuation *v, ttc_ratio *out, uint32_t symbol
     ttc_ratio_init(v->ring, &one);
     ttc_evaluate(v, &angle, entry->definition);
     if (v->base != NULL) {
-        ttc_valuation_angle(v->base, out, &angle, is_sine);
+        ttc_valuation_angle(ttc_valuation_plain(v), out, &angle, is_sine);
         goto done;
     }
     if (!v->has_basis) find_basis(v);

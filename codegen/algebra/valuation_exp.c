@@ -188,7 +188,7 @@ void ttc_valuation_exp_value(ttc_valuation *v, ttc_ratio *out, uint32_t symbol)
     ttc_ratio exponent;
     ttc_ratio_init(v->ring, &exponent);
     ttc_evaluate(v, &exponent, v->model->symbols[symbol].definition);
-    if (v->base != NULL) ttc_valuation_exp(v->base, out, &exponent);
+    if (v->base != NULL) ttc_valuation_exp(ttc_valuation_plain(v), out, &exponent);
     else value_at_exponent(v, out, &exponent, symbol);
     if (v->base == NULL && in_list(v->exponentials, v->exponential_count, symbol))
         ttc_ratio_set_variable(v->ring, out, v->variable[symbol]);
@@ -208,5 +208,5 @@ void ttc_valuation_pi(ttc_valuation *v, ttc_ratio *out)
 void ttc_valuation_pi_value(ttc_valuation *v, ttc_ratio *out, uint32_t symbol)
 {
     (void)symbol;
-    ttc_valuation_pi(v->base != NULL ? v->base : v, out);
+    ttc_valuation_pi(ttc_valuation_plain(v), out);
 }

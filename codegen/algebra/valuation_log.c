@@ -358,7 +358,7 @@ void ttc_valuation_log_value(ttc_valuation *v, ttc_ratio *out, uint32_t symbol)
     ttc_ratio_init(v->ring, &argument);
     ttc_evaluate(v, &argument, v->model->symbols[symbol].definition);
     before = v->logarithm_count;
-    if (v->base != NULL) ttc_valuation_log(v->base, out, &argument);
+    if (v->base != NULL) ttc_valuation_log(ttc_valuation_plain(v), out, &argument);
     else value_at_argument(v, out, &argument, symbol);
     if (v->logarithm_count > before) ttc_ratio_set_variable(v->ring, out, v->variable[symbol]);
     ttc_ratio_clear(v->ring, &argument);

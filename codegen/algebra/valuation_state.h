@@ -39,6 +39,9 @@ struct ttc_valuation {
     size_t memo_size;
 };
 
+/* The valuation that this one maps into, through all maps of maps: the one in whose ring functions have their bases. */
+ttc_valuation *ttc_valuation_plain(ttc_valuation *v);
+
 /* The value of any symbol. On failure the ring fails. */
 void ttc_valuation_value(ttc_valuation *v, ttc_ratio *out, uint32_t symbol);
 

@@ -42,7 +42,8 @@ static const struct argp_option option_table[] = {
     { "family", FAMILY, "NAME", 0, "Of equilibria, where the table has more than one", 1 },
     { "box", BOX, "NAME=LOW:HIGH|VALUE,...", 0, "Ranges of parameters, and of all states that the family leaves free", 1 },
     { "limit", LIMIT, "N", 0, "Parts to cut the box of a family into, at most; default 100000", 1 },
-    { "spread", SPREAD, "NAME=RADIUS,...", 0, "Let parameters and levels, and states of a pole's start, have any value within this distance of theirs", 1 },
+    { "spread", SPREAD, "NAME=RADIUS,...", 0,
+      "Let parameters and levels, and states of a pole's start, have any value within this distance of theirs", 1 },
     { 0 },
 };
 
@@ -151,7 +152,8 @@ static const struct argp parser = {
     "the table claims, in a whole box of parameters and states, the trace of the linearization has one sign, so that no invariant "
     "measure has a continuous positive density near any of them; the box is cut in halves as far as needed. pole: all motions "
     "that begin in a box of states end at one end of a state's interval, which the table claims to be a pole, after a finite time "
-    "that is enclosed: a spherical top turns over, or comes down. Values typed and defaults of tables are taken exactly. Orbits are found in doubles first. Of a forced system, or around an angle, one closes "
+    "that is enclosed: a spherical top turns over, or comes down. Values typed and defaults of tables are taken exactly. Orbits are "
+    "found in doubles first. Of a forced system, or around an angle, one closes "
     "up to periods that the table proves (`periodic`), and is the only one that does by their numbers: these are served as cycle, "
     "obstruction and sink.\n\n"
     "  jellett certify equilibria --family spin \\\n"
@@ -195,15 +197,17 @@ static jlt_status find_homoclinic(json_t *given, double *x, const jlt_given *que
 static jlt_exit add_homoclinic(json_t *given, const jlt_given *question, const options *o, const jlt_system *system)
 {
     const jlt_descriptor *d = question->question.descriptor;
+    const jlt_chart *chart = system->flow.chart;
     double *x = calloc((size_t)JLT_CERTIFY_RETURNS_MAX * d->state_count, sizeof *x), q[JLT_CHART_DIM_MAX];
     double saddle[JLT_CHART_STATES_MAX] = { 0 };
     jlt_certify_search search = { .states = d->state_count, .saddle = q, .which = (unsigned)o->which, .distance = o->distance };
     jlt_status st = x == NULL ? JLT_ERR_NOMEM : JLT_ERR_UNSUPPORTED;
 
     for (unsigned i = 0, k = 0; i < d->state_count; i++)
-        saddle[i] = i == question->question.column ? system->chart.plane.level
-                                                   : arf_get_d(arb_midref(question->legs.box + k++), ARF_RND_NEAR);
-    system->chart.plane.lower(&system->chart.plane, q, NULL, saddle);
+        saddle[i] = i == question->question.column
+                        ? chart->level
+                        : ldexp(arf_get_d(arb_midref(question->legs.box + k++), ARF_RND_NEAR), -system->flow.units.state[i]);
+    chart->lower(chart, q, NULL, saddle);
     for (unsigned i = 0; x != NULL && st != JLT_OK && i < d->reversor_count; i++) {
         const jlt_status found = jlt_theorem_is_proved(d, &d->reversors[i])
                                      ? find_homoclinic(given, x, question, &d->reversors[i], system, &search)

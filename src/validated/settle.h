@@ -1,8 +1,8 @@
 /** Proves that a flow takes all states of a box to equilibria, and bounds how far the states still move on the way.
  *
  *  The states are split into p, which tend to 0, and q, which tend to limits. Let f vanish wherever p = 0. By the mean value
- *  theorem f(p, q) = M p, where M lies in any enclosure of df/dp over a convex box B that contains (0, q) and (p, q). Let w > 0 be weights,
- *  and |p| = max |p_i|/w_i. If all rows of M that belong to p satisfy
+ *  theorem f(p, q) = M p, where M lies in any enclosure of df/dp over a convex box B that contains (0, q) and (p, q). Let w > 0 be
+ *  weights, and |p| = max |p_i|/w_i. If all rows of M that belong to p satisfy
  *      M_ii + sum over j != i of |M_ij| w_j/w_i <= -a < 0,
  *  then |p(tau)| <= |p(0)| exp(-a tau) as long as the motion stays in B (G. Dahlquist's logarithmic norm, 1958). In all that time
  *  q_k moves by at most the sum over j of |M_kj| w_j |p(0)|/a. If B has that much room, the motion never leaves it. */
