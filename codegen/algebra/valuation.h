@@ -40,6 +40,7 @@ void ttc_valuation_free_root(ttc_valuation *valuation, uint32_t symbol);
 /* A function stays out of the bases, and what it is defined by is not looked at, until it is asked for. */
 void ttc_valuation_withhold(ttc_valuation *valuation, uint32_t symbol);
 bool ttc_valuation_has_value(const ttc_valuation *valuation, uint32_t symbol); /* whether it has been evaluated */
+bool ttc_valuation_has_met(const ttc_valuation *valuation, ttc_id id);            /* the same of an expression */
 bool ttc_valuation_is_bound(const ttc_valuation *valuation, uint32_t symbol);
 /* The ring's variable of a symbol, or -1; and back, SIZE_MAX when there is none. */
 slong ttc_valuation_variable(const ttc_valuation *valuation, uint32_t symbol);
