@@ -19,6 +19,8 @@ slong ttc_valuation_variable(const ttc_valuation *v, uint32_t symbol) { return v
 
 bool ttc_valuation_has_value(const ttc_valuation *v, uint32_t symbol) { return v->known[symbol] == TTC_VALUE_KNOWN; }
 
+bool ttc_valuation_has_met(const ttc_valuation *v, ttc_id id) { return id < v->memo_size && v->seen[id]; }
+
 bool ttc_valuation_is_bound(const ttc_valuation *v, uint32_t symbol)
 {
     return v->bound[symbol] != TTC_NONE || v->square[symbol] != TTC_NONE;

@@ -40,6 +40,7 @@ void ttc_valuation_free_root(ttc_valuation *valuation, uint32_t symbol);
 /* Do not evaluate a function, nor its definition, to choose a basis; only when its own value is used. */
 void ttc_valuation_withhold(ttc_valuation *valuation, uint32_t symbol);
 bool ttc_valuation_has_value(const ttc_valuation *valuation, uint32_t symbol); /* true if it has been evaluated */
+bool ttc_valuation_has_met(const ttc_valuation *valuation, ttc_id id);         /* the same of an expression */
 bool ttc_valuation_is_bound(const ttc_valuation *valuation, uint32_t symbol);
 /* The ring's variable for a symbol, or -1; the symbol of a variable, or SIZE_MAX. */
 slong ttc_valuation_variable(const ttc_valuation *valuation, uint32_t symbol);

@@ -2,17 +2,15 @@
 
 #include "prove/domain.h"
 #include "prove/observed.h"
+#include "prove/positive.h"
 
 /* A radicand, or the argument of a logarithm, is positive wherever all other conditions of the domain hold. */
 static void prove_root(ttc_task *task)
 {
     const ttc_symbol_entry *root = &task->model->symbols[task->claim->family];
-    ttc_ratio radicand;
-    ttc_ratio_init(task->ring, &radicand);
-    ttc_evaluate(task->field, &radicand, root->definition);
-    ttc_task_require(task, &radicand, TTC_IS_POSITIVE, "not positive everywhere, so that a domain record is missing: the %s of %s",
-                     root->kind == TTC_LOG ? "argument" : "radicand", root->name);
-    ttc_ratio_clear(task->ring, &radicand);
+    ttc_positive_require(task, task->field, root->definition,
+                         "not positive everywhere, so that a domain record is missing: the %s of %s",
+                         root->kind == TTC_LOG ? "argument" : "radicand", root->name);
 }
 
 static void prove_nothing(ttc_task *task) { (void)task; }
@@ -51,8 +49,7 @@ static void prove_time(ttc_task *task)
     ttc_ratio left, right;
     ttc_ratio_init(task->ring, &left);
     ttc_ratio_init(task->ring, &right);
-    ttc_evaluate(task->field, &left, time->factor);
-    ttc_task_require(task, &left, TTC_IS_POSITIVE, "not positive: dt/dtau");
+    ttc_positive_require(task, task->field, time->factor, "not positive: dt/dtau");
     for (size_t i = 0; i < time->lifted_count && ttc_task_open(task); i++) {
         const ttc_symbol_entry *root = &task->model->symbols[time->lifted[i]];
         ttc_id rate = ttc_multiply(graph, time->factor, ttc_derive_field(task->model, root->node));

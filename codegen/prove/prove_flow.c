@@ -1,4 +1,5 @@
 /* Provers of claims about the flow or about expressions alone: integrals, rates, invariants, equalities, inequalities. */
+#include "prove/positive.h"
 #include "prove/tangent.h"
 
 #include "algebra/independence.h"
@@ -86,9 +87,5 @@ void ttc_prove_equal(ttc_task *task)
 
 void ttc_prove_positive(ttc_task *task)
 {
-    ttc_ratio value;
-    ttc_ratio_init(task->ring, &value);
-    ttc_evaluate(task->field, &value, task->claim->expression);
-    ttc_task_require(task, &value, TTC_IS_POSITIVE, "not positive: %s", task->claim->name);
-    ttc_ratio_clear(task->ring, &value);
+    ttc_positive_require(task, task->field, task->claim->expression, "not positive: %s", task->claim->name);
 }

@@ -126,10 +126,59 @@ static bool looked_everywhere(ttc_task *task, ttc_witness *point)
     return everywhere;
 }
 
+/* v *= d^2 for a divisor d, by its factors, as often as that takes something from the denominator of v. */
+static void multiply_by_square(ttc_task *task, ttc_ratio *v, ttc_valuation *valuation, ttc_id divisor)
+{
+    const ttc_graph *graph = ttc_valuation_model(valuation)->graph;
+    const fmpz_mpoly_ctx_struct *context = task->ring->context;
+    ttc_ratio square, product;
+    if (ttc_kind_of(graph, divisor) == TTC_PRODUCT) {
+        for (size_t i = 0; i < ttc_part_count(graph, divisor); i++)
+            multiply_by_square(task, v, valuation, ttc_part_at(graph, divisor, i).id);
+        return;
+    }
+    if (!ttc_valuation_has_met(valuation, divisor)) return;
+    ttc_ratio_init(task->ring, &square);
+    ttc_ratio_init(task->ring, &product);
+    ttc_evaluate(valuation, &square, divisor);
+    fmpz_mpoly_one(square.denominator, context);
+    ttc_ratio_multiply(task->ring, &square, &square, &square);
+    for (bool again = true; again && task->ring->status == TTC_RING_OK;) {
+        ttc_ratio_multiply(task->ring, &product, v, &square);
+        again = fmpz_mpoly_total_degree_si(product.denominator, context) < fmpz_mpoly_total_degree_si(v->denominator, context);
+        if (again) ttc_ratio_set(task->ring, v, &product);
+    }
+    ttc_ratio_clear(task->ring, &product);
+    ttc_ratio_clear(task->ring, &square);
+}
+
+/* A value v, times squares of what it may divide by, is A/B in normal form, and A B has the sign of v or is zero: also where the
+ * denominator of v itself vanishes, as x does in x/(1 + r) = (r - 1)/x with r^2 = 1 + x^2. */
+static void add_sign(ttc_task *task, const ttc_ratio *ratio, bool negative)
+{
+    ttc_ratio value, below;
+    ttc_ratio_init(task->ring, &value);
+    ttc_ratio_init(task->ring, &below);
+    ttc_ratio_set(task->ring, &value, ratio);
+    for (size_t k = 0; k <= task->map_count; k++) {
+        ttc_valuation *valuation = k < task->map_count ? task->maps[k] : task->field;
+        const ttc_model *model = ttc_valuation_model(valuation);
+        for (size_t i = 0; i < model->divisor_count; i++) multiply_by_square(task, &value, valuation, model->divisors[i].divisor);
+    }
+    ttc_ratio_set_polynomial(task->ring, &below, value.denominator);
+    fmpz_mpoly_one(value.denominator, task->ring->context);
+    ttc_ratio_multiply(task->ring, &value, &value, &below);
+    if (negative) ttc_conditions_add_negative(&task->domain, &value, TTC_IS_NONNEGATIVE);
+    else ttc_conditions_add(&task->domain, &value, TTC_IS_NONNEGATIVE);
+    ttc_ratio_clear(task->ring, &below);
+    ttc_ratio_clear(task->ring, &value);
+}
+
 static ttc_search_result search(ttc_task *task, const ttc_ratio *ratio, ttc_relation relation, bool negative, char **text)
 {
     ttc_search_result result = TTC_POINT_NOT_DECIDED;
     ttc_witness point;
+    const bool of_sign = ratio != NULL && (relation == TTC_IS_POSITIVE || relation == TTC_IS_NONNEGATIVE);
     if (text != NULL) *text = NULL;
     add_new_roots(task);
     size_t mark = ttc_conditions_mark(&task->domain);
@@ -138,7 +187,13 @@ static ttc_search_result search(ttc_task *task, const ttc_ratio *ratio, ttc_rela
     else if (ratio != NULL) ttc_conditions_add(&task->domain, ratio, relation);
     if (ttc_witness_init(&point, task->field)) {
         result = ttc_search_point(&point, &task->domain);
-        if (says_none(result) && !looked_everywhere(task, &point)) result = TTC_POINT_NOT_DECIDED;
+        if (says_none(result) && !looked_everywhere(task, &point)) {
+            result = TTC_POINT_NOT_DECIDED;
+            if (of_sign && task->extent == TTC_DOMAIN_WHOLE) {
+                add_sign(task, ratio, negative);
+                if (looked_everywhere(task, &point)) result = TTC_POINT_EXCLUDED;
+            }
+        }
         if (result == TTC_POINT_FOUND && text != NULL) *text = ttc_witness_text(&point);
     }
     ttc_witness_clear(&point);
