@@ -115,12 +115,17 @@ bool ttc_ball_set(ttc_ball *ball, uint32_t symbol, double value)
 
 bool ttc_ball_set_fraction(ttc_ball *ball, uint32_t symbol, const char *fraction)
 {
-    if (fmpq_set_str(&ball->symbols.values[symbol], fraction, 10) != 0 || fmpz_is_zero(fmpq_denref(&ball->symbols.values[symbol])))
-        return false;
-    fmpq_canonicalise(&ball->symbols.values[symbol]);
-    ball->symbols.known[symbol] = 1;
-    forget_values(ball);
-    return true;
+    fmpq_t value;
+    fmpq_init(value);
+    const bool good = fmpq_set_str(value, fraction, 10) == 0 && !fmpz_is_zero(fmpq_denref(value));
+    if (good) {
+        fmpq_canonicalise(value);
+        fmpq_set(&ball->symbols.values[symbol], value);
+        ball->symbols.known[symbol] = 1;
+        forget_values(ball);
+    }
+    fmpq_clear(value);
+    return good;
 }
 
 static bool evaluate(ttc_ball *ball, evaluation mode, ttc_id id);

@@ -42,7 +42,6 @@ typedef struct {
     const char *when, *denominators; /* lists, or NULL */
     const char *out;    /* directory */
     const char *format; /* "text", "latex" or "dot" */
-    const char *command_line; /* "ttc COMMAND OPTIONS..." without directories of files, for headers of what is written */
 } ttc_options;
 
 /* Each returns a ttc_exit_status: the largest of all tables. */

@@ -244,22 +244,6 @@ static void print_help(FILE *stream)
                     "%s\n", exit_text + 1);
 }
 
-/* The command line as headers quote it: options, and base names of files, so that it does not depend on where these lie. */
-static char *quote_command_line(int argc, char **argv)
-{
-    size_t length = strlen("ttc") + 1;
-    for (int i = 1; i < argc; i++) length += strlen(argv[i]) + 1;
-    char *line = malloc(length);
-    if (line == NULL) return NULL;
-    strcpy(line, "ttc");
-    for (int i = 1; i < argc; i++) {
-        const char *slash = strrchr(argv[i], '/');
-        strcat(line, " ");
-        strcat(line, slash == NULL ? argv[i] : slash + 1);
-    }
-    return line;
-}
-
 /* Flush stdout, so that a full disk is noticed. Returns `status`, or TTC_EXIT_IO on failure. */
 static int flushed(int status)
 {
@@ -274,15 +258,13 @@ static int run_command(const command *chosen, int argc, char **argv)
     int status = TTC_EXIT_USAGE;
     ttc_options options = { .format = "text", .degree = 4, .memory = 8,
                             .kinds = TTC_DISCOVER_INTEGRALS | TTC_DISCOVER_FACTORS | TTC_DISCOVER_DENSITIES };
-    char *line = quote_command_line(argc, argv);
     char *help = malloc(strlen(chosen->help) + sizeof exit_text);
     options.files = calloc((size_t)argc, sizeof *options.files);
-    if (line == NULL || help == NULL || options.files == NULL) {
+    if (help == NULL || options.files == NULL) {
         fprintf(stderr, "ttc: out of memory\n");
         status = TTC_EXIT_MEMORY;
         goto done;
     }
-    options.command_line = line;
     snprintf(name, sizeof name, "ttc %s", chosen->name);
     strcpy(help, chosen->help);
     strcat(help, exit_text);
@@ -294,7 +276,6 @@ static int run_command(const command *chosen, int argc, char **argv)
 done:
     free(options.files);
     free(help);
-    free(line);
     return status;
 }
 

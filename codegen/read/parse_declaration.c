@@ -120,6 +120,9 @@ static bool parse_state(ttc_parser *parser)
     if (name == NULL) return false;
     if (parser->model->state_count >= TTC_STATE_LIMIT)
         return ttc_parse_error(parser, ttc_token_place(name), "too many states (expected at most %d)", TTC_STATE_LIMIT);
+    if (parser->model->start_count > 0)
+        return ttc_parse_error(parser, ttc_token_place(name), "a state below the start '%s' (expected above it)",
+                               parser->model->starts[0].name);
     if (!ttc_parse_define(parser, name, TTC_STATE, TTC_NONE, &symbol) ||
         !ttc_parse_append(parser, &parser->model->states, &parser->model->state_count, symbol))
         return false;
