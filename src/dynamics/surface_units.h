@@ -1,4 +1,4 @@
-/** The units in which the flow of a section that tables describe counts. */
+/** Units in which motions are computed whose section is described by tables. */
 #ifndef JLT_DYNAMICS_SURFACE_UNITS_H
 #define JLT_DYNAMICS_SURFACE_UNITS_H
 
