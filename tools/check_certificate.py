@@ -48,10 +48,10 @@ def read_ball(value):
 
 def replay(certificate, table):
     given, shown, states = certificate["given"], certificate["shown"], table.states
-    if any(isinstance(v, dict) for part in ("parameters", "levels") for v in given[part].values()):
-        raise Unserved("parameters or levels are intervals")
     if certificate["kind"] not in ("cycle", "obstruction", "sink", "symmetric", "elliptic"):
         raise Unserved("it is of kind " + certificate["kind"])
+    if any(isinstance(v, dict) for part in ("parameters", "levels") for v in given[part].values()):
+        raise Unserved("parameters or levels are intervals")
     if any("turns" in leg for leg in given["legs"]):
         raise Unserved("the orbit closes up to periods of states")
     must(sorted(given["parameters"]) == sorted(table.params), "its parameters are not the table's")

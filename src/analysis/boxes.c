@@ -26,7 +26,7 @@ jlt_status jlt_boxes_count(size_t *all, const jlt_boxes *b)
     return JLT_OK;
 }
 
-/* Which box of one coordinate. */
+/* Find the box along coordinate k. */
 static bool place(size_t *at, const jlt_boxes *b, unsigned k, double value)
 {
     const double width = (b->high[k] - b->low[k]) / (double)b->count[k];
@@ -123,7 +123,7 @@ size_t jlt_boxes_parent(const jlt_boxes *fine, const jlt_boxes *coarse, size_t i
     return number;
 }
 
-/* Into *number the box that is `step` (-1, 0, 1) further along coordinate k. */
+/* Find the box that is `step` (-1, 0, 1) further along coordinate k. Returns false if there is none. */
 static bool step_to(size_t *number, const jlt_boxes *b, unsigned k, size_t at, int step)
 {
     const size_t count = b->count[k];

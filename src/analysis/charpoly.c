@@ -37,7 +37,7 @@ static double trace_of_product(const double *left, const double *right, size_t n
     return sum;
 }
 
-/* M_1 = E, c_k = -tr(A M_k)/k, M_(k+1) = A M_k + c_k E; with `sign` +1 every subtraction becomes an addition. */
+/* M_1 = E, c_k = sign tr(A M_k)/k, M_(k+1) = A M_k + c_k E. sign = -1 gives the characteristic polynomial; +1 adds all terms. */
 static void recur(double *coefficients, const double *a, size_t n, double sign)
 {
     double m[SIZE * SIZE], next[SIZE * SIZE];
@@ -52,7 +52,7 @@ static void recur(double *coefficients, const double *a, size_t n, double sign)
     }
 }
 
-/* values[k] *= 2^(k*exponent); false when a nonzero one leaves the normal range. */
+/* values[k] *= 2^(k*exponent), k = 1 .. n. Returns false if a nonzero value leaves the normal range. */
 static bool unscale(double *values, size_t n, int exponent)
 {
     for (size_t k = 1; k <= n; k++) {
@@ -120,7 +120,7 @@ jlt_status jlt_charpoly_from_roots(double *coefficients, double *scale, const do
 
 double jlt_charpoly_adjugate(double *adjugate, const double *a, size_t n, double re, double im)
 {
-    /* adj(z E - A) = sum of M_k z^(n-k), by Horner. */
+    /* adj(z E - A) = sum of M_k z^(n-k), k = 1 .. n, by Horner's scheme. */
     double m[SIZE * SIZE], next[SIZE * SIZE], coefficient, sum = 0.0;
     double complex result[SIZE * SIZE];
     const double complex z = re + I * im;

@@ -17,11 +17,11 @@ enum { SIZE = JLT_DEFLATION_SIZE_MAX };
 
 static const double roundoff = DBL_EPSILON / 2;
 
-/* A block B that elimination has spoilt by more than this, relative to its largest entry, is not used. */
+/* The block B is not used if elimination adds an error larger than this, relative to its largest entry. */
 static const double merit_limit = 1e-12;
 
-/* |x| |y| / |v u| of the whole matrix for an eigenvalue of B: u, v from the adjugate of B,
- * x = ((A_pf - A_pp W_p^(-1) W_f) u / lambda, u) and y = A_f^T v / lambda. */
+/* |x| |y| / |y^H x| of the whole matrix for an eigenvalue lambda of B, whose right and left eigenvectors u, v come from the
+ * adjugate of B: x = ((A_pf - A_pp W_p^(-1) W_f) u / lambda, u) and y = A_f^T v / lambda. */
 static double condition(const jlt_deflation_problem *p, const jlt_deflation_choice *c, double re, double im)
 {
     const size_t n = p->n, k = p->rank, rest = n - k;
@@ -68,8 +68,8 @@ static double condition(const jlt_deflation_problem *p, const jlt_deflation_choi
     return product == 0.0 ? INFINITY : sqrt(x2) * (sqrt(y2) / lambda) / product;
 }
 
-/* Rows and columns of B that are still coupled, after those whose eigenvalue stands on the diagonal are taken out: an
- * exact permutation to block triangular form. */
+/* Indices of rows and columns of B that are still coupled, after those with their eigenvalue on the diagonal are removed; this
+ * permutes B exactly to block triangular form. */
 typedef struct {
     size_t count, index[SIZE];
 } coupled;
@@ -87,7 +87,7 @@ static bool isolated(const jlt_deflation_choice *c, const coupled *active, size_
     return row || column;
 }
 
-/* Eigenvalues on the diagonal, as many as there are, to the front of re, im, error; returns how many. */
+/* Move the eigenvalues that stand on the diagonal to re, im, error, and remove their rows from `active`; returns their number. */
 static size_t take_isolated(double *re, double *im, double *error, coupled *active, const jlt_deflation_choice *c, size_t rest)
 {
     size_t taken = 0;
@@ -108,8 +108,8 @@ static size_t take_isolated(double *re, double *im, double *error, coupled *acti
     return taken;
 }
 
-/* A coupled block of three rows or more, by GSL. First order where an eigenvalue is simple enough, Elsner's bound in any
- * case (L. Elsner, Linear Algebra Appl. 71, 1985). */
+/* Eigenvalues of a coupled block of three rows or more, by GSL. The error bound is the smaller of a first-order bound, if an
+ * eigenvalue is simple, and Elsner's (L. Elsner, Linear Algebra Appl. 71, 1985). */
 static jlt_status solve_large(double *re, double *im, double *error, const double *block, const double *block_error,
                               size_t n)
 {
@@ -129,7 +129,7 @@ static jlt_status solve_large(double *re, double *im, double *error, const doubl
     return JLT_OK;
 }
 
-/* Eigenvalues of B with error bounds, those on the diagonal of a triangular part as they are, pairs in closed form. */
+/* Eigenvalues of B with error bounds: those on a triangular part's diagonal as they are, a pair in closed form, more by GSL. */
 static jlt_status solve_block(double *re, double *im, double *error, const jlt_deflation_problem *p, const jlt_deflation_choice *c)
 {
     const size_t rest = p->n - p->rank;
@@ -150,7 +150,7 @@ static jlt_status solve_block(double *re, double *im, double *error, const jlt_d
     return solve_large(re + taken, im + taken, error + taken, block, block_error, n);
 }
 
-/* The largest distance from a value of one list to the nearest of the other. */
+/* The largest distance from a value of the first list to the nearest of the second. */
 static double farthest(const double *re, const double *im, size_t count, const double *others_re, const double *others_im,
                        size_t others)
 {
@@ -164,7 +164,7 @@ static double farthest(const double *re, const double *im, size_t count, const d
     return worst;
 }
 
-/* The same eigenvalues by other routes. */
+/* Compare with eigenvalues by GSL, with and without deflation, and by ARPACK. */
 static jlt_status cross_check(jlt_deflation *result, const jlt_deflation_problem *p, const jlt_deflation_choice *c)
 {
     const size_t n = p->n, rest = n - p->rank;
@@ -196,8 +196,8 @@ static jlt_status cross_check(jlt_deflation *result, const jlt_deflation_problem
     return JLT_OK;
 }
 
-/* Eigenvalues of A itself, those of its triangular part as they stand: as many exact zeros of them as there are integrals
- * are left out. *found: whether there were so many. */
+/* Eigenvalues of A itself, those of its triangular part as they stand. If at least p->rank of them are exactly zero, remove that
+ * many of these, and set p->rank to 0: nothing is deflated. *found tells whether there are so many. */
 static jlt_status solve_whole(double *re, double *im, double *errors, bool *found, jlt_deflation_problem *p,
                               jlt_deflation_choice *c)
 {
@@ -222,8 +222,8 @@ static jlt_status solve_whole(double *re, double *im, double *errors, bool *foun
     return st;
 }
 
-/* Eigenvalues but for those that the integrals make zero. Where the zeros stand in A's triangular part nothing is to be
- * eliminated, and no gradient, however close to dependent, can spoil what is left; else they are those of B. */
+/* All eigenvalues except the zeros that integrals force. If these stand in A's triangular part, nothing is eliminated, so that
+ * nearly dependent gradients do no harm; otherwise the eigenvalues are those of B. */
 static jlt_status solve_problem(double *re, double *im, double *errors, jlt_deflation_problem *p, jlt_deflation_choice *best)
 {
     bool found;

@@ -1,4 +1,4 @@
-/* Chooses the pivots by which eigenvalues that integrals make zero are taken out with the smallest bound on rounding errors. */
+/* Chooses the pivots of a deflation (analysis/deflation.h) for the smallest bound on rounding errors. */
 #include "analysis/deflation_problem.h"
 
 #include "analysis/charpoly.h"
@@ -11,7 +11,7 @@ enum { SIZE = JLT_DEFLATION_SIZE_MAX };
 
 static const double roundoff = DBL_EPSILON / 2;
 
-/* [W_p W_f E] by elimination with row pivoting, rows scaled, to [E X W_p^(-1)]; false when W_p is singular. */
+/* Reduce [W_p W_f E], by elimination with row pivoting and scaled rows, to [E X W_p^(-1)]. Returns false if W_p is singular. */
 static bool eliminate(jlt_deflation_choice *c, const jlt_deflation_problem *p)
 {
     const size_t k = p->rank, rest = p->n - k, width = p->n + k;
@@ -51,11 +51,10 @@ static bool eliminate(jlt_deflation_choice *c, const jlt_deflation_problem *p)
     return true;
 }
 
-/* Through a pointer that the compiler cannot see behind, so that the guard sees all of the elimination. */
+/* Called through a volatile pointer, so that the compiler cannot move arithmetic of the elimination out of the guard. */
 static bool (*volatile eliminate_guarded)(jlt_deflation_choice *, const jlt_deflation_problem *) = eliminate;
 
-/* The computed C is an inverse of every W_p within its errors: |E - C W_p| + |C| |error of W_p| < 1/10 in coordinates
- * scaled by the columns. */
+/* Whether C approximates the inverse of every W_p within its errors: |E - C W_p| + |C| |error of W_p| < 1/10, columns scaled. */
 static bool inverts(const jlt_deflation_choice *c, const jlt_deflation_problem *p)
 {
     const size_t n = p->n, k = p->rank;
@@ -76,7 +75,7 @@ static bool inverts(const jlt_deflation_choice *c, const jlt_deflation_problem *
     return true;
 }
 
-/* The error of X by its residual: |W_p^(-1)| (|W_f - W_p X| + |error of W_f| + |error of W_p| |X|), roundings counted. */
+/* Bound the error of X from its residual: |W_p^(-1)| (|W_f - W_p X| + |error of W_f| + |error of W_p| |X|), rounding included. */
 static void bound_follow(jlt_deflation_choice *c, const jlt_deflation_problem *p)
 {
     const size_t n = p->n, k = p->rank, rest = n - k;
@@ -105,13 +104,13 @@ static void bound_follow(jlt_deflation_choice *c, const jlt_deflation_problem *p
     }
 }
 
-/* A product of nonzero factors that underflows. */
+/* Whether a product of nonzero factors underflows. */
 static bool faint(double x, double y)
 {
     return x != 0.0 && y != 0.0 && fabs(x * y) < DBL_MIN;
 }
 
-/* B and its error bound for one choice of pivots. */
+/* Compute B and its error bound for one choice of pivots. Returns false if the choice is unusable. */
 static bool reduce(jlt_deflation_choice *c, const jlt_deflation_problem *p)
 {
     const size_t n = p->n, k = p->rank, rest = n - k;
@@ -131,8 +130,8 @@ static bool reduce(jlt_deflation_choice *c, const jlt_deflation_problem *p)
             for (size_t l = 0; l < k; l++) {
                 const double x = c->follow[l * rest + j], before = p->a[row + c->pivots[l]];
                 const double x_error = c->follow_error[l * rest + j], before_error = p->error[row + c->pivots[l]];
-                if (before == 0.0 && before_error == 0.0) continue; /* whatever x is */
-                /* What underflowed may not be small beside the entry of B it belongs to. */
+                if (before == 0.0 && before_error == 0.0) continue; /* contributes nothing, whatever x is */
+                /* A quantity that underflowed may not be small relative to its entry of B. */
                 if (!safe || faint(before, x) || faint(before, x_error) || faint(before_error, x) ||
                     faint(before_error, x_error))
                     return false;
@@ -151,7 +150,7 @@ static bool reduce(jlt_deflation_choice *c, const jlt_deflation_problem *p)
     return true;
 }
 
-/* The next ascending choice of k out of n; false after the last. */
+/* The next choice of k out of n in lexicographic order. Returns false after the last. */
 static bool advance(size_t *pivots, size_t k, size_t n)
 {
     for (size_t i = k; i-- > 0;)

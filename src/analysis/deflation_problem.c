@@ -10,9 +10,9 @@ enum { SIZE = JLT_DEFLATION_SIZE_MAX };
 
 static const double roundoff = DBL_EPSILON / 2;
 
-/* At a relative equilibrium gradients are dependent, and what elimination leaves of one is rounding. A true left null
- * vector stays one; rounding does not: r A, r = `row` times the columns' scales, must stay below a thousandth of its terms'
- * sizes in every column. */
+/* At a relative equilibrium gradients are dependent, and elimination leaves of some only rounding errors. This tells them apart:
+ * an exact left null vector r satisfies r A = 0, while a row of rounding errors does not. r, `row` times the columns' scales,
+ * passes if r A is at most a thousandth of the size of its terms in every column. */
 static bool annihilates(const double *row, const double *columns, const jlt_deflation_problem *p)
 {
     const size_t n = p->n;
@@ -30,8 +30,8 @@ static bool annihilates(const double *row, const double *columns, const jlt_defl
     return true;
 }
 
-/* Keep gradients that are independent of those before them: rows and columns are scaled near one, and a row is left out
- * whose remainder after elimination falls below 1e-10, below its own error, or is rounding by what it does to A. */
+/* Select the gradients that are independent of those before them. Rows and columns are scaled to the order of 1; a row is dropped
+ * if its remainder after elimination is below 1e-10 or below its own error, or does not annihilate A. */
 static void independent(jlt_deflation_problem *p, const double *gradients, const double *errors, size_t count)
 {
     const size_t n = p->n;

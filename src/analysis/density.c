@@ -33,7 +33,7 @@ void jlt_density_draw_state(double *x, const jlt_descriptor *descriptor, const d
     }
 }
 
-/* -div f / f_q at x; DOMAIN where f_q = 0, or all but 0, and div f does not vanish. */
+/* -div f / f_q at x. Errors: DOMAIN if div f does not vanish and f_q does, or is so small that the quotient overflows. */
 static jlt_status ratio_at(double *ratio, const jlt_instance *instance, size_t along, const double *x)
 {
     double f[SIZE], divergence;
@@ -110,7 +110,7 @@ jlt_status jlt_density_tabulate(jlt_density_point *points, size_t count, const j
         const double part = count == 1 ? 0.5 : (double)i / (double)(count - 1);
         points[i] = (jlt_density_point){ low * (1.0 - part) + high * part, 1.0, 0.0 };
     }
-    /* Outwards from the middle, each from its neighbour. */
+    /* Integrate outwards from the middle, each point from its neighbour. */
     for (size_t k = 1; k < count; k++) {
         const bool up = middle + k < count;
         for (int side = 0; side < 2; side++) {
@@ -129,7 +129,7 @@ done:
     return st;
 }
 
-/* Of div f and of f . grad ln rho, as they are before anything cancels. */
+/* The size of the terms of div f and of f . grad ln rho before anything cancels. */
 static jlt_status size_of_terms(double *size, const jlt_instance *instance, const double *x)
 {
     const unsigned n = instance->descriptor->state_count;

@@ -14,7 +14,8 @@ enum { SIZE = JLT_LINEARIZATION_SIZE_MAX, PARAMS_MAX = 256, REVERSORS_MAX = 8 };
 
 static const double roundoff = DBL_EPSILON / 2;
 
-/* An eigenvalue is on the imaginary axis when its real part is zero to within this of its size, for all that is known. */
+/* An eigenvalue whose real part may be zero is taken to be on the imaginary axis if the error of that part is at most this part of
+ * its modulus; otherwise its side stays undecided. */
 static const double on_axis = 1e-6;
 
 const char *jlt_linearization_verdict(jlt_verdict verdict)
@@ -34,7 +35,7 @@ static bool near(double a, double b)
     return fabs(a - b) <= JLT_LINEARIZATION_TOLERANCE * fmax(fabs(a), fabs(b));
 }
 
-/* The parameters satisfy the family's condition at x. */
+/* Whether the parameters satisfy the family's condition at x. */
 static bool admits(const jlt_equilibria *family, const jlt_descriptor *d, const double *params, const double *x)
 {
     double imposed[PARAMS_MAX];
@@ -48,7 +49,7 @@ static bool admits(const jlt_equilibria *family, const jlt_descriptor *d, const 
     return true;
 }
 
-/* The family's point with the free states of x; false when there is none. */
+/* The point of the family with the free states of x. Returns false if there is none. */
 static bool point_of(double *point, const jlt_equilibria *family, const jlt_descriptor *d, const double *params,
                      const double *x)
 {
@@ -74,7 +75,7 @@ void jlt_linearization_complete(double *x, const unsigned char *given, const jlt
     }
 }
 
-/* The family that x lies on; of several the one with most to say. */
+/* The family on which x lies; of several, the one with the most formulas. */
 static const jlt_equilibria *family_of(const jlt_descriptor *d, const double *params, const double *x)
 {
     const jlt_equilibria *best = NULL;
@@ -94,8 +95,8 @@ static const jlt_equilibria *family_of(const jlt_descriptor *d, const double *pa
     return best;
 }
 
-/* The least move of x_j that shows in a component of the field above what rounding the states does there: of a state that is 0, or
- * all but 0, where others are rounded. */
+/* The least change of x_j that exceeds, in some component of the field, the effect of rounding all states. It matters for a state
+ * that is zero, or nearly so, while others are rounded. */
 static double visible_move(const jlt_linearization *r, const double *x, size_t j)
 {
     double least = INFINITY;
@@ -109,7 +110,7 @@ static double visible_move(const jlt_linearization *r, const double *x, size_t j
     return isfinite(least) ? least : 0.0;
 }
 
-/* How far from x_j an equilibrium may lie that x_j stands for. */
+/* How far from x_j an equilibrium may lie for x to count as one. */
 static double reach_of(const jlt_linearization *r, const double *x, size_t j)
 {
     const jlt_quantity *state = &r->descriptor->states[j];
@@ -119,7 +120,7 @@ static double reach_of(const jlt_linearization *r, const double *x, size_t j)
     return fmin(fmax(JLT_LINEARIZATION_TOLERANCE * size, rounding), 1e-3 * room);
 }
 
-/* Gradients of the integrals that are proved. */
+/* Evaluate the gradients of the integrals that are proved. */
 static jlt_status measure_gradients(jlt_linearization *r, const jlt_instance *instance, const double *x)
 {
     const jlt_descriptor *d = r->descriptor;
@@ -218,7 +219,7 @@ done:
     return st;
 }
 
-/* Doubles tell nothing of the eigenvalues here. */
+/* Mark the eigenvalues as unknown: doubles do not determine them. */
 static void leave_open(jlt_deflation *eigen, size_t n)
 {
     *eigen = (jlt_deflation){ .n = n, .kept = n, .doubtful_zero = 1, .arpack_note = "no eigenvalues to compare with" };
@@ -226,7 +227,7 @@ static void leave_open(jlt_deflation *eigen, size_t n)
     for (size_t i = 0; i < n; i++) eigen->values[i] = (jlt_eigenvalue){ NAN, NAN, NAN, INFINITY, -1 };
 }
 
-/* Whether errors leave open that the eigenvalue is a multiple one, whose eigenvectors doubles do not count. */
+/* Whether the eigenvalue may be multiple within its error; doubles do not tell how many eigenvectors it then has. */
 static bool multiple(const jlt_deflation *eigen, size_t which)
 {
     const jlt_eigenvalue *value = &eigen->values[which];
@@ -253,7 +254,7 @@ static void judge(jlt_linearization *r, const double *error)
         const double size = hypot(value->re, value->im);
         if (value->source >= 0 || !(size > value->error)) continue;
         moves = true;
-        /* A conjugate pair has the trace for twice its real part: its error is the trace's. */
+        /* The real part of a conjugate pair is half the trace, if there are no other eigenvalues: use the trace's error. */
         const double slack = value->im != 0.0 && r->eigen.kept == 2 ? fmin(value->error, r->trace_error) : value->error;
         growing = growing || value->re > slack;
         negative = negative && value->re < -slack;
@@ -292,7 +293,7 @@ done:
     return st;
 }
 
-/* Signs of the reversors that are proved; returns how many. */
+/* The signs of the proved reversors; returns their number. */
 static size_t reversors_of(const signed char **signs, const jlt_descriptor *d)
 {
     size_t count = 0;
@@ -323,7 +324,7 @@ static bool is_zero(const jlt_ball_value *x)
     return rest == '\0' || rest == '/';
 }
 
-/* Whether a reversor changes the sign of one of two states, which is zero. */
+/* Whether, of two states, a reversor changes the sign of exactly one, and that one is zero. */
 static bool is_mirrored(const jlt_ball_question *q, size_t n)
 {
     bool mirrored = false;

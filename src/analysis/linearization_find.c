@@ -1,4 +1,4 @@
-/* Newton's method from a guess to a nearby equilibrium, within the domain, with given states held. */
+/* Newton's method from a guess to a nearby equilibrium within the domain, with given states held. */
 #include "analysis/linearization.h"
 #include "core/random.h"
 #include "ext/eigen.h"
@@ -9,7 +9,7 @@
 
 enum { SIZE = JLT_LINEARIZATION_SIZE_MAX, NEWTON_STEPS = 60, HALVINGS = 30, STARTS = 24 };
 
-/* Beside the largest state, what may be an exact zero. */
+/* Relative to the largest state: below this, a state may be an exact zero. */
 static const double snapped = 1e-8;
 
 typedef struct {
@@ -25,8 +25,8 @@ static bool bounded(const jlt_quantity *state)
     return isfinite(state->low) && isfinite(state->high);
 }
 
-/* The distance to the nearest ends of the domain, as a smooth function that is 1 in the middle. A field that vanishes at an
- * end, divided by it, does not: Newton's method on that quotient stays inside. */
+/* A smooth measure of the distance to the ends of bounded states: 1 in the middle of the domain, 0 at its ends. Newton's method is
+ * applied to f/room, which does not vanish where f vanishes only because an end is reached, so that the iteration stays inside. */
 static double room(const jlt_descriptor *d, const double *x)
 {
     double product = 1.0;
@@ -52,7 +52,7 @@ static jlt_status measure(search *s)
     return jlt_linearization_residual(&s->at, s->descriptor, s->params, s->x);
 }
 
-/* One Newton step for f/room, halved until that falls. *settled: there is nothing left to gain. */
+/* One Newton step for f/room, halved until |f|/room decreases. *settled: it is zero, or cannot be decreased. */
 static jlt_status advance(search *s, bool *settled)
 {
     const size_t n = s->at.n;
@@ -89,8 +89,9 @@ static jlt_status advance(search *s, bool *settled)
     return JLT_OK;
 }
 
-/* States that Newton's method leaves at rounding level become exact zeros where that makes a better equilibrium: a term
- * that is linear in them has nothing beside it that would show them to be small. Together, since one alone may not. */
+/* Set all free states at rounding level to exact zeros, if the result is as good an equilibrium. A component of the field that is
+ * proportional to such states is never small relative to its terms, so its residual ratio stays large. All are set at once, since
+ * setting one alone may not help. */
 static void snap(search *s)
 {
     double largest = 0.0, trial[SIZE];
@@ -113,8 +114,8 @@ static double largest_of(const search *s)
     return largest;
 }
 
-/* An equilibrium at the origin that Newton's method has gone most of the way to, where every term vanishes with the states and is
- * never small beside the others. */
+/* Move to the origin if it is an equilibrium, and Newton's method has reduced the largest state to a thousandth: near it every
+ * term vanishes with the states, and the residual is never small relative to its terms. */
 static void snap_to_origin(search *s, double began)
 {
     double trial[SIZE];
@@ -146,8 +147,8 @@ done:
     return st;
 }
 
-/* Start number `k`: the guess itself, then states farther and farther from it, so that no zero among them stays one by
- * symmetry alone. */
+/* Starting point number k: the guess itself for k = 0, then random points farther and farther from it, so that a zero state of the
+ * guess does not stay zero merely by symmetry. */
 static void scatter(double *x, const search *s, const double *guess, jlt_random *random, int k)
 {
     const double width = k / (double)STARTS;

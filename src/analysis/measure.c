@@ -11,7 +11,7 @@
 
 enum { STATES_MAX = JLT_MEASURE_STATES_MAX, TRIES = 20, DRAWS = 4096, PARTS = 256, PROBES = 8, POINTS_TRIED = 64 };
 
-/* Part of a bounded interval that is tabulated; an unbounded state is tabulated from -2 to 2. */
+/* The part of a bounded interval over which the density is tabulated. A state without bounds is tabulated from -2 to 2. */
 static const double covered = 0.98;
 
 static void range_of(double *low, double *high, const jlt_instance *instance, size_t along)
@@ -36,7 +36,7 @@ static bool holds(const jlt_instance *instance, const double *x)
     return jlt_region_holds(instance->descriptor->domain_count, instance->descriptor->domain_values.call, instance->prepared, x);
 }
 
-/* Cut the range to where the table's domain reaches from x on, at fixed other states. */
+/* Cut the range of state `along` to the part around x[along] that lies within the table's domain, with the other states fixed. */
 static void cut_range(double *low, double *high, const jlt_instance *instance, size_t along, const double *x)
 {
     double y[STATES_MAX];
@@ -63,7 +63,7 @@ static jlt_status density_at(double *density, const jlt_instance *instance, unsi
     return st;
 }
 
-/* The closed form depends on the one state alone: other states do not change it. */
+/* Whether the closed form depends on state `along` alone: random other states do not change it. */
 static bool depends_on_one(const jlt_instance *instance, unsigned which, const double *x, size_t along,
                            jlt_random *random)
 {
@@ -101,8 +101,7 @@ done:
     return st;
 }
 
-/* The factor by which the density changes in a period of its state; 1 up to what the quadrature errs by, and where there is
- * none. */
+/* The factor by which the density changes over its state's proved period, 1 within the quadrature's error; 1 without a period. */
 static jlt_status turn_of(double *turn, const jlt_instance *instance, size_t along, double low, const double *x)
 {
     const jlt_quantity *q = &instance->descriptor->states[along];
@@ -117,8 +116,9 @@ done:
     return st;
 }
 
-/* The density at the range's points within the domain, from random other states x, preferably of which it has the whole range.
- * Errors: NO_PROGRESS, no state was met that is inside; the last one met, where at none the density can be tabulated. */
+/* Tabulate the density on the part of the range within the domain, with random other states x; the first tries accept only an x
+ * for which this is the whole range. Errors: NO_PROGRESS, no state within the domain was drawn; the last error, if every
+ * tabulation failed. */
 static jlt_status tabulate(jlt_measure_attempt *a, const jlt_instance *instance, jlt_random *random, double *x)
 {
     const jlt_descriptor *d = instance->descriptor;
@@ -142,7 +142,7 @@ static jlt_status tabulate(jlt_measure_attempt *a, const jlt_instance *instance,
     return st;
 }
 
-/* |f_q| at q = at, with the other states of x; NaN where there is no field. */
+/* f_q at q = at, with the other states of x; NaN if the field cannot be evaluated. */
 static double rate_at(const jlt_instance *instance, size_t along, double *x, double at)
 {
     double f[STATES_MAX];
@@ -151,7 +151,7 @@ static double rate_at(const jlt_instance *instance, size_t along, double *x, dou
     return jlt_instance_rhs(instance, f, x) == JLT_OK ? f[along] : NAN;
 }
 
-/* The least |f_q| between two values, by thirds of which the larger end goes. */
+/* The least |f_q| between two values of q, by ternary search: the third next to the larger value is dropped. */
 static double least_rate(const jlt_instance *instance, size_t along, double *x, double low, double high)
 {
     enum { THIRDS = 80 };
@@ -167,8 +167,7 @@ static double least_rate(const jlt_instance *instance, size_t along, double *x, 
     return least;
 }
 
-/* Whether f_q comes to zero in the range of the table, where the slope -div f/f_q has a pole: it changes sign, or touches zero as
- * far as doubles tell. */
+/* Whether -div f/f_q has a pole in the table's range: f_q changes sign, or touches zero as far as doubles tell. */
 static bool rate_vanishes(const jlt_measure_attempt *a, const jlt_instance *instance, const double *x)
 {
     enum { CELLS = 1024 };
@@ -234,8 +233,8 @@ void jlt_measure_clear(jlt_measure_attempt *attempt)
     *attempt = (jlt_measure_attempt){ 0 };
 }
 
-/* Whether the equilibrium that doubles come near is there, at the doubles of the parameters, and has a trace that is not zero: at
- * an irrational one rounding alone makes one that is zero differ from it. */
+/* Prove in balls, at the doubles of the parameters, that the equilibrium near f->x exists and that its trace is not zero. In
+ * doubles, if the exact states are irrational, rounding alone makes a zero trace differ from zero. */
 static jlt_status confirm(jlt_measure_finding *f, const jlt_descriptor *d, const double *params)
 {
     jlt_ball_value *values = jlt_memory_array(d->param_count + 1, sizeof *values), x[JLT_LINEARIZATION_SIZE_MAX];

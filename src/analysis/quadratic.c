@@ -9,22 +9,22 @@ typedef struct {
     double re[2], im[2], error[2];
 } solution;
 
-/* x*y + z*w with an error of two units at most of the larger product's rounding. */
+/* x*y + z*w with an error of at most two roundings of the larger product. */
 static double sum_of_products(double x, double y, double z, double w)
 {
     const double product = z * w, rounding = fma(z, w, -product);
     return fma(x, y, product) + rounding;
 }
 
-/* A product of nonzero factors so small that it, or its rounding, leaves the normal range. */
+/* Whether a product of nonzero factors is so small that it, or its rounding error, leaves the normal range. */
 static bool lost(double x, double y)
 {
     return x != 0.0 && y != 0.0 && fabs(x * y) < 0x1p-960;
 }
 
-/* b, scaled so that the largest of |b11|, |b22|, |b12 b21|^(1/2) is near one; e, its errors, scaled alike. Products that
- * underflow in the discriminant are then beside something near one, or beside a middle near one, and do not matter; in the
- * determinant they would. */
+/* Solve for b, scaled so that the largest of |b11|, |b22|, |b12 b21|^(1/2) is of the order of 1, with errors e, scaled alike.
+ * Returns false if a product in the determinant underflows and matters. In the discriminant, a product that underflows is added to
+ * a number of the order of 1, or changes a root whose `middle` is of that order. */
 static bool solve(solution *s, const double *b, const double *e)
 {
     const double u = DBL_EPSILON / 2;
@@ -66,7 +66,7 @@ static bool solve(solution *s, const double *b, const double *e)
     return true;
 }
 
-/* *value *= 2^exponent; false when a nonzero value leaves the normal range. */
+/* *value *= 2^exponent. Returns false if a nonzero value leaves the normal range. */
 static bool unscale(double *value, int exponent)
 {
     const double scaled = *value;
@@ -84,7 +84,7 @@ jlt_status jlt_quadratic_eigenvalues(double re[2], double im[2], double error[2]
 
     for (int i = 0; i < 4; i++)
         if (!isfinite(b[i]) || !isfinite(b_error[i])) return JLT_ERR_NONFINITE;
-    /* A diagonal similarity, exact, makes the off-diagonal entries alike. */
+    /* An exact diagonal similarity, by powers of two, balances the off-diagonal entries. */
     const double above = fmax(fabs(b[1]), b_error[1]), below = fmax(fabs(b[2]), b_error[2]);
     if (above > 0.0 && below > 0.0) {
         (void)frexp(above, &up);
@@ -93,7 +93,7 @@ jlt_status jlt_quadratic_eigenvalues(double re[2], double im[2], double error[2]
     }
     scaled[0] = b[0], scaled[1] = ldexp(b[1], -shift), scaled[2] = ldexp(b[2], shift), scaled[3] = b[3];
     (void)frexp(fmax(fmax(fabs(scaled[0]), fabs(scaled[3])), fmax(fabs(scaled[1]), fabs(scaled[2]))), &exponent);
-    if (above == 0.0 || below == 0.0) { /* triangular: the other entry is of no account */
+    if (above == 0.0 || below == 0.0) { /* triangular: the other off-diagonal entry does not matter */
         scaled[1] = scaled[2] = 0.0;
         (void)frexp(fmax(fabs(scaled[0]), fabs(scaled[3])), &exponent);
     }

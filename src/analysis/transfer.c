@@ -36,13 +36,13 @@ double jlt_transfer_distance(const double *a, const double *b, size_t count)
     return sum / 2;
 }
 
-/* What coarsening needs: the parts of each coarse box, one after another, and a row that is being added up. */
+/* Work space of coarsening: the fine boxes of each coarse box, and a row being summed. Indices are those among kept boxes. */
 typedef struct {
     const jlt_transfer *fine;
-    uint32_t *parent;      /* (fine->count,), the place of each */
-    size_t *first, *part;  /* (coarse->count + 1,), (fine->count,): part[first[I]] .. are the places of those in I */
-    double *sum;           /* (coarse->count,) */
-    uint32_t *touched;     /* (coarse->count,), and how many: */
+    uint32_t *parent;      /* (fine->count,): index of the coarse box of each fine one */
+    size_t *first, *part;  /* (coarse->count + 1,), (fine->count,): the fine boxes of coarse box I, from part[first[I]] on */
+    double *sum;           /* (coarse->count,): the row; nonzero only at the columns in `touched` */
+    uint32_t *touched;     /* (coarse->count,), of which touched_count are used */
     size_t touched_count;
 } merger;
 
@@ -61,7 +61,7 @@ static int ascending(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Places of the coarse boxes, in the order of their numbers, and which fine ones make them up. */
+/* Number the coarse boxes that contain a fine one, in ascending order, and list the fine boxes of each. */
 static jlt_status number_parts(jlt_transfer *out, merger *m, size_t all)
 {
     const jlt_transfer *fine = m->fine;
@@ -87,7 +87,7 @@ static jlt_status number_parts(jlt_transfer *out, merger *m, size_t all)
     return JLT_OK;
 }
 
-/* Add a fine box, which carries this share of the coarse one's mass. */
+/* Add a fine box, which carries `share` of its coarse box's mass, to the coarse row; *back grows by the share with an image. */
 static void add_part(jlt_transfer *out, merger *m, size_t coarse, size_t i, double share, double *back)
 {
     const jlt_transfer *fine = m->fine;
@@ -105,7 +105,7 @@ static void add_part(jlt_transfer *out, merger *m, size_t coarse, size_t i, doub
     *back += returned;
 }
 
-/* The row of one coarse box, behind those before it. */
+/* Append the row of one coarse box. parts: number of fine boxes that a coarse box consists of. */
 static void add_row(jlt_transfer *out, merger *m, size_t coarse, double parts)
 {
     double whole = 0, back = 0;

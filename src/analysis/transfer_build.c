@@ -8,16 +8,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Images in boxes that are not kept yet: so many are remembered, and so many times boxes are added for them. */
+/* For images in boxes that are not kept: at most ARRIVALS_MAX are stored per round, and boxes are added for them ROUNDS times. */
 enum { BLOCK = 4096, ROUNDS = 16, ARRIVALS_MAX = 1 << 20 };
 
 typedef struct {
     uint32_t box;
-    uint32_t number; /* in the order of coming */
+    uint32_t number; /* order of arrival */
     double q[JLT_BOXES_DIM_MAX];
 } arrival;
 
-/* Rows for one noise; `to` are numbers of boxes until all rows are there. */
+/* Rows for one noise. Columns `to` are numbers of boxes until all rows are complete, and indices among kept boxes afterwards. */
 typedef struct {
     size_t *row, entries, room;
     uint32_t *to;
@@ -28,17 +28,18 @@ typedef struct {
     const jlt_boxes *boxes;
     const jlt_transfer_map *map;
     const jlt_transfer_options *options;
-    size_t all, samples;          /* boxes, and points of one */
-    size_t count, stratified, room; /* kept; of these those with stratified points; room for */
+    size_t all, samples;          /* number of boxes, and of stratified points per box */
+    size_t count, stratified, room; /* kept boxes; those of them with stratified points; allocated */
     uint32_t *box, *kept;
     double *share, *time, *known;
     rows *noise;                  /* (options->noise_count,) */
-    arrival *arrivals, *come;     /* that the added boxes are made of, (first[place - stratified] ..); that come meanwhile */
+    arrival *arrivals, *come;     /* images that the added boxes get as points, box by box, beginning at `first`; images in boxes
+                                   * not kept yet */
     size_t *first, arrival_count, come_count, come_room, groups;
-    double *q, *image, *image_time; /* of a block */
+    double *q, *image, *image_time; /* for one block of points */
     unsigned *loss;
-    size_t *points;               /* (boxes of a block,) */
-    uint32_t *targets;            /* (samples,) */
+    size_t *points;               /* number of points of each box of a block */
+    uint32_t *targets;            /* (samples,): boxes of the images of one box */
     size_t done, mapped;
 } builder;
 
@@ -64,7 +65,7 @@ static bool grow(void *array, size_t count, size_t size)
     return bigger != NULL;
 }
 
-/* Room for so many boxes. */
+/* Allocate space for `count` kept boxes. */
 static jlt_status reserve(builder *b, size_t count)
 {
     if (count <= b->room) return JLT_OK;
@@ -81,7 +82,7 @@ static jlt_status reserve(builder *b, size_t count)
     return JLT_OK;
 }
 
-/* The boxes that hold one of their stratified points at least. */
+/* Keep the boxes that have a stratified point in the space. */
 static jlt_status keep_boxes(builder *b)
 {
     jlt_status st = JLT_OK;
@@ -101,7 +102,7 @@ static jlt_status keep_boxes(builder *b)
     return st == JLT_OK && b->count == 0 ? JLT_ERR_EMPTY : st;
 }
 
-/* The points of a kept box into q; returns how many. */
+/* Write the points of a kept box to q; returns their number. */
 static size_t fill(const builder *b, double *q, size_t place)
 {
     const unsigned dim = b->boxes->dim;
@@ -116,7 +117,7 @@ static size_t fill(const builder *b, double *q, size_t place)
     return count;
 }
 
-/* An image in a box that is not kept. */
+/* Store an image in a box that is not kept. */
 static jlt_status remember(builder *b, size_t box, const double *q)
 {
     if (b->come_count == ARRIVALS_MAX) return JLT_OK;
@@ -132,7 +133,7 @@ static jlt_status remember(builder *b, size_t box, const double *q)
     return JLT_OK;
 }
 
-/* Move q at random, unless it would leave the space. */
+/* Shift q at random, unless that would leave the space. */
 static void disturb(const builder *b, double *q, double noise, jlt_random *random)
 {
     double moved[JLT_BOXES_DIM_MAX];
@@ -142,7 +143,7 @@ static void disturb(const builder *b, double *q, double noise, jlt_random *rando
     if (b->map->holds(b->map->context, moved)) memcpy(q, moved, b->boxes->dim * sizeof *q);
 }
 
-/* Where the `count` returned points of a box are, as a row behind the others, each with the weight of one of `whole` points. */
+/* Append a row: `count` images, whose boxes are in b->targets, each with the weight 1/whole. */
 static jlt_status add_row(builder *b, rows *r, size_t place, size_t count, size_t whole)
 {
     if (r->entries + count > r->room) {
@@ -162,7 +163,7 @@ static jlt_status add_row(builder *b, rows *r, size_t place, size_t count, size_
     return JLT_OK;
 }
 
-/* The row of a box for one noise, from its points number `first` of the block on. */
+/* Append the row of a box for one noise, from its points first .. first + points - 1 of the block. */
 static jlt_status take_noise(builder *b, size_t index, size_t place, size_t first, size_t points, size_t whole)
 {
     const double noise = b->options->noise[index];
@@ -194,7 +195,7 @@ static jlt_status take_noise(builder *b, size_t index, size_t place, size_t firs
     return st == JLT_OK ? add_row(b, r, place, count, whole) : st;
 }
 
-/* All that the points of a box tell. */
+/* Record share, time, density and rows of a box from its mapped points. */
 static jlt_status take_box(builder *b, size_t place, size_t first, size_t points)
 {
     const unsigned dim = b->boxes->dim, losses = b->map->losses;
@@ -216,7 +217,7 @@ static jlt_status take_box(builder *b, size_t place, size_t first, size_t points
     return st;
 }
 
-/* Boxes at places from .. to - 1, a block of whole boxes at a time. */
+/* Map the points of kept boxes from .. to - 1, in blocks of whole boxes. */
 static jlt_status map_boxes(builder *b, size_t from, size_t to)
 {
     const unsigned dim = b->boxes->dim;
@@ -239,7 +240,7 @@ static jlt_status map_boxes(builder *b, size_t from, size_t to)
     return st;
 }
 
-/* Keep the boxes in which images came that were not kept. */
+/* Keep the boxes that images have reached without being kept. */
 static jlt_status add_boxes(builder *b)
 {
     free(b->arrivals);
@@ -263,7 +264,8 @@ static jlt_status add_boxes(builder *b)
     return JLT_OK;
 }
 
-/* From numbers of boxes to places, in ascending order; images in boxes that are not kept after all are lost. */
+/* Convert a row from numbers of boxes to indices among kept ones, in ascending order. Images in boxes that are not kept in the end
+ * are counted as lost. */
 static void settle_row(rows *r, const builder *b, size_t place, size_t *end)
 {
     const size_t from = r->row[place], to = r->row[place + 1], begin = *end;
@@ -311,7 +313,7 @@ static jlt_status finish(jlt_transfer **out, builder *b, rows *r)
     self->kept = copy_of(b->kept, b->all, sizeof *b->kept);
     self->share = copy_of(b->share, b->count, sizeof *b->share);
     self->time = copy_of(b->time, b->count, sizeof *b->time);
-    *r = (rows){ 0 }; /* ownership has moved */
+    *r = (rows){ 0 }; /* ownership moved to self */
     if (b->map->density != NULL) self->known = copy_of(b->known, b->count, sizeof *b->known);
     for (size_t i = 0; self->known != NULL && i < b->count; i++) self->known[i] /= sum;
     if (self->box == NULL || self->kept == NULL || self->share == NULL || self->time == NULL ||

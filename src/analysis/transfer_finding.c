@@ -11,7 +11,7 @@ enum { NEIGHBOURS = 6561 }; /* 3^JLT_BOXES_DIM_MAX */
 
 void jlt_transfer_finding_clear(jlt_transfer_finding *self) { jlt_transfer_spectrum_clear(&self->spectrum); }
 
-/* What the eigenvectors tell. */
+/* Compute all that follows from the eigenvectors. */
 static void tell(jlt_transfer_finding *out, const jlt_transfer *transfer, const jlt_chart *chart, double *work)
 {
     const jlt_transfer_spectrum *s = &out->spectrum;

@@ -13,14 +13,14 @@ enum { MEASURES_MAX = 64 };
 struct jlt_transfer_section {
     const jlt_system *system;
     jlt_section_batch *batch;
-    jlt_instance *known; /* in the table's own time and units, in which densities are claimed; NULL: none is */
-    double *starts; /* (room, dim): points that are on the section, */
-    size_t *index;  /* (room,): and which they are */
+    jlt_instance *known; /* in the table's own time and units, in which densities are claimed; NULL if none is claimed */
+    double *starts; /* (room, dim): those points of a block that are on the section */
+    size_t *index;  /* (room,): their indices in the block */
     size_t room;
     jlt_failures failures;
 };
 
-/* The field of the same parameters in the model's own time, whose states come first in every other. */
+/* The same variant in the model's own time. In every time, the states of the own time come first. */
 static const jlt_descriptor *in_own_time(const jlt_descriptor *d)
 {
     for (size_t i = 0; d->family[i] != NULL; i++) {
@@ -63,8 +63,7 @@ const char *jlt_transfer_section_density(const jlt_transfer_section *self)
 
 const jlt_failures *jlt_transfer_section_failures(const jlt_transfer_section *self) { return &self->failures; }
 
-/* The state at q, and the field there, in the flow's units; false where there is none, or the section is not crossed in its
- * direction. */
+/* The state x at q and the field f there, in the flow's units. Returns false if q has none, or the flow crosses the other way. */
 static bool at(const jlt_transfer_section *self, double *x, double *f, const double *q)
 {
     const jlt_flow *flow = &self->system->flow;
@@ -81,7 +80,8 @@ static bool holds(void *context, const double *q)
     return at(context, x, f, q);
 }
 
-/* The points of the section into self->starts, and which they are. Errors: NOMEM. */
+/* Copy the points that are on the section to self->starts, and their indices to self->index; mark all points as not in the space.
+ * Errors: NOMEM. */
 static jlt_status choose(jlt_transfer_section *self, size_t *chosen, unsigned *loss, const double *q, size_t count)
 {
     const unsigned dim = self->system->flow.chart->dim;
@@ -117,7 +117,7 @@ static jlt_status images(void *context, double *image, unsigned *loss, double *t
     for (size_t k = 0; st == JLT_OK && k < chosen; k++) {
         const size_t i = self->index[k];
         st = jlt_section_batch_last(self->batch, &row, k);
-        if (st != JLT_OK || row.interrupted) continue; /* the interrupt's flag is raised, and images are not used */
+        if (st != JLT_OK || row.interrupted) continue; /* the interrupt flag is set, and images are not used */
         loss[i] = (unsigned)row.fate;
         jlt_failures_add(&self->failures, row.fate, row.unbounded, row.t);
         time[i] = fabs(row.t);
@@ -137,7 +137,7 @@ static double density(void *context, const double *q)
 
     if (!at(self, x, f, q)) return 0;
     double flux = flow->chart->flux(flow->chart, x, f) / jlt_field_time_rate(flow->field, x);
-    /* The chart's flux is that of the volume with lifted roots, see chart_section.h. */
+    /* The chart's flux includes the volume element of lifted roots, see chart_section.h; remove it. */
     for (unsigned k = d->state_count; k < flow->chart->states; k++) flux *= x[k];
     for (unsigned k = 0; k < flow->chart->states; k++) x[k] = ldexp(x[k], flow->units.state[k]);
     if (jlt_kernel_eval(values, &d->measure_values, x, d->state_count, self->known->prepared) != JLT_OK) return 0;

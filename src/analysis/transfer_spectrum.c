@@ -8,9 +8,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const double rounding = 1e-9; /* of a mass */
-static const double alike = 1e-3;    /* of an eigenvalue */
-static const double doubled = 1e-6;  /* of a pair's magnitude, its imaginary part: a real eigenvalue twice, but for rounding */
+static const double rounding = 1e-9; /* relative to the mass */
+static const double alike = 1e-3;    /* relative to the eigenvalue */
+static const double doubled = 1e-6;  /* a pair with |im| at most this part of |re| is a double real eigenvalue */
 
 enum { SPACE = 24, RESTARTS = 300 };
 
@@ -39,7 +39,7 @@ void jlt_transfer_spectrum_clear(jlt_transfer_spectrum *self)
     *self = (jlt_transfer_spectrum){ .count = 0 };
 }
 
-/* Whether eigenvalue i of ARPACK's comes before k. */
+/* Whether ARPACK's eigenvalue i is to be listed before k. */
 static bool before(const double *re, const double *im, size_t i, size_t k)
 {
     const double a = hypot(re[i], im[i]), b = hypot(re[k], im[k]);
@@ -49,8 +49,8 @@ static bool before(const double *re, const double *im, size_t i, size_t k)
     return im[i] > im[k];
 }
 
-/* Sum of |v P - lambda v| over that of |v|; of a pair, v = x + i y is what its first eigenvalue has, and y is NULL for a real
- * one. */
+/* Sum of |v P - lambda v| over sum of |v|, with v = x + i y the vector of the eigenvalue of a pair with im > 0; y is NULL for a
+ * real eigenvalue. work: shape (2, n). */
 static double residual_of(const jlt_transfer *transfer, double re, double im, const double *x, const double *y, double *work)
 {
     const size_t n = transfer->count;
@@ -66,7 +66,7 @@ static double residual_of(const jlt_transfer *transfer, double re, double im, co
     return sum / size;
 }
 
-/* A copy with sum |v| = 1, and the greater part of it positive. *negative: what is not. */
+/* A copy, scaled to sum |v| = 1, with the sign that makes the larger part of the mass positive; *negative is the rest. */
 static double *scaled(const double *v, size_t n, double *negative)
 {
     double *copy = jlt_memory_array(n, sizeof *copy), plus = 0, minus = 0;
@@ -81,8 +81,8 @@ static double *scaled(const double *v, size_t n, double *negative)
     return copy;
 }
 
-/* The masses that stay. Of a simple eigenvalue they have one sign but for rounding. Of one that is not, the vector is any of many;
- * then its absolute values stay too, for |v| P has no less of any than |v P|, and no more in all. */
+/* The stationary masses. The eigenvector v of a simple eigenvalue has one sign, except for rounding; that of a multiple one may
+ * not, but then |v| is stationary as well, since |v| P >= |v P| in every box, with no more mass in all. */
 static double *positive(const double *v, size_t n, double *negative)
 {
     double *copy = scaled(v, n, negative);
@@ -91,9 +91,9 @@ static double *positive(const double *v, size_t n, double *negative)
     return copy;
 }
 
-/* What ARPACK finds. */
+/* The eigenvalues that ARPACK finds. */
 typedef struct {
-    double *re, *im, *vectors; /* vectors NULL: not asked for */
+    double *re, *im, *vectors; /* vectors: NULL if not asked for */
     size_t found;
 } answer;
 
@@ -105,8 +105,7 @@ static double nearest(const answer *of, double re, double im)
     return distance;
 }
 
-/* How many eigenvalues, by descending magnitude, both answers have: one that they have not ends them. Of an answer with fewer of
- * one magnitude, such as a pair that was not completed, nothing is known. */
+/* The number of eigenvalues, by descending magnitude, up to the first that the second computation does not confirm. */
 static size_t count_told(const jlt_transfer_spectrum *s)
 {
     size_t told = 0;
@@ -115,7 +114,7 @@ static size_t count_told(const jlt_transfer_spectrum *s)
     return told;
 }
 
-/* Sort what was found first, compare it with what was found again, and choose the eigenvectors that are kept. */
+/* Sort the first computation's eigenvalues, compare them with the second's, and select the eigenvectors to keep. */
 static jlt_status arrange(jlt_transfer_spectrum *out, const jlt_transfer *transfer, const answer *one, const answer *other,
                           size_t wanted, double *work)
 {
@@ -129,11 +128,11 @@ static jlt_status arrange(jlt_transfer_spectrum *out, const jlt_transfer *transf
         for (; at > 0 && before(re, im, i, order[at - 1]); at--) order[at] = order[at - 1];
         order[at] = i;
     }
-    /* ARPACK may find one more than was asked for; it stays where it completes a pair. */
+    /* ARPACK may find one more than wanted; it is kept if it completes a pair. */
     if (st == JLT_OK && found > wanted && im[order[wanted - 1]] <= 0) count = wanted;
     first = second = count;
     for (size_t i = 0; st == JLT_OK && i < count; i++) {
-        const size_t k = order[i], head = im[k] < 0 ? k - 1 : k; /* a pair's first holds the real part of its vector */
+        const size_t k = order[i], head = im[k] < 0 ? k - 1 : k; /* the first eigenvalue of a pair has the vector's real part */
         out->re[i] = re[k];
         out->im[i] = fabs(im[k]) > doubled * fabs(re[k]) ? im[k] : 0;
         out->residual[i] = residual_of(transfer, re[k], fabs(im[k]), vectors + head * n,
@@ -176,7 +175,7 @@ static void release(answer *self)
     free(self->vectors);
 }
 
-/* Begin near the even mass, and yet in no subspace that a symmetry of the map leaves invariant. */
+/* The start vector is near the uniform mass, but random, so as to be in no subspace that a symmetry of the map leaves invariant. */
 static jlt_status find(answer *out, problem *p, size_t wanted, double tolerance, uint64_t seed, double *start)
 {
     const size_t n = p->transfer->count, space = 2 * wanted + SPACE < n ? 2 * wanted + SPACE : n;
@@ -218,8 +217,8 @@ done:
     return st;
 }
 
-/* EMPTY where no box leads back to itself, in any number of steps: all eigenvalues are 0. Boxes into which none leads are taken
- * away until there are none (A. B. Kahn, Comm. ACM 5, 1962). */
+/* Returns EMPTY if no box leads back to itself in any number of steps, so that all eigenvalues are 0: boxes that no box leads to
+ * are removed until there are none (A. B. Kahn, Comm. ACM 5, 1962). */
 static jlt_status check_recurrent(const jlt_transfer *transfer)
 {
     const size_t n = transfer->count;

@@ -1,4 +1,4 @@
-/* Certificates: points of a family of equilibria at which the field is exactly zero and the trace, known exactly, is not. */
+/* Certificates that a family of equilibria excludes an invariant measure: points with field exactly zero, trace exactly nonzero. */
 #include "claims/verify.h"
 
 #include <math.h>
@@ -7,7 +7,7 @@
 
 enum { CERTIFICATES = 3, TRIES = 400, DIGITS = 40 };
 
-/* Legs of Pythagorean triangles, so that sqrt(1 - x^2) is rational; and plain small numbers. */
+/* Values to draw from. The legs x of Pythagorean triangles make sqrt(1 - x^2) rational; the others are small numbers. */
 static const char *const legs[] = { "3/5", "4/5", "5/13", "12/13", "8/17", "15/17", "7/25", "24/25", "20/29", "21/29" };
 static const char *const plain[] = { "1", "2", "1/2", "1/3", "2/3", "3/4", "3/2", "2/5", "5/3", "7/4" };
 
@@ -24,7 +24,8 @@ static void set(jlt_verify_run *run, uint32_t symbol, const char *fraction, bool
     (void)ttc_ball_set_fraction(run->oracle->ball, symbol, negative ? text : fraction);
 }
 
-/* Where a state's interval leaves the number out: as far from its end, or as large a part of it, to the 256th. */
+/* A number drawn outside its state's open interval is replaced. With d its modulus, rounded to 1/256, the state becomes the point
+ * at distance d from the finite end, or, in a bounded interval, the point at the fraction d of its length. */
 static void move_inside(jlt_verify_run *run, unsigned state)
 {
     const jlt_quantity *q = &run->descriptor->states[state];
@@ -64,7 +65,7 @@ static void draw_point(jlt_verify_run *run, const ttc_claim *claim, bool by_defa
         ttc_ball_bind(o->ball, claim->bindings.items[i].symbol, claim->bindings.items[i].expression);
 }
 
-/* Parameters that a condition sets must keep the table's signs. */
+/* Whether the parameters, some of them set by conditions, have the signs that the table requires. */
 static bool allowed(const jlt_verify_run *run)
 {
     const jlt_descriptor *d = run->descriptor;
@@ -109,7 +110,7 @@ static bool field_is_zero(const jlt_verify_run *run)
     return true;
 }
 
-/* "NAME = value" of every parameter and state; NULL when memory is out or a value is irrational. */
+/* "NAME = value" of every parameter and state, joined with ", "; NULL if memory is out or a value is irrational. */
 static char *describe(const jlt_verify_run *run)
 {
     const jlt_oracle *o = run->oracle;
@@ -132,7 +133,7 @@ static char *describe(const jlt_verify_run *run)
     return NULL;
 }
 
-/* Whether a certificate from this number on has the point. */
+/* Whether a certificate with index >= first is at this point. */
 static bool is_known(const jlt_verify_run *run, size_t first, const char *point)
 {
     for (size_t i = first; point != NULL && i < run->certificate_count; i++)
@@ -150,7 +151,7 @@ static void certify(jlt_verify_run *run, const jlt_equilibria *family)
         int sign = 0;
         draw_point(run, claim, attempt >= TRIES / 2);
         if (!allowed(run) || !in_domain(run) || !field_is_zero(run)) continue;
-        /* The trace vanishes on a part of the family: a point there shows nothing. */
+        /* The trace vanishes on a subset of the family; a point there certifies nothing. */
         if (!ttc_ball_exact_sign(&sign, run->oracle->ball, run->oracle->trace) || sign == 0) continue;
         c.exact = true;
         c.point = describe(run);

@@ -1,4 +1,4 @@
-/* Compares what is found of an invariant measure through the kernels with what the table claims. */
+/* Compares the invariant measures found numerically through the kernels with those that the table claims. */
 #include "claims/verify.h"
 
 #include "core/memory.h"
@@ -9,7 +9,7 @@
 
 enum { POINTS = 41, SAMPLES = 200, DRAWS_OF_PARAMS = 3 };
 
-/* Whether the density that was found is positive and smooth at an equilibrium that excludes one. */
+/* Set d->contradicted: whether the range of the density that was found contains an equilibrium that excludes it. */
 static jlt_status contradict(jlt_verify_run *run, jlt_verify_density *d, jlt_instance *instance)
 {
     const jlt_measure_attempt *a = &d->attempt;
@@ -38,7 +38,7 @@ done:
     return st;
 }
 
-/* What the table claims decides what must be found. */
+/* If the table claims a measure, it must be confirmed; if not, no density that contradicts an equilibrium may be found. */
 static bool holds(const jlt_verify_density *d)
 {
     const jlt_measure_attempt *a = &d->attempt;

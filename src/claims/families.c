@@ -1,4 +1,4 @@
-/* Compares what kernels compute at samples of a family of equilibria with enclosures, formulas and second methods. */
+/* Compares what kernels compute at samples of a family of equilibria with enclosures, table formulas and other methods. */
 #include "claims/sample.h"
 
 #include "analysis/charpoly.h"
@@ -15,8 +15,8 @@ enum { SIZE = JLT_SAMPLE_STATES_MAX };
 
 static const double roundoff = DBL_EPSILON / 2;
 
-/* Factors by which arithmetic other than the expression as written may exceed its running error bound: the optimizer
- * reassociates and shares, which costs a few operations more; complex arithmetic costs up to four times the operations. */
+/* Factors by which other arithmetic may exceed the running error bound of the expression as written: the optimizer reassociates
+ * and shares subexpressions, which costs a few more operations; complex arithmetic takes up to four times the operations. */
 static const double rearranged = 4.0, in_complex = 16.0;
 
 static jlt_verify_check *check_named(jlt_verify_family *f, const char *name, const char *bound)
@@ -28,10 +28,10 @@ static jlt_verify_check *check_named(jlt_verify_family *f, const char *name, con
     return &f->checks[f->check_count++];
 }
 
-/* value: the number itself, zero where it is exactly zero or not known to all digits; size: see jlt_verify_check. */
+/* Add one comparison. value: the exact number, 0 where it is zero or not known to full precision; size: see jlt_verify_check. */
 static void record(jlt_verify_check *check, double error, double value, double size, double bound)
 {
-    /* Results below the normal range were refused already; what is left of rounding there is one subnormal. */
+    /* Kernels refuse results below the normal range, so rounding there is at most one subnormal, 2^-1074. */
     const double ratio = error == 0.0 ? 0.0 : error / (bound + 0x1p-1074), part = isnan(ratio) ? INFINITY : ratio;
     const double ulp = size * roundoff + 0x1p-1074;
 
@@ -51,7 +51,7 @@ static const char charpoly_error[] = "k(n+3) roundings of the coefficient withou
 static const char root_error[] = "the reported error of each eigenvalue, to first order, and the polynomial's";
 static const char null_error[] = "running errors of gradient and matrix, and n+4 roundings, without cancellation";
 
-/* Running error of the expression, and one rounding of the result where all that is written is exact. */
+/* Running error of the expression, plus one rounding of the result in case the expression itself is free of rounding. */
 static double running(double rounding, const ttc_enclosure *exact)
 {
     return rounding + roundoff * fabs(exact->value);
@@ -84,7 +84,7 @@ static jlt_status compare_matrix(jlt_verify_family *f, const jlt_sample *s, cons
     return JLT_OK;
 }
 
-/* Columns by Im f(x + i h e_j) / h: no subtraction, so h may be as small as 2^-100 of x_j. */
+/* Column j of the Jacobian is Im f(x + i h e_j) / h. Nothing is subtracted, so h may be as small as 2^-100 |x_j|. */
 static void compare_complex_step(jlt_verify_family *f, const jlt_sample *s, const jlt_descriptor *d, const double *jacobian)
 {
     jlt_verify_check *check = check_named(f, "generated Jacobian against complex-step differentiation", complex_error);
@@ -190,7 +190,7 @@ static jlt_status compare_eigen(jlt_verify_family *f, jlt_deflation *eigen, cons
     return JLT_OK;
 }
 
-/* Everything for the kernels of one descriptor at one sample. */
+/* Make all comparisons for the kernels of one descriptor at one sample. */
 static jlt_status compare(jlt_verify_family *f, const jlt_sample *s, jlt_oracle *oracle, const jlt_descriptor *kernels,
                           const jlt_descriptor *general)
 {
@@ -255,7 +255,7 @@ static jlt_status verify_family(jlt_verify_run *run, jlt_verify_family *f)
         if (refused != JLT_OK) f->refused++;
     }
     for (size_t i = 0; i < f->check_count; i++) *(f->checks[i].worst_part <= 1.0 ? &run->held : &run->failed) += 1;
-    /* Nothing compared is nothing verified. */
+    /* If every sample was refused, nothing is verified. */
     if (f->samples == f->refused) run->failed++;
     jlt_sample_subject_clear(&subject);
     free(s);

@@ -1,4 +1,4 @@
-/* Proves the claims of a table exactly; finds the other tables that these claims name. */
+/* Proves the claims of a table exactly, and finds the other tables that these claims name. */
 #include "claims/verify.h"
 
 #include "kernel/descriptor.h"
@@ -6,15 +6,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* "NAME.tt" is the file of the table NAME. */
+/* Whether `target` is the file of the table `name`, "NAME.tt". */
 static bool is_file_of(const char *target, const char *name)
 {
     const size_t length = strlen(name);
     return strncmp(name, target, length) == 0 && strcmp(target + length, ".tt") == 0;
 }
 
-/* The target of a claim is a table beside the user's own; of one that is built in, a table that is built in, too, or one of
- * coordinates, which its section holds. */
+/* Find the table that a claim names: beside the user's own file; for a built-in table, another built-in table, or a table of
+ * coordinates that a section holds. */
 static ttc_model *resolve(void *context, const ttc_model *model, const char *target, ttc_diagnostics *diagnostics)
 {
     const jlt_verify_run *run = context;

@@ -22,7 +22,7 @@ const ttc_claim *jlt_verify_claim(const jlt_verify_run *run, const jlt_equilibri
     return NULL;
 }
 
-/* Put the oracle on a family: conditions and dependent states stand for their expressions, the rest has these values. */
+/* Set the oracle to a point of the family, which binds conditions and dependent states to expressions, all else to these values. */
 static void place(jlt_verify_run *run, const ttc_claim *claim, const double *params, const double *x)
 {
     ttc_ball *ball = run->oracle->ball;
@@ -47,7 +47,7 @@ void jlt_verify_draw_params(double *params, const jlt_descriptor *descriptor, jl
         else if (q->sign == JLT_NONZERO || die != 0) params[i] = die < 8 ? -magnitude : magnitude;
         else params[i] = 0.0;
     }
-    /* Some coincidences that matter: two parameters equal, or one ulp apart. */
+    /* Coincidences that are worth testing: two parameters equal, or one ulp apart. */
     if (kind != 0 && descriptor->param_count > 1 && jlt_random_below(random, 8) == 0) {
         const size_t from = (size_t)jlt_random_below(random, descriptor->param_count);
         const size_t to = (size_t)jlt_random_below(random, descriptor->param_count);
@@ -58,7 +58,8 @@ void jlt_verify_draw_params(double *params, const jlt_descriptor *descriptor, jl
     }
 }
 
-/* States: moderate, extreme in size, within 1e-12 of an end of their interval, or some of them zero. */
+/* kind 2: unbounded states extreme in size; kind 3: bounded states within 1e-2 to 1e-12 of an end of their interval; else
+ * moderate. Except for kind 0, an unbounded state is zero now and then. */
 static void draw_states(double *x, const jlt_descriptor *d, jlt_random *random, unsigned kind)
 {
     jlt_density_draw_state(x, d, NULL, random);

@@ -40,6 +40,8 @@ static char *text_of(value_finder *find, const char *table, const char *name)
     return text;
 }
 
+char *jlt_certify_default(const char *table, const char *name) { return text_of(find_default, table, name); }
+
 /* As typed, or the default of the first of these tables that has one. */
 static char *value_of(const char *name, const jlt_motion_options *options, const char *const *tables, unsigned count)
 {
@@ -48,11 +50,11 @@ static char *value_of(const char *name, const jlt_motion_options *options, const
 
     if (typed == NULL) typed = jlt_assign_fraction(&options->common.set, name);
     if (typed != NULL) return strdup(typed);
-    for (unsigned i = 0; text == NULL && i < count; i++) text = text_of(find_default, tables[i], name);
+    for (unsigned i = 0; text == NULL && i < count; i++) text = jlt_certify_default(tables[i], name);
     return text;
 }
 
-static jlt_exit put(json_t *object, const char *key, const char *name, char *text, const jlt_assign_list *spread)
+jlt_exit jlt_certify_put(json_t *object, const char *key, const char *name, char *text, const jlt_assign_list *spread)
 {
     const char *radius = jlt_assign_fraction(spread, name);
     int failed;
@@ -135,7 +137,7 @@ static jlt_exit of_link(json_t *params, const jlt_descriptor *d, const jlt_motio
     for (unsigned i = 0; code == JLT_EXIT_DONE && i < d->param_count; i++) {
         const char *name = d->params[i].name, *text = json_string_value(json_object_get(values, name));
         if (surface->link.count == 0 || jlt_link_source(&surface->link, name) != JLT_SOURCE_PARAMS) continue;
-        code = text != NULL ? put(params, name, name, strdup(text), spread)
+        code = text != NULL ? jlt_certify_put(params, name, name, strdup(text), spread)
                             : jlt_command_fail(JLT_EXIT_INPUT,
                                                "a theorem is one of %s, whose parameter %s is computed here from parameters of "
                                                "%s, and is no fraction: ask %s itself, with --set %s=VALUE",
@@ -156,8 +158,8 @@ static jlt_exit of_surface(json_t *params, json_t *levels, const jlt_descriptor 
         if (entry == JLT_SURFACE_COMPUTED) continue;
         char *text = value_of(surface->names[i], options, tables, 3);
         code = entry < d->param_count
-                   ? put(params, d->params[entry].name, surface->names[i], text, spread)
-                   : put(levels, d->integrals[surface->section->integrals[entry - d->param_count]].name,
+                   ? jlt_certify_put(params, d->params[entry].name, surface->names[i], text, spread)
+                   : jlt_certify_put(levels, d->integrals[surface->section->integrals[entry - d->param_count]].name,
                          surface->names[i], text, spread);
     }
     return code == JLT_EXIT_DONE ? of_link(params, d, options, surface, spread) : code;
@@ -169,9 +171,9 @@ static jlt_exit of_plane(json_t *params, json_t *levels, const jlt_descriptor *d
     jlt_exit code = JLT_EXIT_DONE;
 
     for (unsigned i = 0; code == JLT_EXIT_DONE && i < d->param_count; i++)
-        code = put(params, d->params[i].name, d->params[i].name, value_of(d->params[i].name, options, &d->table, 1), spread);
+        code = jlt_certify_put(params, d->params[i].name, d->params[i].name, value_of(d->params[i].name, options, &d->table, 1), spread);
     for (size_t i = 0; code == JLT_EXIT_DONE && i < options->level.count; i++)
-        code = put(levels, options->level.items[i].name, options->level.items[i].name, strdup(options->level.items[i].fraction),
+        code = jlt_certify_put(levels, options->level.items[i].name, options->level.items[i].name, strdup(options->level.items[i].fraction),
                    spread);
     return code;
 }
@@ -194,13 +196,12 @@ static jlt_exit put_section(json_t *given, const jlt_descriptor *d, const jlt_mo
     return json_object_set_new(given, "section", section) == 0 ? JLT_EXIT_DONE : jlt_command_no_memory();
 }
 
-/* A spread that names neither a parameter nor a level would be lost. */
-static jlt_exit check_spread(const jlt_assign_list *spread, const json_t *params, const json_t *levels)
+jlt_exit jlt_certify_check_spread(const jlt_assign_list *spread, const json_t *params, const json_t *others, const char *what)
 {
     for (size_t i = 0; i < spread->count; i++) {
         const char *name = spread->items[i].name;
-        if (json_object_get(params, name) == NULL && json_object_get(levels, name) == NULL)
-            return jlt_command_fail(JLT_EXIT_INPUT, "--spread: there is neither a parameter nor a level '%s' here", name);
+        if (json_object_get(params, name) == NULL && json_object_get(others, name) == NULL)
+            return jlt_command_fail(JLT_EXIT_INPUT, "--spread: there is neither a parameter nor %s '%s' here", what, name);
         if (!(spread->items[i].value > 0))
             return jlt_command_fail(JLT_EXIT_INPUT, "--spread: the radius of %s is a number > 0", name);
     }
@@ -220,7 +221,7 @@ jlt_exit jlt_certify_given(json_t **given, const jlt_descriptor **of, const jlt_
     if (*given == NULL) return jlt_command_no_memory();
     code = system->surface != NULL ? of_surface(params, levels, d, options, system->surface, spread)
                                    : of_plane(params, levels, d, options, spread);
-    if (code == JLT_EXIT_DONE) code = check_spread(spread, params, levels);
+    if (code == JLT_EXIT_DONE) code = jlt_certify_check_spread(spread, params, levels, "a level");
     if (code == JLT_EXIT_DONE) code = put_section(*given, d, options, system);
     if (code != JLT_EXIT_DONE) {
         json_decref(*given);

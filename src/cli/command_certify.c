@@ -2,6 +2,7 @@
 #include "cli/certify_family.h"
 #include "cli/certify_given.h"
 #include "cli/certify_homoclinic.h"
+#include "cli/certify_pole.h"
 #include "dynamics/periodic.h"
 #include "validated/certificate.h"
 #include "validated/given_family.h"
@@ -21,7 +22,7 @@ typedef struct {
     unsigned long long typed; /* bits of own_options */
 } options;
 
-#define KINDS "cycle, elliptic, equilibria, homoclinic, obstruction, sink or symmetric"
+#define KINDS "cycle, elliptic, equilibria, homoclinic, obstruction, pole, sink or symmetric"
 
 static const double tolerance = 1e-13; /* of the orbit in doubles */
 
@@ -30,7 +31,8 @@ enum { DIGITS = 2000, RADIUS, SPREAD, DISTANCE, ORBIT, FAMILY, BOX, LIMIT };
 static const struct argp_option option_table[] = {
     { "period", 'n', "N", 0, "The orbit closes after N returns, at most 64; default 1", 1 },
     { "start", 'a', "NAME=VALUE,...", 0,
-      "A point near the orbit, every coordinate of the section, as `jellett orbits` gives it", 1 },
+      "A point near the orbit, every coordinate of the section, as `jellett orbits` gives it; of a pole, every state where the "
+      "motions begin", 1 },
     { "digits", DIGITS, "N", 0, "Decimals to compute with, 10 to 1000; default 20", 1 },
     { "radius", RADIUS, "R", 0,
       "Of the box, in units of the table's states; default 1e-10, or with --spread as far as orbits spread", 1 },
@@ -39,7 +41,7 @@ static const struct argp_option option_table[] = {
     { "family", FAMILY, "NAME", 0, "Of equilibria, where the table has more than one", 1 },
     { "box", BOX, "NAME=LOW:HIGH|VALUE,...", 0, "Ranges of parameters, and of all states that the family leaves free", 1 },
     { "limit", LIMIT, "N", 0, "Parts to cut the box of a family into, at most; default 100000", 1 },
-    { "spread", SPREAD, "NAME=RADIUS,...", 0, "Let parameters and levels have any value within this distance of theirs", 1 },
+    { "spread", SPREAD, "NAME=RADIUS,...", 0, "Let parameters and levels, and states of a pole's start, have any value within this distance of theirs", 1 },
     { 0 },
 };
 
@@ -51,9 +53,9 @@ static const struct {
     const char *option, *kinds;
 } own_options[] = {
     { 'n', "--period", "cycle, elliptic, obstruction, sink and symmetric" },
-    { 'a', "--start", "cycle, elliptic, homoclinic, obstruction, sink and symmetric" },
+    { 'a', "--start", "cycle, elliptic, homoclinic, obstruction, pole, sink and symmetric" },
     { RADIUS, "--radius", "cycle, elliptic, homoclinic, obstruction, sink and symmetric" },
-    { SPREAD, "--spread", "cycle, elliptic, homoclinic, obstruction, sink and symmetric" },
+    { SPREAD, "--spread", "cycle, elliptic, homoclinic, obstruction, pole, sink and symmetric" },
     { DISTANCE, "--distance", "homoclinic" },
     { ORBIT, "--orbit", "homoclinic" },
     { FAMILY, "--family", "equilibria" },
@@ -68,6 +70,8 @@ static void note_typed(options *o, int key)
     for (unsigned i = 0; i < own_option_count; i++)
         if (own_options[i].key == key) o->typed |= 1ull << i;
 }
+
+static bool has_section(const char *kind) { return strcmp(kind, "equilibria") != 0 && strcmp(kind, "pole") != 0; }
 
 /* An option that this kind does not take would be lost. */
 static void check_typed(const options *o, const struct argp_state *state)
@@ -87,8 +91,8 @@ static void check_typed(const options *o, const struct argp_state *state)
         if ((o->typed >> i & 1) != 0 && strstr(own_options[i].kinds, o->kind) == NULL)
             argp_error(state, "%s is an option of %s, not of %s: leave it out", own_options[i].option, own_options[i].kinds,
                        o->kind);
-    if (strcmp(o->kind, "equilibria") == 0 && of_section != NULL)
-        argp_error(state, "%s is an option of orbits, and equilibria have a --box: leave it out", of_section);
+    if (!has_section(o->kind) && of_section != NULL)
+        argp_error(state, "%s is an option of orbits on sections, not of %s: leave it out", of_section, o->kind);
     if (m->flow.direction == JLT_BOTH) argp_error(state, "--direction: a certificate counts crossings one way, up or down");
 }
 
@@ -121,6 +125,8 @@ static error_t parse(int key, char *value, struct argp_state *state)
         jlt_common_no_table(&o->motion.common, state, "a certificate");
         check_typed(o, state);
         if (strcmp(o->kind, "equilibria") == 0) return 0;
+        if (o->motion.starts[0] == NULL && !has_section(o->kind))
+            argp_error(state, "say where the motions begin: --start, every state, and how far around, --spread");
         if (o->motion.starts[0] == NULL) argp_error(state, "say near which orbit: --start, as `jellett orbits` gives it");
         return 0;
     default: return ARGP_ERR_UNKNOWN;
@@ -128,9 +134,9 @@ static error_t parse(int key, char *value, struct argp_state *state)
 }
 
 static const struct argp parser = {
-    option_table, parse, "cycle|elliptic|equilibria|homoclinic|obstruction|sink|symmetric [MODEL]",
-    "Prove a periodic or homoclinic orbit, or what a family of equilibria excludes, in ball arithmetic, and write the "
-    "certificate, from which `jellett check` replays the proof."
+    option_table, parse, "cycle|elliptic|equilibria|homoclinic|obstruction|pole|sink|symmetric [MODEL]",
+    "Prove a periodic or homoclinic orbit, what a family of equilibria excludes, or that motions end at a pole, in ball "
+    "arithmetic, and write the certificate, from which `jellett check` replays the proof."
     "\vcycle: through a box on the section exactly one orbit closes after a time near one that is given; its period and its "
     "multipliers are enclosed. obstruction: "
     "besides, the product of its multipliers is not 1, so that no invariant measure has a continuous positive density at it. "
@@ -142,14 +148,17 @@ static const struct argp parser = {
     "elliptic: it is so, without a resonance up to order 4, and its twist coefficient is not 0: it is stable on its levels, "
     "surrounded by invariant tori. equilibria: at all points of a family that "
     "the table claims, in a whole box of parameters and states, the trace of the linearization has one sign, so that no invariant "
-    "measure has a continuous positive density near any of them; the box is cut in halves as far as needed. Values typed and "
-    "defaults of tables are taken exactly. Orbits are found in doubles first. Of a forced system, or around an angle, one closes "
+    "measure has a continuous positive density near any of them; the box is cut in halves as far as needed. pole: all motions "
+    "that begin in a box of states end at one end of a state's interval, which the table claims to be a pole, after a finite time "
+    "that is enclosed: a spherical top turns over, or comes down. Values typed and defaults of tables are taken exactly. Orbits are found in doubles first. Of a forced system, or around an angle, one closes "
     "up to periods that the table proves (`periodic`), and is the only one that does by their numbers: these are served as cycle, "
     "obstruction and sink.\n\n"
     "  jellett certify equilibria --family spin \\\n"
     "    --box I1=0.2:1,I3=0.2:1,gamma3=0.05:0.9,v_nu=0.1:2,omega3=-3:3\n"
     "  jellett certify sink --set I1=0.591,I3=0.494,a3=0.548 \\\n"
-    "    --level E=2.15,G=0.161 --start eta=2.84,gamma3=-0.959",
+    "    --level E=2.15,G=0.161 --start eta=2.84,gamma3=-0.959\n"
+    "  jellett certify pole --start gamma3=-0.78,v_nu=0.8,omega_tau=2.5,omega_n=-1,omega3=-2.7 \\\n"
+    "    --spread gamma3=5e-4,v_nu=5e-4,omega_tau=5e-4,omega_n=5e-4,omega3=5e-4",
     children, NULL, NULL,
 };
 
@@ -249,14 +258,17 @@ done:
 static jlt_exit find_question(json_t **given, const jlt_descriptor **d, jlt_system **system, options *o)
 {
     const jlt_certify_family_options family = { o->family, o->box, o->limit, o->digits };
+    const jlt_certify_pole_options pole = { o->motion.starts[0], &o->spread, o->digits };
     jlt_common *common = &o->motion.common;
-    const bool is_family = strcmp(o->kind, "equilibria") == 0;
-    jlt_exit code = is_family ? jlt_common_model(common, d) : jlt_motion_system(system, &o->motion);
+    const bool is_orbit = has_section(o->kind);
+    jlt_exit code = is_orbit ? jlt_motion_system(system, &o->motion) : jlt_common_model(common, d);
 
-    if (code == JLT_EXIT_DONE && is_family && common->plan) code = jlt_common_still();
+    if (code == JLT_EXIT_DONE && !is_orbit && common->plan) code = jlt_common_still();
     if (code == JLT_EXIT_DONE) code = jlt_common_write(common);
     if (code != JLT_EXIT_DONE) return code;
-    return is_family ? jlt_certify_family(given, &family, &common->set, *d) : ask(given, d, o, *system);
+    if (is_orbit) return ask(given, d, o, *system);
+    return strcmp(o->kind, "pole") == 0 ? jlt_certify_pole(given, &pole, &common->set, *d)
+                                        : jlt_certify_family(given, &family, &common->set, *d);
 }
 
 static jlt_exit run(int argc, char **argv)
@@ -291,6 +303,6 @@ done:
 }
 
 const jlt_command jlt_command_certify = {
-    "certify", "cycle|elliptic|equilibria|homoclinic|obstruction|sink|symmetric [MODEL] [OPTION...]",
-    "Prove an orbit, or what equilibria exclude, and write the certificate", run, NULL, NULL
+    "certify", "cycle|elliptic|equilibria|homoclinic|obstruction|pole|sink|symmetric [MODEL] [OPTION...]",
+    "Prove an orbit, what equilibria exclude, or how motions end, and write the certificate", run, NULL, NULL
 };

@@ -1,4 +1,4 @@
-/* The only C++ of the library: std::to_chars, which finds the shortest digits, has no name in C. */
+/* The only C++ of the library: std::to_chars, which finds the shortest digits, has no counterpart in C. */
 extern "C" {
 #include "core/digits.h"
 }
@@ -10,7 +10,7 @@ extern "C" {
 
 namespace {
 
-/* What std::to_chars writes as d.ddde-XX. */
+/* A number as std::to_chars writes it, d.ddde-XX: its digits without the point, and the decimal exponent. */
 struct decimal {
     bool negative;
     int count, exponent;
@@ -24,7 +24,7 @@ decimal read_scientific(const char *text, const char *end)
     out.negative = *text == '-';
     for (text += out.negative; text < end && *text != 'e'; text++)
         if (*text != '.') out.digits[out.count++] = *text;
-    text += 1 + (text[1] == '+'); /* from_chars takes no plus */
+    text += 1 + (text[1] == '+'); /* from_chars accepts no plus sign */
     std::from_chars(text, end, out.exponent);
     return out;
 }
@@ -61,7 +61,7 @@ char *write_fixed(char *text, const decimal &d)
     return text;
 }
 
-/* Where printf's %g changes to an exponent, with at least 15 digits asked for. */
+/* Chooses between fixed and scientific form as printf's %g does with a precision of at least 15 digits. */
 char *write_shortest(char *text, double value)
 {
     char *const end = text + JLT_DIGITS_SIZE - 1;

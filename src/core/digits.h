@@ -1,4 +1,4 @@
-/** Writes a double as the shortest decimal text that reads back bit for bit, and reads it, with a decimal point in any locale. */
+/** Converts doubles to the shortest decimal text that reads back bit for bit, and such text to doubles, in any locale. */
 #ifndef JLT_CORE_DIGITS_H
 #define JLT_CORE_DIGITS_H
 
@@ -6,14 +6,14 @@
 
 enum { JLT_DIGITS_SIZE = 32 };
 
-/** Write `value` with the fewest digits that read back, and of those the nearest to it, in the form that printf's %g has for at
- *  least 15; NaN and infinities as printf does.
- *  Out: text, shape (JLT_DIGITS_SIZE,), ends with a null byte, to which a pointer is returned. Cost: less than a fifth of a printf
- *  of 17 digits. Source: std::to_chars of the C++ library (U. Adams, Ryu: fast float-to-string conversion, PLDI 2018). */
+/** Write `value` with the fewest digits that read back as the same double; of all such texts, the one nearest to `value`. The form
+ *  is that of printf's %.Pg, P = max(15, number of digits written); NaN and infinities are written as printf writes them.
+ *  Out: text, shape (JLT_DIGITS_SIZE,), null-terminated; returns a pointer to the null byte. Cost: less than a fifth of a printf of
+ *  17 digits. Source: std::to_chars of the C++ library (U. Adams, Ryu: fast float-to-string conversion, PLDI 2018). */
 char *jlt_digits_shortest(char *text, double value);
 
-/** The double nearest to a decimal, all of the text before `end`, in any locale. False: it is none, or lies beyond the doubles;
- *  *value stays. */
+/** Read the decimal number that the bytes from `text` up to `end` hold, rounded to the nearest double, in any locale. Returns
+ *  false, and leaves *value, if these bytes as a whole are no number, or the number lies outside the range of doubles. */
 bool jlt_digits_read(double *value, const char *text, const char *end);
 
 #endif

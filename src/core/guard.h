@@ -1,12 +1,12 @@
-/** A guard around floating-point work: an overflow, a lost underflow or an undefined operation inside it becomes a status.
+/** Turns floating-point exceptions into a status: an overflow, an underflow that loses digits, or an undefined operation.
  *
  *      jlt_guard guard;
  *      jlt_guard_enter(&guard);
  *      ... calls through pointers or into other files (the compiler may move arithmetic of the same function) ...
  *      st = jlt_guard_leave(&guard);
  *
- *  Inside, traps are off and the rounding mode is to nearest. The caller's environment, raised flags included, is
- *  restored on leaving, so guards nest, and the flags of guarded work never reach the caller. */
+ *  Inside, traps are off and the rounding mode is to nearest. Leaving restores the caller's environment, raised flags included:
+ *  guards nest, and flags of guarded work never reach the caller. */
 #ifndef JLT_CORE_GUARD_H
 #define JLT_CORE_GUARD_H
 
@@ -18,10 +18,11 @@ typedef struct {
     fenv_t saved;
 } jlt_guard;
 
+/** Save the caller's floating-point environment and clear the exception flags. */
 void jlt_guard_enter(jlt_guard *guard);
 
-/** Returns JLT_OK; DOMAIN when there was a division by zero or an invalid operation; NONFINITE when a result overflowed, or
- *  underflowed and lost digits. Must be called once for every enter. */
+/** Restore the caller's environment; call it exactly once for every enter. Returns JLT_OK; DOMAIN if there was a division by zero
+ *  or an invalid operation; else NONFINITE if a result overflowed, or underflowed and lost digits. */
 JLT_CHECKED jlt_status jlt_guard_leave(jlt_guard *guard);
 
 #endif

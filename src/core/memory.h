@@ -1,4 +1,4 @@
-/** Arrays aligned for vector loads. */
+/** Allocates arrays aligned for vector loads, and grows arrays. */
 #ifndef JLT_CORE_MEMORY_H
 #define JLT_CORE_MEMORY_H
 
@@ -6,12 +6,12 @@
 
 enum { JLT_MEMORY_ALIGNMENT = 64 };
 
-/** A zeroed array of `count` items of `size` bytes, aligned to JLT_MEMORY_ALIGNMENT; one item at least, so that NULL
- *  always means that memory is out or count * size exceeds SIZE_MAX. The caller frees it with free(). */
+/** Returns a zeroed array of `count` items of `size` bytes, aligned to JLT_MEMORY_ALIGNMENT. At least one byte is allocated, so
+ *  NULL always means that memory is out or count * size exceeds SIZE_MAX. The caller frees it with free(). */
 void *jlt_memory_array(size_t count, size_t size);
 
-/** Room for one more item of an array that holds `count`, by realloc() where that is no item or a power of two: the array, moved or
- *  not. NULL: memory is out, and the array is as it was. */
+/** Make room for one more item in an array that holds `count` items: calls realloc() to double the array if `count` is 0 or a
+ *  power of two. Returns the array, which may have moved, or NULL if memory is out; the old array is then still valid. */
 void *jlt_memory_more(void *array, size_t count, size_t size);
 
 #endif

@@ -34,7 +34,7 @@ uint64_t jlt_random_bits(jlt_random *random)
 
 uint64_t jlt_random_below(jlt_random *random, uint64_t count)
 {
-    /* The first 2^64 mod count values would favour small results. */
+    /* The smallest 2^64 mod count values of `bits` would favour small results. */
     const uint64_t rejected = (0 - count) % count;
     uint64_t bits;
 
@@ -56,8 +56,8 @@ double jlt_random_between(jlt_random *random, double low, double high)
 
 double jlt_random_magnitude(jlt_random *random, double low, double high)
 {
-    /* exp10 of a C library may differ in the last place between machines; a power of two times a factor in [1, 2) that
-     * is itself uniform in the logarithm to within 6 % cannot. */
+    /* C libraries may differ in the last bit of exp10(). So 2^x with x = whole + fraction is replaced by 2^whole (1 + fraction),
+     * which is the same everywhere and exceeds 2^x by up to 6.2 %. */
     const double exponent = jlt_random_between(random, low, high) * 3.321928094887362;
     const double whole = floor(exponent);
     return ldexp(1.0 + (exponent - whole), (int)whole);

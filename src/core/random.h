@@ -20,15 +20,14 @@ uint64_t jlt_random_bits(jlt_random *random);
 /* A whole number, each of [0, count) with the same probability; count > 0. */
 uint64_t jlt_random_below(jlt_random *random, uint64_t count);
 
-/* Uniform in the open interval (0, 1), 53 bits. */
+/* Uniform in the open interval (0, 1), with 53 bits. */
 double jlt_random_unit(jlt_random *random);
 
 /* Uniform between low and high, both finite, in either order; rounding may give an end itself. */
 double jlt_random_between(jlt_random *random, double low, double high);
 
-/* A positive number from 10^low to 10^high, or up to 6.2 % more, whose logarithm is roughly uniform: between powers of two the
- * number itself is, so that the probability density of the logarithm is off by up to 39 %. It is made without exp(), so that all
- * machines agree. */
+/* A positive number between 10^low and 1.062 * 10^high whose logarithm is roughly uniform: between two powers of two the number
+ * itself is uniform, so the density of its logarithm is off by up to 39 %. It needs no exp(): all machines agree. */
 double jlt_random_magnitude(jlt_random *random, double low, double high);
 
 #endif

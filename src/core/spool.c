@@ -8,13 +8,13 @@
 #include <string.h>
 #include <unistd.h>
 
-/* The file is a row of blocks of equal length: where the sequence's next block lies, then `room` records. That place is reserved
- * when the block is written, so that nothing in memory grows with the blocks. */
+/* The file consists of blocks of equal length: the number of the sequence's next block, then `room` records. The number of the
+ * next block is reserved when a block is written, so nothing in memory grows with the number of blocks. */
 typedef struct {
     size_t held;    /* records in memory */
-    size_t blocks;  /* in the file */
-    uint64_t first; /* of them; defined when blocks > 0 */
-    uint64_t next;  /* reserved for the records in memory; likewise */
+    size_t blocks;  /* of this sequence in the file */
+    uint64_t first; /* number of its first block; defined when blocks > 0 */
+    uint64_t next;  /* number reserved for the block that the records in memory will become; likewise */
 } sequence;
 
 struct jlt_spool {
@@ -22,10 +22,10 @@ struct jlt_spool {
     sequence *of;
     double *recent; /* (sequences, room, width) */
     double *block;  /* (room, width), read from the file */
-    int file;       /* -1: none yet; set atomically */
-    uint64_t places; /* handed out; changed atomically */
+    int file;       /* descriptor; -1 before the file is opened; set atomically */
+    uint64_t places; /* block numbers handed out; changed atomically */
     struct {
-        size_t sequence, blocks, at; /* blocks read, records read of the current one */
+        size_t sequence, blocks, at; /* blocks read; records read of the current block */
         uint64_t next;
     } reading;
 };
@@ -61,7 +61,7 @@ void jlt_spool_destroy(jlt_spool *self)
     free(self);
 }
 
-/* The file, made by whoever needs it first. */
+/* Returns the descriptor of the file, -1 on failure; the first thread that needs the file creates it. */
 static int open_file(jlt_spool *self)
 {
     static const char name[] = "/jellett.XXXXXX";
@@ -86,7 +86,7 @@ static int open_file(jlt_spool *self)
     return none;
 }
 
-/* All bytes at their place; false when that cannot be. */
+/* Write all bytes at offset `place`; returns false on failure. */
 static bool put(int file, const void *bytes, size_t size, uint64_t place)
 {
     for (size_t done = 0; done < size;) {
@@ -117,7 +117,7 @@ static double *recent_of(const jlt_spool *self, size_t index) { return self->rec
 
 static uint64_t reserve(jlt_spool *self) { return __atomic_fetch_add(&self->places, 1, __ATOMIC_RELAXED); }
 
-/* What a sequence has in memory goes to the file. */
+/* Write the records of a sequence that are in memory to the file, as one block. */
 static jlt_status move_out(jlt_spool *self, size_t index)
 {
     sequence *s = &self->of[index];

@@ -1,4 +1,4 @@
-/** The status that every function returns that can fail, and the macro that passes a failure on. */
+/** The status that every fallible function returns, and the macro that passes a failure on. */
 #ifndef JLT_CORE_STATUS_H
 #define JLT_CORE_STATUS_H
 
@@ -21,20 +21,20 @@ typedef enum { JLT_STATUS_LIST(JLT_STATUS_ENUM) } jlt_status;
 
 #if defined(__GNUC__)
 #define JLT_CHECKED __attribute__((warn_unused_result))
-/* Of a function whose argument number `at` is a format of printf, for the arguments from number `first` on. */
+/* Marks a function whose argument number `at` is a printf format for the arguments from number `first` on. */
 #define JLT_PRINTF(at, first) __attribute__((format(printf, at, first)))
 #else
 #define JLT_CHECKED
 #define JLT_PRINTF(at, first)
 #endif
 
-/* Leave through the label `done` with the status in `st` when a call fails. */
+/* If a call fails, leave its status in `st` and go to the label `done`. */
 #define JLT_TRY(call)                            \
     do {                                         \
         if ((st = (call)) != JLT_OK) goto done;  \
     } while (0)
 
-/* One sentence without a full stop; never NULL. */
+/* The meaning of a status, one sentence without a full stop; never NULL. */
 const char *jlt_status_text(jlt_status status);
 
 #endif

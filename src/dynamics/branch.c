@@ -35,7 +35,7 @@ jlt_status jlt_branch_init(jlt_branch *out, jlt_map *map, const jlt_periodic *sa
 
 static bool is_parameter(double sigma) { return sigma >= 0 && isfinite(sigma); }
 
-/* The fundamental domain that sigma is in, the point near the saddle that leads there, and its rate along the eigenvector. */
+/* Returns n = ceil(sigma). Out: start, from where F^n leads to gamma(sigma); *rate, of its distance from the saddle, by sigma. */
 static size_t begin(const jlt_branch *self, double start[2], double *rate, double sigma)
 {
     const double n = ceil(sigma), offset = self->seed * pow(self->lambda, sigma - n);

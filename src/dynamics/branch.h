@@ -5,9 +5,9 @@
  *
  *      gamma(sigma) = F^n(q + side * seed * lambda^(sigma - n) v),   n = ceil(sigma),   sigma >= 0:
  *
- *  one unit of sigma is one fundamental domain. No start is farther from the saddle than the seed, however large lambda is: its
- *  distance from the manifold is O(seed^2), and every F contracts it by the other multiplier; along the manifold it only shifts
- *  sigma by O(seed). */
+ *  one unit of sigma is one fundamental domain. Whatever lambda is, F^n starts within `seed` of the saddle: its starting point is
+ *  O(seed^2) off the manifold, which every F contracts by the other multiplier, and an error along the manifold only shifts sigma
+ *  by O(seed). */
 #ifndef JLT_DYNAMICS_BRANCH_H
 #define JLT_DYNAMICS_BRANCH_H
 
@@ -21,28 +21,27 @@ typedef struct {
     jlt_map *map;
     double q[2],        /* the saddle's point */
         v[2];           /* the unit eigenvector, times side */
-    double lambda;      /* > 1: by what F, or its inverse, multiplies the distance from the saddle */
-    size_t returns;     /* how many P make one F */
+    double lambda;      /* > 1: the factor by which F, or its inverse, multiplies the distance from the saddle */
+    size_t returns;     /* of P in one F */
     int time_direction; /* +1 unstable, -1 stable */
-    double seed;        /* distance of gamma(0) from the saddle's point */
+    double seed;        /* distance of gamma(0) from the saddle's point, scaled (jlt_chart_scaled) */
 } jlt_branch;
 
 /** Take the stable or the unstable branch at the orbit's first point (jlt_periodic_rotate makes another the first). In: side, +1
- *  along the eigenvector whose larger component is positive, -1 against it; seed, the distance of the branch's first point, in
- *  these bounds.
+ *  along the eigenvector whose larger component is positive, -1 against it; seed, in [JLT_BRANCH_SEED_LEAST, JLT_BRANCH_SEED_MOST].
  *  Errors: ARG, the orbit is no saddle of a two-dimensional map; side or seed out of range. */
 JLT_CHECKED jlt_status jlt_branch_init(jlt_branch *out, jlt_map *map, const jlt_periodic *saddle, bool stable, int side,
                                        double seed);
 
-/** The point q = gamma(sigma), sigma >= 0.
+/** Compute the point q = gamma(sigma), sigma >= 0.
  *  Errors: ARG, sigma < 0 or not finite; as jlt_map_apply; DOMAIN where the branch ends at a pole, or is on another branch of a
  *  chart that solves for states.
  *  Cost: ceil(sigma)*returns returns. */
 JLT_CHECKED jlt_status jlt_branch_point(const jlt_branch *self, double q[2], double sigma);
 
-/** Many points and tangents at once, by another map of the same section, of several branches: branches, sigma, status, shape
- *  (count,), what jlt_branch_point would return for each; q, and tangent, its derivative in sigma by the variational equations,
- *  shape (count, 2), untouched where that is not OK. Errors: as jlt_map_batch_apply. */
+/** Compute many points and tangents at once, point i at sigma[i] on branches[i]; maps: a batch for the branches' section. Out:
+ *  status, shape (count,), what jlt_branch_point would return; q, and tangent, its derivative by sigma from the variational
+ *  equations, shape (count, 2), untouched where that is not OK. Errors: as jlt_map_batch_apply. */
 JLT_CHECKED jlt_status jlt_branch_points(const jlt_branch *const *branches, jlt_map_batch *maps, jlt_status *status, double *q,
                                          double *tangent, const double *sigma, size_t count);
 

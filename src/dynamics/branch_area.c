@@ -6,24 +6,24 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The error of a part's area that is small enough, in squares of the coordinates' sizes. */
+/* Tolerated error of a piece's area, in scaled coordinates. */
 static const double enough = 1e-11;
 
-/* Nodes and weights of Gauss on [0, 1]; one node is the middle. */
+/* Gauss-Legendre nodes and weights on [0, 1]; node[MIDDLE] is the midpoint. */
 enum { NODES = 5, MIDDLE = 2 };
 static const double node[NODES] = { 0.04691007703066800, 0.23076534494715845, 0.5, 0.76923465505284155, 0.95308992296933200 },
                     weight[NODES] = { 0.11846344252809454, 0.23931433524968324, 0.28444444444444444, 0.23931433524968324,
                                       0.11846344252809454 };
 
-/* Corners of the polygon by which the branch is interpolated about a piece of it; by fewer for comparison. */
+/* Corners through which a piece is interpolated; fewer, for the error estimate; how often pieces are halved at most. */
 enum { CORNERS = 8, FEWER = 6, REFINEMENTS = 16 };
 
-/* The point of a piece of the branch, from the joint to the next one, that is first. */
+/* A point of the branch, and the piece from there to the next joint. */
 typedef struct {
-    double sigma, q[2], area; /* area: between the piece and its chord */
-    double error;             /* what polynomials through fewer corners, or tangents in place of the chord, make of the area */
-    size_t index;             /* of a point that was asked for, else SIZE_MAX */
-    bool ends;                /* a fundamental domain ends, and the piece is the step to the next, by O(seed) along the branch */
+    double sigma, q[2], area; /* area: between the piece and its chord; NaN: the branch has no point there */
+    double error;             /* of area: its change by fewer corners, or by the tangents' displacement in place of the chord */
+    size_t index;             /* of a requested point, else SIZE_MAX */
+    bool ends;                /* a fundamental domain ends; the piece is the jump, O(seed) along the branch, to the next one */
     bool is_open;             /* the piece is not integrated yet */
 } joint;
 
@@ -40,8 +40,8 @@ static void add(joint *list, size_t *count, double sigma, const double *q, size_
     memcpy(list[(*count)++].q, q, sizeof list->q);
 }
 
-/* In order along the branch, from the first of the points to the last, for free(): the points, corners of the polygon, and where
- * fundamental domains end and begin, whose q are to be found. */
+/* Make the joints in order along the branch, from the first requested point to the last: these points, the polygon's corners, and
+ * the ends and beginnings of fundamental domains, whose q find_ends sets. The caller frees the list. */
 static joint *joints_of(size_t *joint_count, const jlt_manifold *curve, const double *sigma, const double *q, size_t count)
 {
     double low = INFINITY, high = -INFINITY;
@@ -68,8 +68,8 @@ static joint *joints_of(size_t *joint_count, const jlt_manifold *curve, const do
 
 static double cross(const double *a, const double *b) { return a[0] * b[1] - a[1] * b[0]; }
 
-/* The joints on which the branch about the piece from joint k is interpolated, those nearest to it first: corners, and ends of the
- * fundamental domain, beyond which it leads elsewhere by O(seed). Returns their number. */
+/* Collect the joints through which the piece from joint k is interpolated, nearest first: corners, and the ends of the fundamental
+ * domain, where the parametrization jumps by O(seed); no requested points, nor joints that almost coincide. Returns how many. */
 static unsigned corners_about(size_t *corners, const joint *list, size_t joint_count, size_t k)
 {
     const double apart = 1e-3 * (list[k + 1].sigma - list[k].sigma);
@@ -91,7 +91,7 @@ static unsigned corners_about(size_t *corners, const joint *list, size_t joint_c
     return count;
 }
 
-/* Newton's divided differences of two functions at `at`, (CORNERS,), in place of their values. */
+/* Replace the values of two functions at the nodes `at`, shape (CORNERS,), by Newton's divided differences. */
 static void divide(double values[CORNERS][2], const double *at)
 {
     for (int order = 1; order < CORNERS; order++)
@@ -111,8 +111,8 @@ static void evaluate(double *value, double *slope, double divided[CORNERS][2], c
     }
 }
 
-/* Between the polynomial from 0 to 1 and the chord, for a joint, with its error; returns the most, scaled, that the polynomial
- * through fewer corners is beside it. */
+/* Set a joint's area, between the interpolating polynomial on [0, 1] and its chord, and the error. Returns the largest distance,
+ * scaled, between that polynomial and the one through fewer corners. */
 static double polynomial_area(joint *of, double divided[CORNERS][2], const double *at, const jlt_chart *chart)
 {
     double start[2], value[2], slope[2], fewer[2], fewer_slope[2], fewer_area = 0, apart = 0;
@@ -136,8 +136,8 @@ static double polynomial_area(joint *of, double divided[CORNERS][2], const doubl
     return apart;
 }
 
-/* The area of the piece from joint k to the next by interpolation, where that is good enough: polynomials through more corners and
- * through fewer are as good as one, and end where the piece does. */
+/* Set the area of the piece from joint k to the next by interpolation. Returns false, and sets nothing, unless the polynomials
+ * through more and through fewer corners agree, and the ends are those of the piece, to the tolerance. */
 static bool interpolate(joint *list, size_t joint_count, size_t k, const jlt_chart *chart)
 {
     const double from = list[k].sigma, width = list[k + 1].sigma - from;
@@ -166,8 +166,8 @@ static bool interpolate(joint *list, size_t joint_count, size_t k, const jlt_cha
     return true;
 }
 
-/* Interpolate the pieces, as far as that is good enough, with new corners in the middle of those where it is not: a point costs a
- * fifth of one with its tangent. */
+/* Interpolate all pieces; where that fails, add a corner in the middle, up to REFINEMENTS times. Pieces that still fail stay open.
+ * A point without its tangent costs a fifth of one with it. */
 static jlt_status refine(joint **list, size_t *count, const jlt_branch *branch)
 {
     const jlt_chart *chart = jlt_map_flow(branch->map)->chart;
@@ -196,14 +196,15 @@ static jlt_status refine(joint **list, size_t *count, const jlt_branch *branch)
     return JLT_OK;
 }
 
-/* A part of the piece of a joint that is to be integrated. */
+/* A part of a joint's piece, to be integrated with tangents. */
 typedef struct {
     double sigma[2], q[2][2];
-    double gap; /* between the part's end and where tangents lead, of what it is a half of; infinite where that tells no order */
+    double gap; /* of the part that this is half of: distance between its end and where its integrated tangents lead; INFINITY if
+                   that is too large to tell the order of convergence */
     size_t joint;
 } part;
 
-/* Points of the branch with tangents, of which there are count, as jlt_branch_points has them. */
+/* Arguments of jlt_branch_points for count points of one branch. */
 typedef struct {
     double *sigma, *q, *tangent;
     const jlt_branch **branches;
@@ -239,7 +240,7 @@ static jlt_status take_samples(samples *self, jlt_map_batch *maps)
     return jlt_branch_points(self->branches, maps, self->status, self->q, self->tangent, self->sigma, self->count);
 }
 
-/* Where fundamental domains end and begin. */
+/* Set q of the joints where fundamental domains end and begin. */
 static jlt_status find_ends(joint *list, size_t joint_count, const jlt_branch *branch, jlt_map_batch *maps)
 {
     samples s;
@@ -261,9 +262,10 @@ static jlt_status find_ends(joint *list, size_t joint_count, const jlt_branch *b
     return st;
 }
 
-/* The area of a part, into its joint's; false where it is to be halved, and the area is that between its chord and those of the
- * halves. It is not where half of a part that is nearly straight is hardly better than that: halves would be by 2^11, so that what
- * is left are errors of the points. In: what was found at its nodes, from the first one on. */
+/* Add the area of a part to its joint's; q, tangent: at the part's nodes. Returns true if the integrated tangents lead to the
+ * part's end to the tolerance, or if halving has reduced the gap to the end by less than a factor of 8: it would by 2^11, so that
+ * only errors of the points are left. Returns false if the part is to be halved; what is added is then the area between its chord
+ * and those of its halves. */
 static bool integrate(joint *of, part *p, const double *q, const double *tangent, const jlt_chart *chart)
 {
     const double width = p->sigma[1] - p->sigma[0];
@@ -290,7 +292,7 @@ static bool integrate(joint *of, part *p, const double *q, const double *tangent
     return done;
 }
 
-/* All parts that are left, and their halves as far as there have to be any. */
+/* Integrate all parts, and their halves until none is to be halved. */
 static jlt_status integrate_all(joint *list, part *parts, size_t count, const jlt_branch *branch, jlt_map_batch *maps)
 {
     const jlt_chart *chart = jlt_map_batch_flow(maps)->chart;

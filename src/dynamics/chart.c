@@ -5,7 +5,7 @@
 
 #include "kernel/region.h"
 
-/* Reduced by the nearest multiple of the period, so that small differences keep their digits. */
+/* The value less the nearest multiple of the period, in (-period/2, period/2]; small differences keep their digits. */
 static double reduce(double value, double period)
 {
     double reduced;

@@ -8,14 +8,14 @@
 
 enum { M = JLT_INVARIANTS_MAX, ROUNDS = 60, HALVINGS = 8 };
 
-/* Of what is solved for: the levels' states, and roots. */
+/* Number of unknowns: the levels' states, and lifted roots. */
 static unsigned unknowns(const jlt_chart *base) { return base->solved_count + base->roots; }
 
-static const double met = 1e-13;     /* of the size of an integral's terms: rounding */
-static const double singular = 1e-13; /* singular values below this part of the largest are none */
+static const double met = 1e-13;     /* a level is met to this part of the size of its integral's terms: rounding */
+static const double singular = 1e-13; /* singular values below this part of the largest count as 0 */
 
-/* F - value of every level (count,), and the size of its terms, to first order; the gradients by the solved states (count, count)
- * and, when not NULL, by all (count, states). Returns the largest |F - value| over its size. */
+/* Out: off, F - value of every level, (count,); sizes, of its terms, to first order, (count,); by_solved, gradients by the
+ * unknowns, (count, count); by_all, unless NULL, by all states, (count, states). Returns the largest |F - value|/size. */
 static double look(const jlt_chart_level *self, double *off, double *sizes, double *by_solved, double *by_all, const double *x)
 {
     const unsigned n = self->base.states, count = unknowns(&self->base);
@@ -37,7 +37,7 @@ static double look(const jlt_chart_level *self, double *off, double *sizes, doub
     return worst;
 }
 
-/* Newton's method for the solved states in x, with steps halved until the levels are nearer. */
+/* Newton's method for the unknowns in x, in place; each step is halved until the residual falls. */
 static jlt_status solve(const jlt_chart_level *self, double *x)
 {
     const unsigned count = unknowns(&self->base);
@@ -62,7 +62,7 @@ static jlt_status solve(const jlt_chart_level *self, double *x)
     return now <= met ? JLT_OK : JLT_ERR_EMPTY;
 }
 
-/* dx/dq: the coordinates' own, and of the solved states what keeps the levels. */
+/* dx/dq: unit rows for the coordinates; the unknowns change so as to keep the levels. */
 static jlt_status tangent_of(const jlt_chart_level *self, double *tangent, const double *x)
 {
     const unsigned n = self->base.states, d = self->base.dim, count = unknowns(&self->base);
@@ -81,7 +81,7 @@ done:
     return st;
 }
 
-/* What the lifted roots are at the states before them. */
+/* Compute the lifted roots from the states before them. */
 static void set_roots(const jlt_chart_level *self, double *x)
 {
     const unsigned plain = self->base.states - self->base.roots;
@@ -123,7 +123,7 @@ static void lower(const jlt_chart *base, double *q, double *slope, const double 
     jlt_chart_wrap(base, q);
 }
 
-/* dx = dq dx_c dy, and dF = |det dF/dy| dy on the section: what is left of the volume on the levels is dq dx_c/det. */
+/* The volume is dq dx_c dy, and dF = |det dF/dy| dy at fixed q and x_c: on the levels it is dq dx_c/det, up to sign. */
 static double flux(const jlt_chart *base, const double *x, const double *f)
 {
     double off[M], sizes[M], matrix[M * M];
@@ -146,8 +146,8 @@ static int side(const jlt_chart *base, double *x)
     return jlt_chart_pole_side(base, self->descriptor, base->states - base->roots, x);
 }
 
-/* Two solutions for the same coordinates are one when they differ by what rounding leaves open: it moves the levels by `met` of the
- * size of their terms, and so the solved states, to first order. */
+/* Whether two solutions for the same coordinates are one: rounding can cause their difference. It moves each level by a few `met`
+ * of the size of its terms, and the unknowns accordingly, to first order. */
 static bool are_one(const jlt_chart_level *self, const double *a, const double *b)
 {
     static const double generous = 16;
@@ -169,7 +169,7 @@ static bool are_one(const jlt_chart_level *self, const double *a, const double *
 
 static bool follows(const jlt_chart *base, const double *x)
 {
-    static const double on_levels = 1e-6; /* far above what errors of methods leave of them */
+    static const double on_levels = 1e-6; /* relative; far above the methods' errors in the levels */
     const jlt_chart_level *self = (const jlt_chart_level *)base;
     double q[JLT_CHART_DIM_MAX], lifted[JLT_CHART_STATES_MAX], own[JLT_CHART_STATES_MAX], off[M], sizes[M], matrix[M * M];
 

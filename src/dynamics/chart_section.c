@@ -37,8 +37,8 @@ bool jlt_chart_section_holds(const jlt_chart_section *self, const double *q)
     return within(self, q) && in_region(self, q);
 }
 
-/* The nearest numbers to multiples of pi/2 mean these themselves: a velocity of rounding size would decide how an orbit goes on
- * that runs through a pole. */
+/* Set to 0 each state that is 0 but for the rounding of an angle: the double nearest to a multiple of pi/2 stands for the multiple,
+ * and a velocity of rounding size would decide how an orbit that runs through a pole goes on. */
 static void clear_rounding(const jlt_chart_section *self, double *x, const double *q, const double *slopes)
 {
     const unsigned width = self->base.dim + self->section->level_count;
@@ -68,7 +68,7 @@ static jlt_status lift(const jlt_chart *base, double *x, double *tangent, const 
     return JLT_OK;
 }
 
-/* Near an end a coordinate may pass its bound by an error of the method; farther out there is none. */
+/* Clamp a coordinate that a method's error has carried past its bound; farther out it is NaN. */
 static double bounded(const jlt_quantity *of, double value)
 {
     const double inside = fmax(of->low, fmin(of->high, value));
@@ -99,7 +99,7 @@ static double flux(const jlt_chart *base, const double *x, const double *f)
     const unsigned width = base->dim + self->section->level_count;
     double q[Q], slopes[JLT_CHART_SLOPES_MAX], matrix[JLT_CHART_SLOPES_MAX], roots = 1;
     unsigned entry = 0;
-    int unit = 0; /* of the determinant */
+    int unit = 0; /* binary exponent of the determinant's unit */
 
     lower(base, q, NULL, x);
     self->section->lift_slopes(q, self->values, slopes);
@@ -127,7 +127,7 @@ unsigned jlt_chart_section_places(const jlt_chart_section *self, unsigned coordi
 
     if (self->base.period[coordinate] != 0) return angles;
     for (unsigned k = 0; k < self->base.dim; k++) others += self->base.period[k] == 0;
-    return others < 12 ? 1u << 12 / others : 2; /* 2^12 places of all these together, and two at least */
+    return others < 12 ? 1u << 12 / others : 2; /* 2^12 combinations of these coordinates, at least two places of each */
 }
 
 size_t jlt_chart_section_points(const jlt_chart_section *self, unsigned angles)
@@ -186,7 +186,7 @@ void jlt_chart_section_probe(const jlt_chart_section *self, double *q, size_t in
     jlt_chart_wrap(&self->base, q);
 }
 
-/* The state that is the coordinate, where its way back is that alone; states: none is. */
+/* The index of the state to which the coordinate's way back is equal, as far as value and slopes at x tell; base.states: none. */
 static unsigned state_of(const jlt_chart_section *self, unsigned coordinate, const double *x)
 {
     const unsigned n = self->base.states;
@@ -203,7 +203,7 @@ static unsigned state_of(const jlt_chart_section *self, unsigned coordinate, con
     return state;
 }
 
-/* A coordinate that is a state with a period has it too: so found at a point of the section. */
+/* A coordinate that is a state (state_of, at one point of the section) takes that state's period. */
 static void find_periods(jlt_chart_section *self)
 {
     const size_t all = jlt_chart_section_probes(self, 8);
@@ -224,10 +224,10 @@ static void find_periods(jlt_chart_section *self)
 
 enum { POINTS = 5 };
 
-/* Signs that it gives the coordinates, where it does that at points of the section. */
+/* Whether the reversor does no more than change signs of coordinates, at POINTS points of the section; sets `mirror` to these. */
 static bool changes_signs(jlt_chart_section *self, const signed char *signs)
 {
-    static const double same = 1e-9; /* of a coordinate, or its period */
+    static const double same = 1e-9; /* relative to the coordinate, or its period */
     const unsigned angles = 8;
     const size_t all = jlt_chart_section_probes(self, angles);
     unsigned seen = 0;
@@ -246,7 +246,7 @@ static bool changes_signs(jlt_chart_section *self, const signed char *signs)
             const double size = same * fmax(fabs(q[k]), self->base.period[k]);
             const bool same_sign = fabs(same_way[k]) <= size, other_sign = fabs(other_way[k]) <= size;
             const int sign = same_sign ? 1 : -1;
-            if (same_sign && other_sign) continue; /* it tells nothing, as at 0 */
+            if (same_sign && other_sign) continue; /* this point does not tell the sign: the coordinate is 0, say */
             if (!(same_sign || other_sign) || self->base.mirror[k] == -sign) return false;
             self->base.mirror[k] = sign;
         }

@@ -17,8 +17,8 @@ typedef struct {
     const jlt_section_chart *section;
     unsigned plain;              /* number of states that are no lifted roots; the roots stand after them */
     double values[JLT_CHART_VALUES_MAX]; /* parameters of the table, then levels */
-    int unit[JLT_CHART_STATES_MAX],      /* a determinant is found in units of 2^unit[i] of state i, */
-        per[JLT_CHART_COORDINATES_MAX + JLT_CHART_VALUES_MAX]; /* and 2^per[j] of the coordinates and levels; 0 at first */
+    int unit[JLT_CHART_STATES_MAX],      /* the flux's determinant is computed with state i in units of 2^unit[i], */
+        per[JLT_CHART_COORDINATES_MAX + JLT_CHART_VALUES_MAX]; /* and coordinate or level j in units of 2^per[j]; 0 at first */
 } jlt_chart_section;
 
 /** Make the chart. In: table, a general field with all its states; section, one of its sections; values, shape (param_count +
@@ -40,9 +40,8 @@ size_t jlt_chart_section_points(const jlt_chart_section *self, unsigned angles);
 unsigned jlt_chart_section_places(const jlt_chart_section *self, unsigned coordinate, unsigned angles);
 void jlt_chart_section_point(const jlt_chart_section *self, double *q, size_t index, unsigned angles);
 
-/** Points to look at for what may be anywhere: those of the grid, spread out, so that one that is met is met soon; then points
- *  around the table's starts and around the middle of the intervals, at distances of all sizes. _probes: how many; _probe: point
- *  `index`. */
+/** Points to try in search of some point of the section: those of the grid in scattered order, so that a hit comes early; then
+ *  others around the table's starts and the middle of the intervals, at distances of all sizes. _probes: how many; _probe: one. */
 size_t jlt_chart_section_probes(const jlt_chart_section *self, unsigned angles);
 void jlt_chart_section_probe(const jlt_chart_section *self, double *q, size_t index, unsigned angles);
 

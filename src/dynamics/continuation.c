@@ -10,11 +10,11 @@ enum { LOCATE = 120, FAILURES = 20, BRANCH_TEST = 2, TORUS_TEST = 3 };
 typedef jlt_continuation_runner runner;
 typedef jlt_continuation_place place;
 
-static const double turn = 0.3;         /* radians of a step at most, */
-static const double turn_across = 0.15; /* and of each half of one across a branch point */
+static const double turn = 0.3;         /* most radians by which the tangent turns in a step, */
+static const double turn_across = 0.15; /* and in each half of a step across a branch point */
 static const double same_place = 1e-6;
-/* Of DP about 1, where the map keeps areas, and of the bordered matrix about 0, where orbits come in families: what is known to the
- * map's tolerance, amplified. */
+/* Error of a determinant, from the map's tolerance, amplified: det DP is 1 up to this where the map preserves areas, and that of
+ * the bordered matrix 0 where orbits come in families. */
 static const double noise_of_determinant = 1e-9;
 
 const char *jlt_continuation_bifurcation_name(jlt_bifurcation kind)
@@ -28,14 +28,14 @@ static bool interrupted(const runner *self)
     return self->options.interrupt != NULL && *self->options.interrupt;
 }
 
-/* A bifurcation between two places of the branch: as near as it was located. */
+/* A bifurcation between two places of the branch, as far as it has been located. */
 typedef struct {
     place at;
     double low, high; /* of the value, at the places on both sides */
 } bracket;
 
-/* Where to look next for a zero between a and b, fa and fb having two signs: where the secant has it; twice as far from the end
- * that is nearer, so that both ends close in (Alefeld, Potra, Shi, ACM TOMS 21 (1995) 327-344); and every third time halfway. */
+/* The next trial for a zero between a and b, where fa and fb differ in sign: in turn the secant's zero; a point twice as far from
+ * the end with the smaller value, so that both ends close in (Alefeld, Potra, Shi, ACM TOMS 21 (1995) 327-344); the midpoint. */
 static double look(int count, double a, double fa, double b, double fb)
 {
     const double middle = a + (b - a) / 2, slope = (fb - fa) / (b - a), end = fabs(fa) < fabs(fb) ? a : b;
@@ -45,20 +45,20 @@ static double look(int count, double a, double fa, double b, double fb)
     return s > fmin(a, b) && s < fmax(a, b) ? s : middle;
 }
 
-/* Where test k vanishes between from and from + step. Where a step does not converge, or leaves the branch, as it may at a branch
- * point, the bracket stays as wide as it is. */
+/* Locate the zero of test k between from and from + step. Where steps do not converge, or leave the branch, as may happen at a
+ * branch point, the bracket stays as wide as it is. */
 static bracket locate(const runner *self, const place *from, const place *to, double step, unsigned k)
 {
     const double scale = self->options.scale;
     const unsigned d = self->d;
     double a = 0, b = step, fa = from->test[k], fb = to->test[k];
     bracket found = { fabs(fa) < fabs(fb) ? *from : *to, from->u[d] * scale, to->u[d] * scale };
-    double failed = NAN; /* where no step arrives; then halfway from there to either side */
+    double failed = NAN; /* a step that did not arrive; the next trials are halfway from it to either end */
     place next;
 
     bool ends = false;
     for (int i = 0; i < LOCATE && !ends; i++) {
-        ends = fabs(b - a) <= 1e-10 * fmax(1, fabs(step)); /* the last look is the secant's */
+        ends = fabs(b - a) <= 1e-10 * fmax(1, fabs(step)); /* the last trial is the secant's */
         const double s = isnan(failed) ? look(ends ? 0 : i, a, fa, b, fb) : (failed + (i % 2 == 0 ? a : b)) / 2;
         if (interrupted(self)) break;
         if (jlt_continuation_step_to(self, &next, from, s, NULL) != JLT_OK ||
@@ -79,7 +79,7 @@ static bracket locate(const runner *self, const place *from, const place *to, do
     return found;
 }
 
-/* The bifurcation of this kind as a row; where it cannot be measured, the place before it stands for it. */
+/* Measure the bifurcation and pass it to the sink; where it cannot be measured, the place before it stands for it. */
 static jlt_status deliver(const runner *self, const bracket *b, const place *from, jlt_bifurcation kind,
                           jlt_continuation_sink sink, void *context)
 {
@@ -94,7 +94,7 @@ static jlt_status deliver(const runner *self, const bracket *b, const place *fro
     return sink(context, &point);
 }
 
-/* The branch has gone through an orbit of half the period: what is between the points half a period apart has turned over. */
+/* Whether the branch has gone through an orbit of half the period: the points half a period apart have changed sides. */
 static bool halves(const runner *self, const jlt_continuation_point *before, const jlt_continuation_point *after)
 {
     const unsigned d = self->d;
@@ -108,10 +108,11 @@ static bool halves(const runner *self, const jlt_continuation_point *before, con
     jlt_chart_difference(chart, second, after->orbit.points + half * d, after->orbit.points);
     jlt_chart_scaled(chart, second, second);
     for (unsigned i = 0; i < d; i++) sum += first[i] * second[i], size = fmax(size, fabs(first[i]));
-    return sum < 0 && size < 0.5; /* an angle's difference turns over at pi as well */
+    return sum < 0 && size < 0.5; /* a difference of angles changes sign at half a period as well */
 }
 
-/* Report sign changes between two places, then the new place; *end says when that is the branch's last. */
+/* Report the bifurcations between two places, then the new place. If the branch ends at a period doubling in between, report that
+ * alone, and set *ends. */
 static jlt_status report(const runner *self, const place *from, const place *to, double step, jlt_continuation_point *last,
                          bool *ends, jlt_continuation_sink sink, void *context)
 {
@@ -136,9 +137,8 @@ done:
     return st;
 }
 
-/* The step from one place to the other stays on the branch, as far as angles show. The bordered determinant keeps its sign
- * but at a branch point: where it changes, the place in the middle must lie on the way as well, or the tangent was taken
- * the wrong way round behind a fold. */
+/* Whether the step from one place to the other stays on the branch, as far as angles show. The bordered determinant changes sign at
+ * branch points alone: where it does, the place halfway must lie on the way as well, or the tangent was reversed behind a fold. */
 static bool follows(const runner *self, const place *from, const place *to, double step)
 {
     place middle;
@@ -150,7 +150,7 @@ static bool follows(const runner *self, const place *from, const place *to, doub
            jlt_continuation_step_straight(&middle, to, turn_across, self->d);
 }
 
-/* Between the two places the branch meets the orbit it began with, at whichever of its points. */
+/* Whether the branch, within `step` of `from`, meets the orbit it began with, at any of its points. */
 static bool closes(const runner *self, const place *from, double step, const jlt_continuation_point *first)
 {
     const unsigned d = self->d;
@@ -174,7 +174,7 @@ static bool closes(const runner *self, const place *from, double step, const jlt
     return false;
 }
 
-/* The next place, the step halved until the branch is followed: *end and false where none is. */
+/* Find the next place, halving *step until it follows the branch. Returns false if none does; *end, or *st = NOMEM, says why. */
 static bool next_place(const runner *self, place *next, double *step, unsigned *iterations, const place *here, jlt_status *st,
                        jlt_continuation_end *end)
 {
@@ -195,7 +195,7 @@ static double limit_ahead(const runner *self, const place *next, const place *he
     return (next->u[self->d] > here->u[self->d] ? self->options.high : self->options.low) / self->options.scale;
 }
 
-/* The end of the range is nearer than the shortest step: beyond it there may be no orbits to step to. */
+/* Whether the end of the range is within a few shortest steps: beyond it there may be no orbits to step to. */
 static bool is_at_limit(const runner *self, const place *here)
 {
     const unsigned d = self->d;
@@ -204,8 +204,8 @@ static bool is_at_limit(const runner *self, const place *here)
     return here->tangent[d] != 0 && (limit - here->u[d]) / here->tangent[d] <= 4 * self->options.step_min;
 }
 
-/* Where the branch leaves the range between `here` and *next, which is outside: *next becomes that place, found by the
- * secant method. */
+/* Replace *next, which is outside the range, by the place where the branch leaves the range after `here`, found by the secant
+ * method; *step becomes its arclength from `here`. */
 static jlt_status clip(const runner *self, place *next, double *step, const place *here)
 {
     const unsigned d = self->d;

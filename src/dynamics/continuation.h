@@ -34,7 +34,7 @@ const char *jlt_continuation_bifurcation_name(jlt_bifurcation kind);
 
 typedef struct {
     double value;
-    double arc; /* along the branch, in u */
+    double arc; /* arclength along the branch, in u */
     jlt_periodic orbit;
     jlt_bifurcation kind; /* NONE: an ordinary point */
     double low, /* of a bifurcation: the smaller of the values at the nearest points found on both sides of it */

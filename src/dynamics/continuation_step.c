@@ -21,7 +21,7 @@ static jlt_status image_at(const jlt_continuation_runner *self, jlt_image *image
     return with_slope ? jlt_map_apply(map, image, q, self->period, 1) : jlt_map_point(map, image, q, self->period, 1);
 }
 
-/* A little off in the value; where the model ends before that, at u itself, and *off becomes 0. */
+/* The image with the value shifted by *off; where that is outside the model's domain, the image at u itself, and *off becomes 0. */
 static jlt_status image_beside(const jlt_continuation_runner *self, jlt_image *image, const double *u, double *off)
 {
     double shifted[U];
@@ -49,10 +49,10 @@ jlt_status jlt_continuation_step_evaluate(const jlt_continuation_runner *self, j
     jlt_chart_scaled_slope(&self->chart, out->slope, image.slope);
     out->scale = 1;
     for (i = 0; i < d * d; i++) out->scale = fmax(out->scale, fabs(out->slope[i]));
-    /* The difference errs by its square times the third derivative, which grows as scale^3, beside a derivative as scale. */
+    /* A central difference errs by up^2 times the third derivative, which grows as scale^3, the derivative itself as scale. */
     double up = 1e-5 * fmin(1, range > 0 ? range : 1) / cbrt(out->scale * out->scale);
     if (fmin(value - self->options.low, self->options.high - value) < up * self->options.scale)
-        up /= 100; /* the model may end there: on one side alone it errs by itself times the second */
+        up /= 100; /* the model may end there: a one-sided difference errs by `up` times the second derivative */
     double down = -up;
     JLT_TRY(image_beside(self, &above, u, &up));
     JLT_TRY(image_beside(self, &below, u, &down));
@@ -70,7 +70,7 @@ done:
     return st;
 }
 
-/* The bordered matrix [J; t] and its determinant. */
+/* Make the bordered matrix [J; t], and return its determinant. */
 static double border(double *matrix, const jlt_continuation_equation *at, const double *tangent, unsigned d)
 {
     memcpy(matrix, at->jacobian, sizeof *matrix * d * (d + 1));
@@ -78,7 +78,7 @@ static double border(double *matrix, const jlt_continuation_equation *at, const 
     return jlt_linear_determinant(matrix, d + 1);
 }
 
-/* Held coordinates stay: the least squares below leave out columns of zeros. */
+/* Zero the columns of held coordinates: the least-squares solutions below then leave these as they are. */
 static void leave_out(const jlt_continuation_runner *self, double *matrix)
 {
     for (unsigned j = 0; j < self->d; j++)
@@ -118,7 +118,7 @@ jlt_status jlt_continuation_step_correct(const jlt_continuation_runner *self, do
         JLT_TRY(jlt_continuation_step_evaluate(self, at, u));
         for (i = 0; i < d; i++) residual = fmax(residual, fabs(at->f[i]));
         if (iterations != NULL) *iterations = k;
-        /* On to rounding: until the residual is that, or falls no more and is what the map's own error may be. */
+        /* Iterate until the residual is rounding, or has ceased to fall and is no larger than the map's own error. */
         if (residual < 1e-15 * at->scale || (residual < at->noise * at->scale && residual > last / 8)) return JLT_OK;
         last = residual;
         border(matrix, at, tangent, d);

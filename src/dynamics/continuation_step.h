@@ -1,4 +1,4 @@
-/** Inside the continuation of periodic orbits: the equation, one step of it, and what is measured at a point. */
+/** Internals of the continuation of periodic orbits: the equation, one step along a branch, and the measurement of a point. */
 #ifndef JLT_DYNAMICS_CONTINUATION_STEP_H
 #define JLT_DYNAMICS_CONTINUATION_STEP_H
 
@@ -14,7 +14,7 @@ typedef struct {
     unsigned d;
     double tolerance; /* of the start's flow */
     jlt_chart chart; /* a copy of the start's: it says how u is scaled */
-    bool held[JLT_CHART_DIM_MAX]; /* coordinates that the mirror image fixes along a branch of symmetric orbits */
+    bool held[JLT_CHART_DIM_MAX]; /* coordinates that the reversor fixes along a branch of symmetric orbits: Newton keeps them */
 } jlt_continuation_runner;
 
 /* F(u) = P^period(q) - q with its Jacobian (d, d + 1), where u is q, scaled, and the value over options.scale. */
@@ -32,7 +32,7 @@ typedef struct {
     bool symmetric;
 } jlt_continuation_place;
 
-/* Zeros of the options replaced by their defaults. */
+/* The options, with defaults in place of zeros. */
 jlt_continuation_options jlt_continuation_step_defaults(const jlt_continuation_options *asked);
 
 /* F and its Jacobian at u, shape (d + 1,). Cost: P^period with derivative once, and without it twice. Errors: as map_at, and as
@@ -41,7 +41,7 @@ JLT_CHECKED jlt_status jlt_continuation_step_evaluate(const jlt_continuation_run
                                                       const double *u);
 
 /* Newton's method on F = 0, tangent . (u - start) = 0 from start = u, in place; *at is left at the last u. Out: *iterations, unless
- * NULL. Errors: NO_CONVERGENCE, also for a step beyond 0.2; as evaluate. */
+ * NULL. Errors: NO_CONVERGENCE, also if a Newton step changes a component of u by more than 0.2; as evaluate. */
 JLT_CHECKED jlt_status jlt_continuation_step_correct(const jlt_continuation_runner *self, double *u,
                                                      jlt_continuation_equation *at, const double *tangent,
                                                      unsigned *iterations);
@@ -49,21 +49,21 @@ JLT_CHECKED jlt_status jlt_continuation_step_correct(const jlt_continuation_runn
 /* Take d, chart and tolerance from the map at a value. Errors: as map_at. */
 JLT_CHECKED jlt_status jlt_continuation_step_open(jlt_continuation_runner *self, double value);
 
-/* The place where a run begins. A symmetric orbit whose first point is its own mirror image holds those coordinates: no step
- * leaves the branch for one that breaks the symmetry. */
+/* Set *out to the place where a run begins. For a symmetric orbit whose first point is its own mirror image, set `held` too: no
+ * step then leaves the branch for one that breaks the symmetry. */
 JLT_CHECKED jlt_status jlt_continuation_step_begin(jlt_continuation_runner *self, jlt_continuation_place *out,
                                                    const jlt_continuation_point *start, int direction);
 
-/* From `from` by arclength `step` along its tangent. */
+/* Step from `from` by arclength `step` along its tangent, and correct. Errors: as correct. */
 JLT_CHECKED jlt_status jlt_continuation_step_to(const jlt_continuation_runner *self, jlt_continuation_place *out,
                                                 const jlt_continuation_place *from, double step, unsigned *iterations);
 
-/* The branch turns by less than `angle` between the places, and leaves and meets the straight way by half of it: a longer
- * step may have jumped over a fold or to another branch. */
+/* Whether the tangents at the two places differ by at most `angle`, and each from the chord by at most half of it. If not, the step
+ * may have jumped over a fold or to another branch. */
 bool jlt_continuation_step_straight(const jlt_continuation_place *from, const jlt_continuation_place *to, double angle,
                                     unsigned d);
 
-/* The measured point at u. */
+/* Measure the orbit at u (jlt_periodic_measure), and fill *out. */
 JLT_CHECKED jlt_status jlt_continuation_step_measure(const jlt_continuation_runner *self, jlt_continuation_point *out,
                                                      const double *u, const double *tangent, double arc, jlt_bifurcation kind);
 

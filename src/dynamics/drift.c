@@ -45,7 +45,7 @@ double jlt_drift_slope(const jlt_drift_row *rows, size_t count, unsigned k)
     return n < 3 ? NAN : (n * xy - x * y) / (n * xx - x * x);
 }
 
-/* Integrals at the start; their sizes: |F|, or 1 where that is 0, or no more than rounding of the terms that make it. */
+/* Set the watched integrals at the start, and their sizes: |F|, or 1 where that is 0 or no more than rounding of its terms. */
 static void set_first(jlt_drift *self, const double *values, const double *gradients, const double *x)
 {
     static const double rounding = 1e-14; /* of some forty terms, half a unit in the last place each */
@@ -62,7 +62,7 @@ static void set_first(jlt_drift *self, const double *values, const double *gradi
 
 jlt_status jlt_drift_turns(bool *turns, const jlt_system *system, const double *q, unsigned integral)
 {
-    static const double same = 1e-9; /* of what the integral is made of: rounding is far below */
+    static const double same = 1e-9; /* relative to the size of the integral's terms; rounding is far below */
     const jlt_descriptor *d = system->instance->descriptor;
     const jlt_chart *chart = system->flow.chart;
     const unsigned n = d->state_count, c = chart->column;

@@ -12,7 +12,7 @@ typedef struct {
     double t;       /* [time] it grew towards */
 } jlt_failures;
 
-/** Count the orbit that ended so, if the method failed on it. unbounded: as of jlt_return. */
+/** Count an orbit if its fate is a failure of the method. unbounded: as in jlt_return. */
 void jlt_failures_add(jlt_failures *sum, jlt_fate fate, unsigned unbounded, double t);
 
 /* Count all of `more` too. */

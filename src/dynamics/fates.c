@@ -17,7 +17,7 @@ done:
 
 jlt_fates_end jlt_fates_of(const jlt_return *last)
 {
-    const bool is_return = last->fate == JLT_FATE_ALIVE && !last->interrupted; /* an end has a number of its own */
+    const bool is_return = last->fate == JLT_FATE_ALIVE && !last->interrupted; /* the row of an end has a number of its own */
     jlt_fates_end end = { .fate = last->fate,
                           .unbounded = last->unbounded,
                           .lost = last->lost,

@@ -7,10 +7,10 @@
 
 typedef struct {
     jlt_fate fate;      /* ALIVE: all returns were found */
-    unsigned unbounded; /* as of jlt_return */
-    unsigned lost;      /* where fate is INVALID: the index of the condition that breaks, as of jlt_observed_condition */
+    unsigned unbounded; /* as in jlt_return */
+    unsigned lost;      /* where fate is INVALID: the index of the condition that breaks, as in jlt_observed_condition */
     double t;           /* [time] of the end, or of the last return, since the start */
-    size_t returns;     /* that were found before the end */
+    size_t returns;     /* found before the end */
     double x[JLT_CHART_STATES_MAX]; /* (chart->states,), the state at that time; at a pole its limit */
     double least;       /* least value of the model's conditions (`valid` in its table) along the orbit: the model held throughout
                            if it is positive; INFINITY where there are none */
@@ -22,12 +22,12 @@ typedef struct {
  *  jlt_section_next; *end is then not touched. */
 JLT_CHECKED jlt_status jlt_fates_follow(jlt_section *section, jlt_fates_end *end, const double *q, size_t returns);
 
-/** The end of an orbit from its last row. */
+/** The end of an orbit, from its last row. */
 jlt_fates_end jlt_fates_of(const jlt_return *last);
 
 /** Numbers of starts by fate; begin with all zero. */
 typedef struct {
-    size_t starts;                /* that were added */
+    size_t starts;                /* added so far */
     size_t by_fate[JLT_FATE_COUNT]; /* index: jlt_fate */
     size_t valid[JLT_FATE_COUNT]; /* of these, those on which the model held throughout */
     jlt_failures failures;
@@ -37,9 +37,9 @@ typedef struct {
 /* Count one start. */
 void jlt_fates_add(jlt_fates_count *count, const jlt_fates_end *end);
 
-/** Of all starts, the share with this fate, 0 to 1, and how far the farther end of its interval is: of the shares x that differ
- *  from it by no more than their standard error, sqrt(x (1 - x)/starts) (E. B. Wilson, J. Amer. Stat. Assoc. 22 (1927)). NaN for no
- *  starts. held: the share with this fate on which the model held throughout as well. */
+/** Compute the share, 0 to 1, of all starts with this fate; held: of those on which the model also held throughout. *error: the
+ *  distance to the farther end of the interval of all x that differ from *share by at most their standard error,
+ *  sqrt(x (1 - x)/starts) (E. B. Wilson, J. Amer. Stat. Assoc. 22 (1927)). Both are NaN for no starts. */
 void jlt_fates_share(double *share, double *error, const jlt_fates_count *count, jlt_fate fate, bool held);
 
 #endif

@@ -8,7 +8,7 @@
 
 static const double pi = 3.14159265358979323846;
 
-/* Segments p + a u and r + b w meet at a, b in [0, 1]. */
+/* Whether the segments p + a u and r + b w, 0 <= a, b < 1, meet; sets a and b. */
 static bool segments_cross(const jlt_chart *chart, double *a, double *b, const double *p, const double *p_next,
                            const double *r, const double *r_next)
 {
@@ -28,10 +28,10 @@ static bool segments_cross(const jlt_chart *chart, double *a, double *b, const d
 typedef struct {
     jlt_homoclinic best;
     double sigma[2]; /* of the next trial, on the unstable and on the stable branch */
-    double enough;   /* no trial follows one whose residual is not above this */
+    double enough;   /* iteration ends at a residual that is not above this */
     bool has_twin;   /* its mirror image is another crossing of the same branches */
     bool goes_on;
-    jlt_status status; /* of what was looked at last */
+    jlt_status status; /* of the last trial */
 } refinement;
 
 static void begin_refinement(refinement *self, const jlt_homoclinic *at)
@@ -40,7 +40,7 @@ static void begin_refinement(refinement *self, const jlt_homoclinic *at)
     self->best.residual = INFINITY;
 }
 
-/* What the points and tangents of a trial say, shape (2, 2) each: of the unstable branch, of the stable one. */
+/* Judge a trial by its points and tangents, shape (2, 2) each, on the unstable and on the stable branch, and set the next trial. */
 static void take_step(refinement *self, const jlt_chart *chart, const double q[2][2], const double tangent[2][2])
 {
     const double *du = tangent[0], *ds = tangent[1], cross = du[0] * ds[1] - du[1] * ds[0];
@@ -64,10 +64,10 @@ static void take_step(refinement *self, const jlt_chart *chart, const double q[2
         if (!(self->sigma[k] >= 0 && isfinite(self->sigma[k]))) self->goes_on = false;
 }
 
-/* Room for the trials of so many crossings. */
+/* Room for one trial of each of count crossings. */
 typedef struct {
-    size_t *index;               /* (count,): whose they are */
-    const jlt_branch **branches; /* (2 count,), as follows: those on unstable branches, then those on stable ones */
+    size_t *index;               /* (count,): the crossing of each */
+    const jlt_branch **branches; /* (2 count,), as the arrays below: first on the unstable branch, then on the stable one */
     jlt_status *status;
     double *sigma, *q, *tangent; /* q and tangent: (2 count, 2) */
 } trials;
@@ -93,7 +93,7 @@ static jlt_status make_trials(trials *self, size_t count)
     return JLT_ERR_NOMEM;
 }
 
-/* All of them, side by side; *branches: the unstable one, the stable one. */
+/* Refine all crossings side by side, by at most so many iterations. branches: the unstable one, the stable one. */
 static jlt_status refine(refinement *list, size_t count, const jlt_branch *const branches[2], jlt_map_batch *maps, int iterations)
 {
     const jlt_chart *chart = jlt_map_batch_flow(maps)->chart;
@@ -130,8 +130,8 @@ done:
     return st;
 }
 
-/* What sigma of a branch is less by on another one that differs in its seed: by the logarithm, as far as the branch is straight,
- * and by terms of the size of the seed, which are the same everywhere on it. They are found where few returns lead to. */
+/* By how much sigma of a point is less on `other`, the same branch with another seed: the logarithm of the seeds' ratio, as far as
+ * the branch is straight, and a term of the size of the seed, the same everywhere, which is measured where few returns lead. */
 static jlt_status shift_of(double *shift, const jlt_branch *branch, const jlt_branch *other, jlt_map_batch *maps)
 {
     const jlt_chart *chart = jlt_map_batch_flow(maps)->chart;
@@ -150,9 +150,9 @@ static jlt_status shift_of(double *shift, const jlt_branch *branch, const jlt_br
     return JLT_OK;
 }
 
-/* The same crossings by other maps, from branches whose seeds are so many times as large, into `again`. Errors become the largest
- * change of each angle so far, NaN where one cannot be found again. Newton's method ends at three times the residuals that the
- * points have. */
+/* Find the crossings again by other maps, from branches whose seeds are `seeds` times as large, and put them into `again`.
+ * angle_error becomes the largest change of the angle so far, NaN where a crossing is not found. Newton's method ends at three
+ * times the residual that the point has. */
 static jlt_status angles_again(jlt_homoclinic *points, size_t count, const jlt_branch *const branches[2], jlt_map_batch *maps,
                                double seeds, refinement *room)
 {
@@ -186,8 +186,8 @@ done:
     return st;
 }
 
-/* Twice the largest change by another tolerance, another seed, and both: where all that is left is rounding, one of them alone may
- * happen to change little. */
+/* Set angle_error to twice the largest change of the angle by another tolerance, another seed, and both: where only rounding is
+ * left, one of them alone may happen to change little. */
 static jlt_status angle_errors(jlt_homoclinic *points, size_t count, const jlt_branch *const branches[2], jlt_map_batch *fine,
                                jlt_map_batch *coarse)
 {
@@ -210,10 +210,10 @@ static int compare(const void *left, const void *right)
     return a->sigma_unstable < b->sigma_unstable ? -1 : a->sigma_unstable > b->sigma_unstable;
 }
 
-/* How far along the branches a point may lie from where it is: they leave each other by the angle. */
+/* Uncertainty of a crossing's position along the branches, which separate at its angle. */
 static double blur(const jlt_homoclinic *point) { return point->residual / fabs(sin(point->angle)); }
 
-/* As far as the residuals of both tell. */
+/* Whether two crossings are the same, as far as their residuals tell. */
 static bool is_same(const jlt_homoclinic *a, const jlt_homoclinic *b, const jlt_chart *chart)
 {
     const double along = fmax(fabs(a->sigma_unstable - b->sigma_unstable), fabs(a->sigma_stable - b->sigma_stable));
@@ -221,8 +221,8 @@ static bool is_same(const jlt_homoclinic *a, const jlt_homoclinic *b, const jlt_
     return along < 1e-7 || (along < 1 && jlt_chart_distance(chart, a->q, b->q) < blur(a) + blur(b));
 }
 
-/* Where sides of the polygons meet: the list, for free(). Where one polygon is the mirror image of the other, sides i and j meet
- * where j and i do: without those with i < j. */
+/* List the points where sides of the polygons meet; the caller frees *out. If one polygon is the mirror image of the other, sides
+ * (i, j) meet where (j, i) do, and only those with j <= i are listed. */
 static jlt_status find_candidates(refinement **out, size_t *count, const jlt_manifold *unstable, const jlt_manifold *stable,
                                   bool mirrored, const jlt_chart *chart)
 {
@@ -250,8 +250,8 @@ static jlt_status find_candidates(refinement **out, size_t *count, const jlt_man
     return JLT_OK;
 }
 
-/* The image under the reversor, which takes the unstable branch to the stable one and back: lines change places as it changes the
- * sense in which angles are counted. */
+/* The image of a crossing under the reversor, which exchanges the unstable and the stable branch. The angle stays: the two tangents
+ * change places, and the reversor reverses the sense of angles. */
 static jlt_homoclinic image_of(const jlt_homoclinic *point, const jlt_chart *chart)
 {
     jlt_homoclinic image = *point;
@@ -265,7 +265,7 @@ static jlt_homoclinic image_of(const jlt_homoclinic *point, const jlt_chart *cha
     return image;
 }
 
-/* Leaves out what is no crossing as far as errors tell, and what is one of those before; *touching counts the former. */
+/* Leave out points that may be no crossings, given their errors (counted in *touching), and duplicates. Returns how many stay. */
 static size_t keep_crossings(jlt_homoclinic *points, size_t count, size_t *touching, const jlt_chart *chart)
 {
     size_t kept = 0;
@@ -281,7 +281,7 @@ static size_t keep_crossings(jlt_homoclinic *points, size_t count, size_t *touch
     return kept;
 }
 
-/* Points are sorted and go to *out, for free(), unless there are none. */
+/* Sort the points and hand them to *out; with none, free them and set *out to NULL. */
 static void finish(jlt_homoclinic **out, size_t *out_count, jlt_homoclinic *points, size_t count)
 {
     if (count > 1) qsort(points, count, sizeof *points, compare);
@@ -342,7 +342,7 @@ jlt_status jlt_homoclinic_reflect(jlt_homoclinic **out, const jlt_homoclinic *po
     return JLT_OK;
 }
 
-/* Whether the branches from one crossing to the other go around an angle a different number of times: they enclose nothing. */
+/* Whether the two branches wind around an angle a different number of times between the crossings: they then enclose no area. */
 static bool goes_round(const jlt_branch_area *here, const jlt_branch_area *next, const jlt_chart *chart)
 {
     bool round = false;

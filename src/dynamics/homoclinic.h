@@ -1,4 +1,4 @@
-/** Where an unstable and a stable branch cross: homoclinic (or heteroclinic) points, their angles, and the lobes between. */
+/** Crossings of an unstable and a stable branch: homoclinic (or heteroclinic) points, their angles, and the lobes between them. */
 #ifndef JLT_DYNAMICS_HOMOCLINIC_H
 #define JLT_DYNAMICS_HOMOCLINIC_H
 
@@ -8,23 +8,24 @@ typedef struct {
     double q[2];
     double sigma_unstable, sigma_stable; /* parameters on the two branches */
     double angle;       /* from the unstable to the stable tangent as lines, in (-pi/2, pi/2], in section coordinates */
-    double angle_error; /* twice the largest change by a tolerance ten times larger, a seed twice as large, or both */
+    double angle_error; /* twice the largest change of angle by a tolerance ten times larger, a seed twice as large, or both */
     double residual;    /* distance of the two branches' points after refinement */
     struct {
         double q[2], sigma[2];
     } again; /* the point and its parameters at ten times the tolerance, from a seed twice as large */
-    jlt_branch_area area[2]; /* of the unstable branch, of the stable one; 0 until the caller sets them */
+    jlt_branch_area area[2]; /* along the unstable and along the stable branch, at this point; 0 until the caller sets them */
     double lobe;        /* area in section coordinates that the branches enclose between this crossing and the next one along the
-                           unstable branch, > 0 where it lies to the left of the unstable branch; NaN until it is measured, at the
-                           last, where the branches go around an angle differently, and where one has no points on the way */
-    double lobe_error;  /* twice what the lobe differs by from that between the same points again; as `lobe` where there is none */
+                           unstable branch, > 0 where it lies to the left of the unstable branch; NaN until it is measured, for the
+                           last crossing, where the two branches wind around an angle a different number of times, and where a
+                           branch has no points in between */
+    double lobe_error;  /* by interpolation; jlt_separatrices_cross adds twice the change of the lobe for the points `again` */
 } jlt_homoclinic;
 
 /** Find all crossings of two polygons and refine each by Newton's method on the branches, with tangents from the variational
- *  equations. Out: *points, shape (*count,), sorted along the unstable branch, for the caller to free(); NULL and 0 when there
- *  are none. *touching, unless NULL: crossings of the polygons that are none of the branches as far as errors tell, and are left
- *  out: their angle is within its error of 0, or so small that where they lie is not known to JLT_MANIFOLD_FINEST. Crossings of the
- *  polygons from which Newton's method does not come to a residual of 1e-8 are left out too, and not counted.
+ *  equations. Out: *points, shape (*count,), sorted along the unstable branch, for the caller to free(); NULL and 0 when there are
+ *  none. *touching, unless NULL: the number of crossings that are left out as the branches may only touch there: the angle is 0
+ *  within its error, or so small that the point's position is not known to JLT_MANIFOLD_FINEST. Crossings of the polygons from
+ *  which Newton's method does not come to a residual of 1e-8 are left out too, and not counted.
  *  In: mirrored, the stable branch and its polygon are the images of the unstable ones under the chart's reversor, so that
  *  crossings come in pairs, of which one is refined; fine, maps of the branches' section; coarse, the same maps at ten times the
  *  tolerance, from which angle_error is found.
@@ -35,12 +36,12 @@ JLT_CHECKED jlt_status jlt_homoclinic_find(jlt_homoclinic **points, size_t *coun
                                            const jlt_branch *stable_branch, bool mirrored, jlt_map_batch *fine,
                                            jlt_map_batch *coarse);
 
-/** The crossings of the images of two branches under their chart's reversor, from the branches' own, shape (count,); as near to
- *  either branch as their residuals say. Out: *out, shape (count,), as of jlt_homoclinic_find. Errors: NOMEM. */
+/** Reflect the crossings of two branches, shape (count,), under their chart's reversor: they become those of the branches' images,
+ *  as near to either as their residuals say. Out: *out, shape (count,), as by jlt_homoclinic_find. Errors: NOMEM. */
 JLT_CHECKED jlt_status jlt_homoclinic_reflect(jlt_homoclinic **out, const jlt_homoclinic *points, size_t count,
                                               const jlt_chart *chart);
 
-/** Set the lobes of crossings in order, shape (count,), from their areas. */
+/** Set `lobe`, and the part of lobe_error by interpolation, of crossings in order, shape (count,), from their areas. */
 void jlt_homoclinic_measure_lobes(jlt_homoclinic *points, size_t count, const jlt_chart *chart);
 
 #endif

@@ -100,7 +100,7 @@ jlt_status jlt_linear_eigenvalues(double *re, double *im, const double *a, unsig
     return JLT_OK;
 }
 
-/* Both rows of a - value*I are orthogonal to v; the longer one says where it points. */
+/* Both rows of a - value*I are orthogonal to v; the longer one determines its direction better. */
 void jlt_linear_eigenvector(double v[2], const double a[4], double value)
 {
     const double first = hypot(a[0] - value, a[1]), second = hypot(a[2], a[3] - value);

@@ -6,15 +6,16 @@
 
 #include "dynamics/linear.h"
 
-/* The length of a derivative that errors of the tolerance change by a thousandth: what is shorter is made of them. */
+/* The relative length below which errors of the tolerance change a vector of DP by more than a thousandth. */
 static double noise_of(const jlt_flow *flow)
 {
     return 1e3 * (flow->tolerance != 0 ? flow->tolerance : JLT_ORBIT_TOLERANCE);
 }
 
-/* Columns of q replaced by A q, orthonormalised by modified Gram-Schmidt, twice; growth gets the logarithms of the lengths, which
- * add up to log |det A|: the last is what the others leave, and its column, which rounding may make 0, is not needed. NaN where a
- * length before it is below `noise`, relative to the longest row of A or 1. Returns whether there is one. */
+/* Replace the columns of `frame` by A = `slope` times them, orthonormalised by modified Gram-Schmidt, twice, and add the
+ * logarithms of their lengths to growth. These add up to log |det A| = log(size), from which the last follows without its column,
+ * which rounding may make 0. growth is NaN from the first length that is below `noise` times the longest row of A, or 1, if that
+ * is longer. Returns whether there is such a length. */
 static bool step_frame(double *frame, double *growth, const double *slope, double size, double noise, unsigned d)
 {
     double next[JLT_CHART_DIM_MAX * JLT_CHART_DIM_MAX];
@@ -39,13 +40,13 @@ static bool step_frame(double *frame, double *growth, const double *slope, doubl
         rest -= log(length);
         for (i = 0; i < d; i++) frame[i * d + j] = next[i * d + j] /= length;
     }
-    is_lost |= !(size > 0); /* for less than numbers have */
+    is_lost |= !(size > 0); /* |det A| underflowed */
     growth[d - 1] += is_lost ? NAN : rest;
     return is_lost;
 }
 
-/* An orthonormal frame that favours no axis: one that an invariant plane or a decoupled state holds would keep a vector from what
- * grows most. The reflection that takes no axis to an axis. */
+/* Make an orthonormal frame that favours no axis, by a reflection that maps no axis to an axis: a vector in an invariant plane, or
+ * along a decoupled state, would never turn to the direction that grows most. */
 static void begin_frame(double *frame, unsigned d)
 {
     double v[JLT_CHART_DIM_MAX], square = 0;
@@ -56,7 +57,7 @@ static void begin_frame(double *frame, unsigned d)
         for (unsigned k = 0; k < d; k++) frame[i * d + k] = (i == k) - 2 * v[i] * v[k] / square;
 }
 
-/* frame: shape (d, d); growth: shape (d,); expansion: of all returns. */
+/* Add a return to the state. frame: shape (d, d); growth: shape (d,); expansion: summed over returns. */
 static void count_return(jlt_lyapunov_state *state, double *frame, double *growth, double *expansion, const jlt_map_batch_return *p,
                          const jlt_flow *flow)
 {
@@ -96,10 +97,10 @@ done:
     return st;
 }
 
-/* What is known of all orbits: shape (count, dim, dim), (count, dim), and (count,). */
+/* What is known of all orbits; arrays without a shape are (count,). */
 typedef struct {
     jlt_lyapunov_state *out;
-    double *frames, *growth, *expansion;
+    double *frames, *growth, *expansion; /* frames: (count, dim, dim); growth: (count, dim) */
     size_t *skipped, skip;
     const jlt_flow *flows;
     const size_t *flow_of;
@@ -153,7 +154,7 @@ static double growth_of(const double *slope, unsigned d)
     double vector[JLT_CHART_DIM_MAX], norm2 = 0, last;
     unsigned i, j, k;
 
-    /* Power iteration on A^T A from its longest row of A: the norm from below, to rounding. */
+    /* Power iteration on A^T A from the longest row of A: the norm from below, to rounding. */
     for (i = 0; i < d; i++) {
         double sum = 0;
         for (j = 0; j < d; j++) sum += slope[i * d + j] * slope[i * d + j];

@@ -27,10 +27,10 @@ typedef int (*jlt_lyapunov_observer)(void *context, const jlt_lyapunov_state *st
 JLT_CHECKED jlt_status jlt_lyapunov_run(jlt_map *map, jlt_lyapunov_state *out, const double *q, size_t returns,
                                         jlt_lyapunov_observer observer, void *context);
 
-/** The same for orbits side by side, from q, shape (count, dim), each of its own flow, flow_of, shape (count,), after `skip`
- *  returns that do not count. Out: states and statuses, shape (count,), of each what jlt_lyapunov_run gives, by the method of the
- *  maps; they depend neither on the other orbits nor on the number of threads. An interrupt of the flows leaves NO_CONVERGENCE to
- *  those under way. Errors: NOMEM; as jlt_map_batch_apply. */
+/** The same for many orbits side by side, from q, shape (count, dim), orbit i under the flow flow_of[i] of the maps; the first
+ *  `skip` returns do not count. Out: out, status, shape (count,), what jlt_lyapunov_run gives for each orbit, by the method of the
+ *  maps; they depend neither on the other orbits nor on the number of threads. Orbits under way at an interrupt of the flows get
+ *  NO_CONVERGENCE. Errors: NOMEM; as jlt_map_batch_apply. */
 JLT_CHECKED jlt_status jlt_lyapunov_run_each(jlt_map_batch *maps, jlt_lyapunov_state *out, jlt_status *status, const double *q,
                                              const size_t *flow_of, size_t count, size_t skip, size_t returns);
 

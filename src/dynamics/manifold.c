@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Parameter steps under this are at an end of the branch. */
+/* Parameter steps are not halved below this: the branch ends there. */
 static const double smallest_step = 1e-9;
 
 void jlt_manifold_clear(jlt_manifold *self)

@@ -10,26 +10,26 @@
 #include "dynamics/varied.h"
 #include "integrate/rest.h"
 
-/* Below this a lifted root will not come back: orbits that only graze a pole stay far above it. */
+/* An orbit whose lifted root is below this does not come back: orbits that only graze a pole stay far above it. */
 static const double root_floor = 1e-13;
 
 struct jlt_map {
     jlt_flow flow;
     jlt_varied varied;
     jlt_orbit *orbit;
-    jlt_section *section; /* plain returns */
-    bool is_slow; /* when the orbit was last looked at */
-    double most, least;   /* sizes that tangent vectors had on the way, and 1 */
-    double swing;         /* largest |integral of the divergence|, or 1 */
-    size_t steps;         /* before it */
+    jlt_section *section; /* for returns without derivative */
+    bool is_slow;         /* as `watch` found last */
+    double most, least;   /* largest and smallest size of a tangent vector on the way; 1 is counted too */
+    double swing;         /* largest |integral of the divergence| on the way, at least 1 */
+    size_t steps;         /* of the stepper before the return */
     jlt_image image;      /* of the returns so far */
 };
 
-/* What never comes back to the section: a pole it falls into, or a place where it comes to rest. */
+/* Called after every step. Returns 1 if the orbit never comes back to the section: it falls into a pole, or comes to rest. */
 static int watch(void *context, jlt_orbit *orbit)
 {
-    enum { SLOW_STEPS = 64 };                 /* some turns of a spiral */
-    static const double surroundings = 1e-3; /* of an equilibrium: however slow, what goes farther comes back */
+    enum { SLOW_STEPS = 64 };                 /* between two tests of slowness: some turns of a spiral */
+    static const double surroundings = 1e-3; /* an orbit farther than this from any equilibrium comes back, however slow it is */
     jlt_map *self = context;
     const jlt_stepper *stepper = jlt_orbit_stepper(orbit);
     const int root = self->flow.field->root;
@@ -56,7 +56,7 @@ jlt_status jlt_map_create(jlt_map **out, const jlt_flow *flow)
 
     *out = NULL;
     if (flow->chart == NULL || flow->field == NULL || flow->chart->states != flow->field->dim) return JLT_ERR_ARG;
-    self = malloc(sizeof *self); /* room for sections of many coordinates, not touched where there are few */
+    self = malloc(sizeof *self); /* sections of few coordinates leave most of it untouched */
     if (self == NULL) return JLT_ERR_NOMEM;
     self->orbit = NULL;
     self->section = NULL;
@@ -112,10 +112,10 @@ static jlt_status to_section(jlt_map *self, jlt_outcome *outcome, int time_direc
     return outcome->end == JLT_END_OBSERVER ? JLT_ERR_DOMAIN : JLT_ERR_NO_CONVERGENCE;
 }
 
-/* Of a return's defect, whose terms are at most `part` of DP's size. Every step errs by a tolerance in everything, relative to its
- * size or that of the start; errors grow on the way as tangent vectors do, those made where these were small with them. The
- * section's rate f_c, of the flux and of the time of return, is off by its gradient times those of states, which is much of it
- * where the section is crossed slowly; tangent vectors are off by f/f_c times as much along the flow. */
+/* A bound on a return's defect, whose terms are at most `part` of DP's size. Every step errs by one tolerance in every component,
+ * relative to its size or that of the start; errors grow as tangent vectors do, at most by the ratio of their sizes' extremes. The
+ * rate f_c across the section, on which flux and return time depend, errs by its gradient times the states' errors, much of f_c on
+ * a slow crossing; tangent vectors then err by f/f_c times as much along the flow. */
 static double bound_of(const jlt_map *self, const double *end, const double *f, const double *slope, double part)
 {
     const jlt_chart *chart = self->flow.chart;
@@ -144,7 +144,7 @@ static double bound_of(const jlt_map *self, const double *end, const double *f, 
     return (all - 1) + part * (error * self->swing + rate);
 }
 
-/* One return with derivative, multiplied onto what `image` holds. */
+/* Make one return with derivative, and multiply it onto what `image` holds. */
 static jlt_status advance(jlt_map *self, jlt_image *image, int time_direction)
 {
     const unsigned n = self->flow.chart->states, d = self->flow.chart->dim;
@@ -189,7 +189,7 @@ done:
     return st;
 }
 
-/* What of an image is in use: there is room for sections of many coordinates. */
+/* Copy the part of an image that is in use: it has room for many coordinates. */
 static void copy_image(jlt_image *out, const jlt_image *image, const jlt_chart *chart)
 {
     const unsigned d = chart->dim;

@@ -22,10 +22,10 @@ typedef struct {
                                                             rule */
     double T;                /* [time] that all returns took, negative backwards */
     double determinant;      /* of slope: product over the returns */
-    double flux_determinant; /* |det DP| by flux and divergence, also where DP itself has lost it to rounding */
+    double flux_determinant; /* |det DP| by flux and divergence, accurate also where DP itself has lost it to rounding */
     double expansion;        /* integral of the divergence on the levels, over all returns */
     double defect;           /* of the identity, relative to the product of DP's row lengths (its rounding errors are
-                                relative to that); of the single return that is worst by its bound */
+                                relative to that); of the return where it is largest relative to `bound` */
     double bound;            /* bound on `defect`: the defect caused by an error of one tolerance per step, to first order */
     double x[JLT_CHART_STATES_MAX]; /* (chart->states,), the state at q */
 } jlt_image;
@@ -33,13 +33,13 @@ typedef struct {
 typedef struct jlt_map jlt_map;
 
 /** Create the map of a flow, which is copied; what it points to must live as long. A flow without a method gets the default, gauss,
- *  which takes its nodes on vectors here as for plain orbits. Derivatives also use gauss when the flow's method needs a jet, since
- *  the variational equations have none.
+ *  which evaluates the nodes of a step on vectors. Derivatives also use gauss when the flow's method needs a jet, since the
+ *  variational equations have none.
  *  Errors: ARG; UNSUPPORTED, the field has no Jacobian; NOMEM. */
 JLT_CHECKED jlt_status jlt_map_create(jlt_map **out, const jlt_flow *flow);
 void jlt_map_destroy(jlt_map *self); /* NULL is legal */
 
-/* The copy, borrowed. */
+/* The map's copy of the flow, borrowed. */
 const jlt_flow *jlt_map_flow(const jlt_map *self);
 
 /** P^count(q), shape (dim,), count >= 1 returns forwards (time_direction +1) or backwards (-1), with its derivative. Every

@@ -12,12 +12,13 @@
 
 enum { D = JLT_CHART_DIM_MAX };
 
-/* Lanes end as far from a pole as the flow's own method judges it, and where a return takes ten times the usual steps. */
+/* A lane ends where its lifted root falls to root_floor, from where the flow's own method judges whether the orbit ends at a pole,
+ * and where a return takes ten times the usual steps. */
 static const double root_floor = 1e-9;
 static const size_t most_steps = 1000;
 
-/* What points are asked for: the most returns of any; of each its flow, its returns, its direction of time, NULL where that is the
- * first, the most, and `direction`. */
+/* What is asked for. returns: of the point with the most; flow_of, each, directions: flow, returns and direction of time of each
+ * point, NULL where that is the first flow, `returns`, `direction` for all. */
 typedef struct {
     size_t returns;
     const size_t *flow_of, *each;
@@ -33,14 +34,14 @@ typedef struct {
     const jlt_map_batch *batch;
     const jlt_map_images *out;
     const request *wanted;
-    int direction;         /* what is being computed */
-    jlt_map *alone;  /* for orbits that go on by themselves, */
+    int direction;         /* of time, being computed */
+    jlt_map *alone;  /* for orbits that are followed alone, */
     size_t alone_of; /* of this flow */
-    size_t *point;   /* in each lane, shape (BLOCK,) as those that follow */
-    size_t *case_of; /* its flow */
+    size_t *point;   /* in each lane, shape (BLOCK,) as the arrays below */
+    size_t *case_of; /* the point's flow */
     double *starts;  /* (BLOCK, columns) */
     double *flux;    /* at the starts */
-    bool *is_on_way; /* the lane has ended before its return, at the point that is now its start */
+    bool *is_on_way; /* the lane has ended before its return; its start is replaced by the point where it ended */
 } worker;
 
 struct jlt_map_batch {
@@ -55,7 +56,7 @@ struct jlt_map_batch {
 
 bool jlt_map_batch_in_lanes(const jlt_map_batch *self) { return self->map.kernels != NULL; }
 
-/* Whether lanes can go the way: a section that has no other turns, without an end in time, of not too many states. */
+/* Whether lanes can follow the flow: the section's state is no angle, t_max is not set, states and conditions are few enough. */
 static bool serves(const jlt_flow *flow)
 {
     const jlt_chart *chart = flow->chart;
@@ -162,7 +163,7 @@ static size_t flow_index(const worker *self, size_t point)
 
 static const jlt_flow *flow_of(const worker *self, size_t point) { return &self->batch->flows[flow_index(self, point)]; }
 
-/* The map by which this point goes alone. */
+/* Make self->alone the map of this point's flow. */
 static jlt_status alone(worker *self, size_t point)
 {
     const size_t flow = flow_index(self, point);
@@ -173,7 +174,7 @@ static jlt_status alone(worker *self, size_t point)
     return jlt_map_create(&self->alone, &self->batch->flows[flow]);
 }
 
-/* A return multiplied onto what is known of its point, whose image is there already. */
+/* Multiply a return onto the results of its point, where the image q is set already. */
 static void add(const worker *self, size_t point, const jlt_map_batch_return *made, double determinant, double defect)
 {
     const jlt_map_images *out = self->out;
@@ -187,7 +188,7 @@ static void add(const worker *self, size_t point, const jlt_map_batch_return *ma
     if (fabs(defect) > fabs(out->defect[point])) out->defect[point] = defect;
 }
 
-/* Of a lane whose varied orbit has come back after a time t of the flow. */
+/* Store the return of a lane whose varied orbit has come back after time t, in the flow's unit. */
 static void arrive(const worker *self, size_t lane, const double *varied, double t)
 {
     const jlt_map_images *out = self->out;
@@ -226,7 +227,7 @@ static int keep_end(void *context, size_t lane, jlt_lane_end end, size_t returns
     return 0;
 }
 
-/* A lane that has ended before its return. */
+/* Follow the orbit of a lane that ended early on to its return, alone. */
 static void go_on(worker *self, size_t lane)
 {
     double *varied = self->starts + lane * self->batch->columns, t = 0;
@@ -237,7 +238,7 @@ static void go_on(worker *self, size_t lane)
     if (st == JLT_OK) arrive(self, lane, varied, varied[self->batch->columns - 1] + t);
 }
 
-/* A point that no lane serves. */
+/* Make one return of a point alone, where lanes do not serve. */
 static void go_alone(worker *self, size_t point)
 {
     const jlt_map_images *out = self->out;
@@ -253,7 +254,7 @@ static void go_alone(worker *self, size_t point)
         image.determinant, image.defect);
 }
 
-/* Whether a point goes the way that is being computed, and has not made all its returns. */
+/* Whether a point goes in the direction being computed, and has more than `number` returns to make. */
 static bool is_due(const worker *self, size_t point, size_t number)
 {
     const request *wanted = self->wanted;
@@ -262,7 +263,8 @@ static bool is_due(const worker *self, size_t point, size_t number)
     return number < (wanted->each != NULL ? wanted->each[point] : wanted->returns);
 }
 
-/* What orbits of points first .. first + count - 1 begin as; those without a state have their status. */
+/* Fill lanes with the varied states of those of the points first .. first + count - 1 that are due; a point without a state gets
+ * the lift's status. Returns the number of lanes. */
 static size_t lift(const worker *self, size_t first, size_t count, size_t number)
 {
     const jlt_map_images *out = self->out;
@@ -300,7 +302,7 @@ static jlt_status one_return(worker *self, size_t first, size_t count, size_t nu
     return st;
 }
 
-/* All returns of a block that go one way. */
+/* Make all returns of a block in one direction of time. */
 static jlt_status follow(worker *self, size_t first, size_t count, int direction)
 {
     jlt_status st = JLT_OK;
@@ -310,7 +312,7 @@ static jlt_status follow(worker *self, size_t first, size_t count, int direction
     return st;
 }
 
-/* Blocks of points, until *next has passed the last. */
+/* Take blocks of points until *next, shared by the threads, has passed the last point. */
 static jlt_status work(worker *self, size_t count, size_t block, size_t *next)
 {
     jlt_status st = JLT_OK;

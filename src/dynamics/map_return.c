@@ -41,7 +41,7 @@ static void project(const jlt_chart *chart, double *slope, double *q, const doub
     }
 }
 
-/* Product of the rows' lengths: what a determinant is at most, and what its rounding errors are relative to. */
+/* Product of the rows' lengths: Hadamard's bound on the determinant, to which its rounding errors are relative. */
 static double hadamard(const double *slope, unsigned d)
 {
     double product = 1;
@@ -65,7 +65,7 @@ jlt_status jlt_map_return_end(jlt_map_return *out, double *q, double *slope, con
     if (!jlt_chart_follows(chart, told)) return JLT_ERR_NO_CONVERGENCE;
     out->determinant = jlt_linear_determinant(slope, d);
     out->size = hadamard(slope, d);
-    /* A crossing in the other direction turns the flux round; volume is counted positive. */
+    /* A crossing in the other direction reverses the sign of the flux; volume is counted positive. */
     out->flux_determinant = fabs(flux / after) * exp(varied[n * (1 + d)]);
     return isfinite(out->flux_determinant) ? JLT_OK : JLT_ERR_NONFINITE; /* infinite where the coordinates fold */
 }

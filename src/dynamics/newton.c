@@ -11,9 +11,10 @@ enum { D = JLT_CHART_DIM_MAX, ITERATIONS = 40, HALVINGS = 6 };
 
 static const double longest_step = 0.5;    /* scaled */
 static const double accepted = 1e-10;      /* largest residual of a converged orbit, relative to |DP| of one return, */
-static const double accepted_most = 1e-9;  /* and absolute; */
-static const double fallen = 1e-6;         /* and relative to the first one, unless that was a tolerance, the error of a map */
-static const double null_cutoff = 1e-11;   /* singular values of I - DP under this, relative to I or to itself, are a family's */
+static const double accepted_most = 1e-9;  /* absolute, */
+static const double fallen = 1e-6;         /* and relative to the first one, unless errors of the map may cause it */
+static const double null_cutoff = 1e-11;   /* singular values of I - DP below this, relative to I or to I - DP if that is larger,
+                                              count as 0: the orbit belongs to a family */
 
 /* With delta_(i+1) = A_i delta_i + r_i and delta_p = delta_0: (I - A_(p-1)..A_0) delta_0 = sum of the propagated r_i. */
 static jlt_status step(double *delta, const jlt_shooting *at, unsigned d, size_t period, const unsigned char *held)
@@ -88,7 +89,7 @@ static bool end(jlt_newton *self, jlt_status status)
     return false;
 }
 
-/* Whether the last points are an orbit; else the status of what was looked at last. */
+/* End the search: with OK if the best points are an orbit, else with the status of the last trial. */
 static bool judge(jlt_newton *self, jlt_status looked)
 {
     const bool is_small = self->now.residual <= fmin(accepted * self->now.scale, accepted_most);

@@ -1,6 +1,5 @@
-/** Newton's method for all points of a periodic orbit at once (multiple shooting), a trial at a time: whoever drives it gives the
- *  images of the points it asks about, so that many searches can go on side by side. Steps are halved until the residual falls, or
- *  cannot fall any more. */
+/** Newton's method for all points of a periodic orbit at once (multiple shooting), a trial at a time: the caller supplies the
+ *  images of the trial points, so that many searches can go on side by side. Steps are halved until the residual falls. */
 #ifndef JLT_DYNAMICS_NEWTON_H
 #define JLT_DYNAMICS_NEWTON_H
 
@@ -10,12 +9,12 @@ typedef struct {
     const jlt_chart *chart;
     const unsigned char *held;
     size_t period;
-    double *points, *trial, *delta; /* (period, d) each, in one block; owned. trial: the points whose images are asked for; delta:
-                                       the step, scaled */
-    jlt_shooting now, then;         /* at points; at trial, to be filled */
+    double *points, *trial, *delta; /* (period, d) each, in one block; owned. trial: the points whose images are wanted; delta: the
+                                       step, scaled */
+    jlt_shooting now, then;         /* now: at points; then: at trial, for the caller to fill */
     unsigned iteration, halving;
-    double factor;
-    double first, noise;            /* the residual at the first points; what one may be by errors of the map, relative to |DP| */
+    double factor;                  /* of delta in the trial */
+    double first, noise;            /* the residual at the first points; one that errors of the map may cause, relative to |DP| */
     bool has_begun;
     jlt_status status;              /* of the whole search, once it has ended */
 } jlt_newton;

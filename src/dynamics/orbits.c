@@ -8,7 +8,7 @@
 #include "core/memory.h"
 
 static const double same_point = 1e-7;
-static const double same_degenerate = 1e-4; /* a residual of 1e-13 leaves a fold known to its root, a cusp to its third root */
+static const double same_degenerate = 1e-4; /* a residual of 1e-13 determines a fold to its square root, a cusp to its cube root */
 
 void jlt_orbits_clear(jlt_orbits *self)
 {
@@ -37,7 +37,7 @@ jlt_status jlt_orbits_add(jlt_orbits *self, const jlt_chart *chart, const jlt_pe
     return JLT_OK;
 }
 
-/* By what is known of them, not by their rounding. */
+/* Compares orbits for sorting; what differs by rounding alone counts as equal. */
 static int compare(const void *left, const void *right, void *context)
 {
     const jlt_periodic *a = left, *b = right;

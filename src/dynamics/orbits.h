@@ -12,7 +12,7 @@ typedef struct {
 
 void jlt_orbits_clear(jlt_orbits *self); /* frees; legal on a zeroed list */
 
-/** Whether an orbit, of which period and points are known, is there. */
+/** Whether an orbit, of which period and points are known, is in the list. */
 bool jlt_orbits_has(const jlt_orbits *self, const jlt_chart *chart, const jlt_periodic *orbit);
 
 /** Whether a status ends one attempt to find an orbit, and not the search. */
@@ -40,8 +40,8 @@ typedef struct {
     unsigned threads;                /* 0 and 1: the caller's alone */
     const jlt_symmetric_line *lines; /* shape (line_count,): symmetric orbits are looked for on these as well; borrowed */
     size_t line_count;
-    void (*progress)(void *context, size_t done, size_t all, size_t found); /* told after some 1000 starts of the grid each how many
-                                                                               of all are done; NULL: nobody */
+    void (*progress)(void *context, size_t done, size_t all, size_t found); /* called after every 1000 starts of the grid or so;
+                                                                               NULL: not called */
     void *context;
 } jlt_orbits_options;
 

@@ -9,10 +9,10 @@
 #include "dynamics/newton.h"
 #include "dynamics/section_batch.h"
 
-/* Starts whose orbits are followed together, and bytes of Newton's searches that go on together. */
+/* Number of starts whose orbits are followed together; most bytes of Newton searches that run together. */
 enum { BLOCK = 1024, BYTES = 1 << 26 };
 
-/* Newton must come to residuals of 1e-10; the digits beyond are left to the polish. */
+/* Newton's method must reach residuals of 1e-10; the digits beyond are left to the polish. */
 static const double tolerance_least = 1e-11;
 
 typedef struct {
@@ -21,11 +21,11 @@ typedef struct {
     const jlt_orbits_options *options;
     const jlt_chart *chart;
     jlt_flow flow;                /* of the search */
-    jlt_map_batch **maps;         /* one a thread */
+    jlt_map_batch **maps;         /* one for each thread */
     unsigned threads;
     jlt_section_batch *together;
     jlt_newton *newton;           /* (count,) */
-    size_t count, points, bytes;  /* points of all of them */
+    size_t count, points, bytes;  /* points and bytes: of all of these searches */
 } grid_search;
 
 static bool raised(const grid_search *self)
@@ -39,8 +39,8 @@ static void clear_newton(grid_search *self)
     self->count = self->points = self->bytes = 0;
 }
 
-/* An orbit that Newton found, unless it is known, by the map itself; from points without their last digits, which are not the same
- * with all instruction sets. */
+/* Unless an orbit that Newton found is known, polish it by the map itself, and add it. The points are rounded first, as their last
+ * digits depend on the instruction set. */
 static jlt_status keep(grid_search *self, const jlt_newton *newton)
 {
     const size_t size = newton->period * self->chart->dim;
@@ -60,7 +60,7 @@ static jlt_status keep(grid_search *self, const jlt_newton *newton)
     return st != JLT_OK ? st : jlt_orbits_add(self->list, self->chart, &orbit);
 }
 
-/* What the images from `first` on say of the points that this one asked about. */
+/* Fill newton->then with the images of its trial, those from `first` on. Returns the status of the first that failed. */
 static jlt_status look(jlt_newton *newton, const jlt_map_images *images, size_t first)
 {
     const unsigned d = newton->chart->dim;
@@ -76,7 +76,7 @@ static jlt_status look(jlt_newton *newton, const jlt_map_images *images, size_t 
     return JLT_OK;
 }
 
-/* One trial of all that go on; those that have ended leave the list. */
+/* Make one trial of each search in `going`; those that end leave the list. */
 static jlt_status one_trial(jlt_map_batch *maps, jlt_newton **going, size_t *count, const jlt_map_images *images)
 {
     const unsigned d = going[0]->chart->dim;
@@ -95,7 +95,7 @@ static jlt_status one_trial(jlt_map_batch *maps, jlt_newton **going, size_t *cou
     return JLT_OK;
 }
 
-/* These searches to their end, or an interrupt. */
+/* Run these searches to their end, or to an interrupt. */
 static jlt_status run(const grid_search *self, jlt_map_batch *maps, jlt_newton *newton, size_t count)
 {
     jlt_newton **going = malloc((count + 1) * sizeof *going);
@@ -114,7 +114,7 @@ done:
     return st;
 }
 
-/* All searches that have begun, a share for each thread; what they found is kept in their order. */
+/* Run all searches that have begun, a share on each thread, and keep what they find, in their order. */
 static jlt_status solve(grid_search *self)
 {
     const size_t share = (self->count + self->threads - 1) / self->threads;
@@ -140,7 +140,7 @@ done:
     return st;
 }
 
-/* Newton from the first point of the window q_0 .. q_(period_max), for every period that nearly closes there. */
+/* Begin a search from the first point of the window q_0 .. q_(period_max) for every period after which the orbit nearly closes. */
 static jlt_status begin_window(grid_search *self, const double *window, size_t filled)
 {
     const unsigned d = self->chart->dim;
@@ -162,7 +162,7 @@ done:
     return st;
 }
 
-/* The windows of start `index` of a block: from it, and from where it is after `settle` returns. */
+/* Begin searches from start `index` of a block, and from the point its orbit reaches after `settle` returns. */
 static jlt_status follow(grid_search *self, size_t index)
 {
     const unsigned d = self->chart->dim;

@@ -1,5 +1,5 @@
-/** The search for periodic orbits on a grid of starts: where an orbit nearly closes Newton begins, all of them side by side on a
- *  batch of maps; each orbit found is then polished and measured by the map itself. */
+/** The search for periodic orbits on a grid of starts: where an orbit nearly closes, a Newton search begins, and all of these run
+ *  side by side on batches of maps; each orbit found is then polished and measured by the map itself. */
 #ifndef JLT_DYNAMICS_ORBITS_GRID_H
 #define JLT_DYNAMICS_ORBITS_GRID_H
 

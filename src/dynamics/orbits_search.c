@@ -1,4 +1,4 @@
-/* The search: along lines, on a grid, and by mirror images of what these find. */
+/* Searches for periodic orbits along lines and on a grid, and adds the mirror images of those found. */
 #include "dynamics/orbits_grid.h"
 
 static jlt_status add_mirrors(jlt_orbits *self, jlt_map *map)

@@ -12,9 +12,8 @@ enum { D = JLT_CHART_DIM_MAX };
 static const double same_point = 1e-7;     /* scaled distances under this are one point */
 static const double degenerate = 1e-7;     /* multipliers closer to +-1 than this are not classified */
 static const double standstill = 1e-6;     /* orbits that move less, relative to the state, only touch the section */
-/* The part of their velocity that crosses the section. A residual of 1e-10 in coordinates leaves the square root of that at the
- * edge of a level, where a state is as a root of them: an orbit that crosses more slowly lies in the section as far as one can
- * tell. */
+/* An orbit lies in the section as far as can be told if no more than this part of its velocity crosses it: at the edge of a level,
+ * where a state varies as the square root of coordinates, a residual of 1e-10 in these leaves an error of 1e-5. */
 static const double in_section = 2e-5;
 
 const char *jlt_periodic_type_name(jlt_orbit_type type)
@@ -24,7 +23,7 @@ const char *jlt_periodic_type_name(jlt_orbit_type type)
     return (unsigned)type < sizeof names / sizeof *names ? names[type] : "unknown";
 }
 
-/* By the map alone, one trial after another. */
+/* Newton's method on points, in place, by the map alone, one trial after another. */
 static jlt_status iterate(jlt_map *map, double *points, size_t period, const unsigned char *held)
 {
     const jlt_chart *chart = jlt_map_flow(map)->chart;
@@ -76,8 +75,8 @@ static jlt_orbit_type classify(const double *re, const double *im, unsigned d)
     return im[0] == 0 && re[0] < 0 ? JLT_ORBIT_FLIP_SADDLE : JLT_ORBIT_SADDLE;
 }
 
-/* Multipliers that errors of DP change by more than a thousandth: one alone follows from the determinant, by the divergence; of
- * several nothing is known. */
+/* Replace the multipliers that errors of DP change by more than a thousandth: a single one follows from the determinant, which the
+ * divergence gives; several become NaN. */
 static void leave_known(jlt_periodic *orbit, const double *slope, double tolerance, unsigned d)
 {
     const double noise = 1e3 * tolerance * fmax(1, jlt_linear_length(slope, d * d));
@@ -117,7 +116,7 @@ jlt_status jlt_periodic_measure(jlt_map *map, jlt_periodic *io)
     orbit.determinant = exp(at.expansion);
     orbit.determinant_slope = at.determinant;
     JLT_TRY(jlt_linear_eigenvalues(orbit.re, orbit.im, slope, d));
-    /* On one coordinate the divergence alone keeps the digits of a small one. */
+    /* With one coordinate, a small multiplier keeps its digits through the divergence alone; DP gives its sign. */
     if (d == 1) {
         const bool turns_over = slope[0] < -orbit.determinant / 2 && slope[0] > -2 * orbit.determinant;
         orbit.trace = orbit.re[0] = turns_over ? -orbit.determinant : orbit.determinant;

@@ -61,8 +61,8 @@ size_t jlt_periodic_primitive(const jlt_chart *chart, const double *points, size
  *  point looks fixed; or if a point has no state. */
 bool jlt_periodic_moves(const jlt_flow *flow, const jlt_periodic *orbit);
 
-/** The mirror image, of which period and points alone are right: it runs through the mirrored points backwards, from the image of
- *  the first. */
+/** Make the mirror image, which runs through the mirrored points backwards, from the image of the first. Only its period and points
+ *  are valid; jlt_periodic_measure sets the rest. */
 void jlt_periodic_mirror(const jlt_chart *chart, jlt_periodic *out, const jlt_periodic *orbit);
 
 /** Whether two orbits are the same: equal period, and the first point of b within `distance` of a point of a. */

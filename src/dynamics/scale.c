@@ -18,7 +18,7 @@ static int exponent_of(double size)
     return !(size > 0) || !isfinite(size) || (size >= 1 / ordinary && size <= ordinary) ? 0 : ilogb(size);
 }
 
-/* Half of what the coordinates, and the section's state behind them, run through from q to its return: shape (dim + 1,). */
+/* Out: half the interval that each coordinate, and last the section's state, runs through from q to its return, (dim + 1,). */
 static jlt_status moves(double *out, jlt_map *map, const double *q)
 {
     const jlt_flow *flow = jlt_map_flow(map);
@@ -55,7 +55,7 @@ static int ascending(const void *left, const void *right)
     return (a > b) - (a < b);
 }
 
-/* The median of column k of rows of this width, 0 where it is below what is noise; column: (count,), to work in. */
+/* The median of column k of rows of this width, 0 where it is at most `noise`; column: workspace, shape (count,). */
 static double median(double *column, const double *rows, size_t count, unsigned width, unsigned k, double noise)
 {
     if (count == 0) return 0;

@@ -18,17 +18,17 @@ struct jlt_section {
     jlt_flow flow;
     jlt_orbit *orbit;
     jlt_event events[JLT_ORBIT_EVENTS_MAX];
-    unsigned crossings, event_count; /* the first are crossings of the section, the others losses of the model's conditions */
+    unsigned crossings, event_count; /* the first `crossings` events are of the section, the others losses of model conditions */
     condition conditions[JLT_ORBIT_EVENTS_MAX];
     size_t number;
     int time_direction;
     double t_start;  /* of the current return */
-    double x[JLT_CHART_STATES_MAX]; /* there */
-    jlt_fate start_fate; /* other than alive: it ended where it started */
-    bool rests;          /* as the last return was judged */
+    double x[JLT_CHART_STATES_MAX]; /* at t_start */
+    jlt_fate start_fate; /* other than alive: the orbit ends where it starts */
+    bool rests;          /* at the last return the orbit was found to come to rest */
     jlt_rest_watch rest;
     double limit[JLT_CHART_STATES_MAX]; /* when rests: the equilibrium */
-    bool accepted;   /* the orbit's own integrator has not been there, or is a turn of the section ahead */
+    bool accepted;   /* restart the integrator at (t_start, x): it has not been there, or its state differs by turns */
     jlt_section_conditions watched; /* the model's conditions since the start */
 };
 
@@ -94,7 +94,7 @@ static int watch(void *context, jlt_orbit *orbit)
     return jlt_rest_watch_step(&self->rest, jlt_orbit_stepper(orbit), self->limit);
 }
 
-/* One event each: their least value has kinks, which no polynomial follows. */
+/* Add one event for each condition: their least value has kinks, which no polynomial follows. */
 static jlt_status add_conditions(jlt_section *self, const jlt_observed *observed)
 {
     const unsigned count = jlt_observed_conditions(observed);
@@ -146,7 +146,7 @@ void jlt_section_destroy(jlt_section *self)
     free(self);
 }
 
-/* Take x, at the part theta of the last step, for the point of the current return. */
+/* Make x, at the fraction theta of the last step, the point of the current return. */
 static void arrive(jlt_section *self, double theta, const double *x)
 {
     memcpy(self->x, x, self->flow.chart->states * sizeof *x);
@@ -154,7 +154,7 @@ static void arrive(jlt_section *self, double theta, const double *x)
     jlt_section_conditions_arrive(&self->watched, theta, x);
 }
 
-/* t and x in the flow's units; the row gets them in the table's. */
+/* Fill a row, in the table's units, from t and x in the flow's. */
 static void fill(jlt_return *row, const jlt_section *self, double t, const double *x, bool on_section)
 {
     const jlt_chart *chart = self->flow.chart;
@@ -170,7 +170,7 @@ static void fill(jlt_return *row, const jlt_section *self, double t, const doubl
     for (k = 0; k < chart->states; k++) row->x[k] = ldexp(x[k], self->flow.units.state[k]);
     row->residual = ldexp(x[chart->column] - chart->level, self->flow.units.state[chart->column]);
     row->least = self->watched.so_far.value;
-    row->q[1] = 0; /* of one coordinate pictures show this beside it */
+    row->q[1] = 0; /* pictures of a section of one coordinate show this as the second */
     if (on_section) {
         chart->lower(chart, row->q, NULL, x);
         return;
@@ -229,7 +229,7 @@ jlt_status jlt_section_start_state(jlt_section *self, jlt_return *row, const dou
     return begin(self, row, counted, time_direction);
 }
 
-/* The end of an orbit, at x. */
+/* Make *row the end of the orbit at (t, x). */
 static void end(jlt_section *self, jlt_return *row, double t, const double *x, jlt_fate fate)
 {
     self->number++;
@@ -242,8 +242,8 @@ static void end(jlt_section *self, jlt_return *row, double t, const double *x, j
     if (unbounded < self->flow.chart->states) row->unbounded = unbounded;
 }
 
-/* Whether an orbit that stands still does so at a pole, which methods whose steps hold its root relative to itself come as near to
- * as they like. */
+/* Whether an orbit at rest is at a pole: a method that controls the lifted root's error relative to the root comes as near to a
+ * pole as one likes. */
 static bool is_pole(const jlt_section *self)
 {
     const int root = self->flow.field->root;
@@ -258,7 +258,7 @@ static void end_at_pole(jlt_section *self, jlt_return *row, const jlt_outcome *o
     if (chart->side != NULL && chart->side(chart, row->x) < 0) row->fate = JLT_FATE_POLE_MINUS;
 }
 
-/* What ended the orbit short of a crossing of the section. */
+/* Make *row the end that the outcome reports, which is no crossing of the section. */
 static void end_by(jlt_section *self, jlt_return *row, const jlt_outcome *outcome)
 {
     switch (outcome->end) {
@@ -314,7 +314,7 @@ jlt_status jlt_section_next(jlt_section *self, jlt_return *row)
         arrive(self, outcome.crossing.theta, outcome.x);
         fill(row, self, outcome.t, self->x, true);
         row->direction = outcome.crossing.direction;
-        self->accepted = self->flow.chart->turn != 0; /* it goes on from within a turn of the section */
+        self->accepted = self->flow.chart->turn != 0; /* self->x was turned back */
         self->rest = (jlt_rest_watch){ 0 };
         self->rests = jlt_rest_is_slower(self->flow.field, self->x, stepper->size, jlt_rest_slow(stepper->asked))
                       && jlt_rest_ends(stepper, self->limit);

@@ -1,6 +1,5 @@
-/** Follows an orbit from one return to a surface of section to the next, and says how it ends.
- *
- *  Rows come one at a time, so memory does not grow with their number. */
+/** Follows an orbit from one return to a surface of section to the next, and says how it ends. Rows come one at a time, so memory
+ *  does not grow with their number. */
 #ifndef JLT_DYNAMICS_SECTION_H
 #define JLT_DYNAMICS_SECTION_H
 
@@ -13,15 +12,16 @@
 typedef struct {
     const jlt_chart *chart;
     const jlt_field *field;
-    jlt_kernel_function rhs_jacobian; /* f, then df/dx, on the field's prepared values; NULL: field->jacobian beside field->call */
+    jlt_kernel_function rhs_jacobian; /* computes f, then df/dx, on the field's prepared values; NULL: field->call and
+                                         field->jacobian do */
     const jlt_method *method;         /* default: the first of the table */
     double tolerance;                 /* see integrate/method.h; default JLT_ORBIT_TOLERANCE */
     jlt_direction direction;          /* crossings that count, for growing t; JLT_BOTH is both */
     size_t max_steps;                 /* of the integrator, for one return; default 10^5 */
     double t_max;                     /* physical time for one return; default: no limit */
     jlt_invariants kept;              /* after every step the state is put back onto the start's levels of these; zero: none */
-    const jlt_observed *observed;     /* of states of the field, in its units: where the model holds; default: everywhere */
-    bool end_where_invalid;           /* an orbit ends where a condition of the model breaks; default: it goes on, and rows tell the
+    const jlt_observed *observed;     /* tells where the model holds, from states in the field's units; default: everywhere */
+    bool end_where_invalid;           /* an orbit ends where a condition of the model breaks; default: it goes on, and rows hold the
                                          least value met */
     const volatile sig_atomic_t *interrupt;
     struct {
@@ -49,13 +49,13 @@ const char *jlt_section_fate_name(jlt_fate fate);
 
 enum { JLT_FATE_TEXT_MAX = 72 };
 
-/** The same, but for invalid lost_NAME, where NAME is that of the condition that broke (jlt_observed_condition). */
+/** Write the fate's name; for invalid, lost_NAME, NAME being that of the condition that broke (jlt_observed_condition). */
 void jlt_section_fate_text(char text[JLT_FATE_TEXT_MAX], const jlt_observed *observed, jlt_fate fate, unsigned lost);
 
-/** The fate that a function's status means for the orbit. False when the failure says nothing of the orbit (memory, say). */
+/** Set *fate to what the status of a failed function means for the orbit. Returns false if it says nothing of the orbit (NOMEM). */
 bool jlt_section_fate_of(jlt_fate *fate, jlt_status status);
 
-/** The status that a fate means: OK for alive, DOMAIN for an orbit that ended, else the failure of the method. */
+/** The status that a fate means: OK for alive, DOMAIN for an orbit that ended, BUDGET, or the failure of the method. */
 jlt_status jlt_section_fate_status(jlt_fate fate);
 
 /** Whether this fate is a failure of the method: nonfinite, no_convergence or no_progress. */
@@ -67,14 +67,14 @@ typedef struct {
     double q[JLT_CHART_DIM_MAX]; /* NaN where the orbit ended off the section */
     int direction;               /* +1, -1: of the crossing, for growing t; 0 at the start and at an end */
     jlt_fate fate;
-    unsigned lost;               /* JLT_FATE_INVALID: the index of the condition that broke; else of the one that least is of */
+    unsigned lost;               /* JLT_FATE_INVALID: the index of the condition that broke; else of the one that is `least` */
     unsigned unbounded;          /* of a failure: the state that grows without bound; JLT_CHART_STATES_MAX: none is known */
     bool interrupted;            /* flow->interrupt became nonzero before the next return; the row holds the point reached */
     double x[JLT_CHART_STATES_MAX];
     double residual;             /* x[column] - level as the integrator left it */
-    double least;                /* least value of the model's conditions since the start, here, at ends of steps before, or within
-                                    one at whose ends they hold, if it is not positive; INFINITY: there are none; NaN: as far as is
-                                    known all held, and one of them had no value */
+    double least;                /* least value of the model's conditions since the start: at this point, at the ends of earlier
+                                    steps, and, if it is not positive, within a step at whose ends they hold; INFINITY: there are
+                                    none; NaN: one of them had no value, and all known values are positive */
 } jlt_return;
 
 typedef struct jlt_section jlt_section;
@@ -92,8 +92,8 @@ JLT_CHECKED jlt_status jlt_section_start(jlt_section *self, jlt_return *row, con
  *  field that is not finite there is a fate. */
 JLT_CHECKED jlt_status jlt_section_start_state(jlt_section *self, jlt_return *row, const double *x, int time_direction);
 
-/** The next return, or the end: after a row with a fate other than alive, or interrupted, call start again.
- *  Errors: ARG, NOMEM; what else jlt_orbit_next may end with is a fate. */
+/** Find the next return, or the end: after a row with a fate other than alive, or interrupted, call start again.
+ *  Errors: ARG, NOMEM; other failures of jlt_orbit_next become fates. */
 JLT_CHECKED jlt_status jlt_section_next(jlt_section *self, jlt_return *row);
 
 /** Tell the section that another integrator has found the next return: at time t since the start, at x, shape (states,), both
@@ -105,10 +105,10 @@ void jlt_section_accept(jlt_section *self, jlt_return *row, double t, const doub
  *  returns. */
 void jlt_section_resume(jlt_section *self, size_t number, double t, const double *x);
 
-/** Tell the section the least value of the model's conditions that another integrator met, and the index of that condition. */
+/** Take into account the least value of the model's conditions that another integrator met; condition: the index of that one. */
 void jlt_section_note(jlt_section *self, double least, unsigned condition);
 
-/** Take a fate at (t, x), as above, for the end of the orbit, as if jlt_section_next had come to it. */
+/** End the orbit at (t, x), in the units above, with this fate, as if jlt_section_next had found it. */
 void jlt_section_end(jlt_section *self, jlt_return *row, double t, const double *x, jlt_fate fate, unsigned lost);
 
 /** Accepted and rejected steps, and field evaluations, since the section was created. */

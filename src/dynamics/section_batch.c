@@ -9,8 +9,8 @@
 #include "dynamics/section_flows.h"
 #include "integrate/rest.h"
 
-/* Of an orbit's rows so many are in memory, and of all orbits' so many bytes. A row has the states, t, the least value of the
- * model's conditions, and whose it is. */
+/* At most ROOM rows of an orbit, and BYTES of all orbits' rows, are in memory. A row has the states, t, the least value of the
+ * model's conditions, and the index of that condition. */
 enum { WATCHED = 2, COLUMNS_MAX = JLT_CHART_STATES_MAX + 1 + WATCHED, ROOM = 1024, BYTES = 1 << 28 };
 
 /* What is known of an orbit beside its rows. */
@@ -19,27 +19,27 @@ typedef struct {
     unsigned lost;
     jlt_fate fate;         /* of the end */
     jlt_lane_end lane_end;
-    bool has_lane_end, is_slow; /* is_slow: the lane's next return was slower than what it may be left to */
-    bool has_end, is_interrupted; /* has_end: it ends after its rows, or was interrupted there */
+    bool has_lane_end, is_slow; /* is_slow: the lane's next return is left to the flow's own method, being too slow */
+    bool has_end, is_interrupted; /* has_end: the orbit ends after its rows, or was interrupted there */
 } course;
 
 struct jlt_section_batch {
-    jlt_section_flows flows; /* by whose sections orbits go alone, and the first thread reads */
+    jlt_section_flows flows; /* their sections follow orbits alone; that of the first thread also reads them */
     jlt_batch_map map; /* kernels NULL: no lanes */
     jlt_batch_watch watch;
     jlt_section_batch_options options;
     unsigned threads;
     unsigned columns;   /* of lanes: states, and t */
     unsigned width;     /* of a row */
-    double slow;        /* below it an orbit is left to the flow's own method */
-    jlt_status *lifted; /* (count,): what the chart says of the starts */
-    size_t *lane;       /* (count,): of starts that have a state */
-    double *starts;     /* (lanes, columns); as follows */
+    double slow;        /* an orbit slower than this is left to the flow's own method (integrate/rest.h) */
+    jlt_status *lifted; /* (count,): status of each start's lift */
+    size_t *lane;       /* (count,): of each start that has a state */
+    double *starts;     /* (lanes, columns) */
     size_t *flow_of;    /* (lanes,) */
     course *courses;    /* (lanes,) */
     double *last, *end; /* (lanes, width): the last row; where the lane or the orbit ended */
     size_t count, lanes, returns;
-    jlt_spool *rows;    /* of lanes; NULL: the last one is kept alone */
+    jlt_spool *rows;    /* of lanes; NULL: only last rows are kept */
     size_t made; /* returns of the run; changed atomically */
     int failure; /* of the spool; set atomically */
     struct {
@@ -49,22 +49,22 @@ struct jlt_section_batch {
     } reading;
 };
 
-/* Of one return. An orbit that creeps takes more, and explicit methods are at their limit of stability there, where their error is
- * no power of the step: 400 at a tolerance of 1e-12, where returns take some 40, and at looser ones fewer, 100 at least. */
+/* Most steps of a lane in a return: 400 at a tolerance of 1e-12, where returns take some 40; fewer at looser ones, 100 at least. A
+ * creeping orbit takes more: stability then limits the steps of explicit methods, and their error is no power of the step. */
 static size_t most_steps(double tolerance)
 {
     const double steps = 400 * pow(tolerance / 1e-12, -0.2);
     return steps > 400 ? 400 : steps < 100 ? 100 : (size_t)steps;
 }
 
-/* The rates at which the end at a pole is known at once: what is left of the way then has a square below a hundredth of the
- * tolerance (integrate/approach.h). Explicit methods, at their limit of stability there, may hold what has decayed. */
+/* The relative rate below which the end at a pole is known at once: the square of the remaining distance is below a hundredth of
+ * the tolerance (integrate/approach.h). Ten tolerances at least: explicit methods at their stability limit make errors of a few. */
 static double rest_at_pole(double tolerance) { return fmax(0.01 * sqrt(tolerance), 10 * tolerance); }
 
 jlt_status jlt_section_batch_create(jlt_section_batch **out, const jlt_flow *flow, const jlt_kernel_batch *kernels,
                                     const jlt_section_batch_options *options)
 {
-    /* At the first the flow's own method judges whether an orbit ends at a pole; few that do not come as deep as the second. */
+    /* Below root_floor the flow's own method judges whether an orbit ends at a pole; few orbits that do not reach root_least. */
     static const double root_floor = 1e-9, root_least = 1e-12;
     jlt_section_batch *self = NULL;
     jlt_status st = JLT_OK;
@@ -137,7 +137,7 @@ void jlt_section_batch_destroy(jlt_section_batch *self)
 
 static const jlt_flow *flow_of(const jlt_section_batch *self, size_t lane) { return &self->flows.all[self->flow_of[lane]].flow; }
 
-/* One more row (width,) of an orbit. */
+/* Add a row, shape (width,), to an orbit. */
 static jlt_status keep(jlt_section_batch *self, size_t lane, const double *row)
 {
     const jlt_status st = self->rows != NULL ? jlt_spool_add(self->rows, lane, row) : JLT_OK;
@@ -149,7 +149,7 @@ static jlt_status keep(jlt_section_batch *self, size_t lane, const double *row)
     return st;
 }
 
-/* What a lane tells, as a row. */
+/* Make a row from what a lane reports. */
 static void row_of(const jlt_section_batch *self, double *row, const double *x)
 {
     memcpy(row, x, self->columns * sizeof *x);
@@ -184,7 +184,7 @@ static int keep_end(void *context, size_t lane, jlt_lane_end end, size_t returns
     return 0;
 }
 
-/* A section's row (width,), in the units of lanes. */
+/* Convert a section's row to a row of shape (width,), in the units of lanes. */
 static void from_section(const jlt_section_batch *self, double *row, const jlt_return *at, size_t lane)
 {
     const jlt_flow *flow = flow_of(self, lane);
@@ -205,8 +205,8 @@ static jlt_status begin(const jlt_section_batch *self, jlt_section *section, jlt
     return jlt_section_start_state(section, row, x, self->options.backwards ? -1 : 1);
 }
 
-/* Where an orbit goes on alone from: near a pole and at the end of an interval from where the lane ended, else from its last
- * return, for a lane that stalls may have gone astray. */
+/* Let an orbit go on alone: near a pole and at the edge of the domain from where the lane ended, else from its last return, since a
+ * lane that stalls may have gone astray. */
 static void resume(const jlt_section_batch *self, jlt_section *section, size_t lane)
 {
     const course *at = &self->courses[lane];
@@ -214,12 +214,12 @@ static void resume(const jlt_section_batch *self, jlt_section *section, size_t l
     double *from = (goes_on ? self->end : self->last) + lane * self->width;
 
     if (!goes_on && at->rows == 0) return;
-    if (at->lane_end == JLT_LANE_ROOT && goes_on) from[self->map.root] = fabs(from[self->map.root]); /* rounded past 0 */
+    if (at->lane_end == JLT_LANE_ROOT && goes_on) from[self->map.root] = fabs(from[self->map.root]); /* an error may pass 0 */
     jlt_section_note(section, from[self->columns], (unsigned)from[self->columns + 1]);
     jlt_section_resume(section, at->rows, from[self->columns - 1], from);
 }
 
-/* What lanes have left of an orbit, by the flow's own method. */
+/* Make the returns of an orbit that its lane has not made, by the flow's own method. */
 static jlt_status finish(jlt_section_batch *self, unsigned thread, size_t lane)
 {
     course *at = &self->courses[lane];
@@ -269,7 +269,7 @@ static jlt_status finish_all(jlt_section_batch *self)
     return (jlt_status)failure;
 }
 
-/* Rows of an orbit that are in memory: one at least. */
+/* Number of rows of an orbit that are in memory: one at least. */
 static size_t rows_in_memory(const jlt_section_batch *self, size_t count, size_t returns)
 {
     const size_t each = BYTES / (self->width * sizeof(double)) / count, most = returns < ROOM ? returns : ROOM;
@@ -278,7 +278,7 @@ static size_t rows_in_memory(const jlt_section_batch *self, size_t count, size_t
     return each < most ? each : most;
 }
 
-/* What orbits begin as, without those that have no state. */
+/* Lift the starts, a lane for each that has a state, and allocate what the run fills. */
 static jlt_status lift_starts(jlt_section_batch *self, const double *q, const size_t *flows, size_t count)
 {
     self->lifted = calloc(count, sizeof *self->lifted);

@@ -1,4 +1,4 @@
-/** Follows many orbits through a surface of section at once, in lanes of vectors and on threads; then they are read one after
+/** Follows many orbits through a surface of section at once, in lanes of vectors and on threads; they are then read one after
  *  another, like those of a jlt_section.
  *
  *      JLT_TRY(jlt_section_batch_run(batch, q, count, returns));
@@ -7,11 +7,10 @@
  *          while (row.fate == JLT_FATE_ALIVE && row.number < returns) JLT_TRY(jlt_section_batch_next(batch, &row));
  *      }
  *
- *  A lane ends early near a pole, where a state comes to an end of its interval, or when its orbit has all but come to rest. Such
- *  an orbit is followed on by the flow's own method, alone, so that its fate is the one that a jlt_section finds. So are all orbits
- *  where no lanes can go: on sections of a state with turns, where orbits end as the model loses its conditions, with an end in
- *  time, of many states. Rows depend neither on the other orbits nor on the number of threads. Orbits of several flows, such as
- *  those of one model under different parameters, go side by side: jlt_section_batch_add. */
+ *  A lane ends early near a pole, where a state comes to an end of its interval, or when its orbit has all but come to rest. The
+ *  flow's own method then follows that orbit on alone, so that its fate is the one that a jlt_section finds; it follows all orbits
+ *  where lanes do not serve (jlt_section_flows_obstacle). Rows depend neither on the other orbits nor on the number of threads.
+ *  Orbits of several flows, such as those of one model under different parameters, go side by side: jlt_section_batch_add. */
 #ifndef JLT_DYNAMICS_SECTION_BATCH_H
 #define JLT_DYNAMICS_SECTION_BATCH_H
 
@@ -20,11 +19,11 @@
 
 typedef struct {
     unsigned threads; /* 0 and 1: the caller's alone */
-    const jlt_instance *project; /* the flow's: its integrals, and the relation of a root, are restored by lanes at crossings; NULL:
-                                    not */
+    const jlt_instance *project; /* the flow's instance: lanes restore its integrals, and the relation of a root, at crossings;
+                                    NULL: they do not */
     bool backwards;   /* in time */
     bool last_only;   /* orbits are read by jlt_section_batch_last alone: no other rows are kept */
-    /* Told how many returns have been made since the run began, by all threads; NULL: nobody. */
+    /* Called with the number of returns made since the run began, by all threads; NULL: not called. */
     void (*progress)(void *context, size_t returns);
     void *context;
 } jlt_section_batch_options;
@@ -37,9 +36,9 @@ JLT_CHECKED jlt_status jlt_section_batch_create(jlt_section_batch **out, const j
                                                 const jlt_section_batch_options *options);
 void jlt_section_batch_destroy(jlt_section_batch *self); /* NULL is legal */
 
-/** One more flow, whose orbits jlt_section_batch_run_each follows beside those of the others: in parameters, levels and units alone
- *  it may differ from the first. project: its own, where that of the options is given. What it points to must live as long. Out:
- *  *index, unless NULL: 1, 2, ...; the flow of creation is 0. Errors: ARG, it differs in more; NOMEM. */
+/** Add a flow, whose orbits jlt_section_batch_run_each follows beside those of the others. It may differ from the first in
+ *  parameters, levels and units alone. project: its instance if options.project is given, else NULL. What it points to must live as
+ *  long. Out: *index, unless NULL: 1, 2, ...; the flow of creation is 0. Errors: ARG, it differs in more; NOMEM. */
 JLT_CHECKED jlt_status jlt_section_batch_add(jlt_section_batch *self, size_t *index, const jlt_flow *flow,
                                              const jlt_instance *project);
 
@@ -49,8 +48,7 @@ JLT_CHECKED jlt_status jlt_section_batch_add(jlt_section_batch *self, size_t *in
  *  most; older rows wait in a temporary file (core/spool.h). */
 JLT_CHECKED jlt_status jlt_section_batch_run(jlt_section_batch *self, const double *q, size_t count, size_t returns);
 
-/** The same of orbits each of which has its own flow, by index; flow_of, shape (count,). Those of one flow had best stand
- *  together. */
+/** The same with orbit i under the flow of index flow_of[i], shape (count,). Orbits of one flow are best put next to each other. */
 JLT_CHECKED jlt_status jlt_section_batch_run_each(jlt_section_batch *self, const double *q, const size_t *flow_of, size_t count,
                                                   size_t returns);
 

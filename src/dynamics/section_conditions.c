@@ -36,7 +36,7 @@ static jlt_section_least least_at(const jlt_section_conditions *self, const doub
     return out;
 }
 
-/* Once one is lost there is nothing more to tell. */
+/* Set the dip to the first condition that is lost within the step; not if one is lost already. */
 static void look_within(jlt_section_conditions *self, jlt_orbit *orbit)
 {
     const unsigned count = self->observed != NULL && self->looks_within ? jlt_observed_conditions(self->observed) : 0;

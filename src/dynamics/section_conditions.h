@@ -1,5 +1,5 @@
-/** The least value of the conditions under which a model holds, along an orbit that is followed from crossing to crossing: what a
- *  crossing knows is what was before it, though the step that leads over it goes on. */
+/** The least value of the conditions under which a model holds, along an orbit that is followed from crossing to crossing: at a
+ *  crossing, only the part of the last step before it counts. */
 #ifndef JLT_DYNAMICS_SECTION_CONDITIONS_H
 #define JLT_DYNAMICS_SECTION_CONDITIONS_H
 
@@ -7,16 +7,16 @@
 #include "kernel/observed.h"
 
 typedef struct {
-    double value; /* INFINITY: none; NaN: as far as is known all hold, and one has no value */
+    double value; /* INFINITY: none; NaN: one condition has no value, and all known values are positive */
     unsigned condition;
 } jlt_section_least;
 
 typedef struct {
     const jlt_observed *observed; /* NULL: there are no conditions */
-    bool looks_within;            /* for one that holds at both ends of a step, but not in between */
-    jlt_section_least so_far;     /* but for the last step, of which these are: */
-    jlt_section_least end, dip;   /* at its end; within it, */
-    double dip_theta;             /* from this part of it on, INFINITY: nowhere */
+    bool looks_within;            /* steps are searched for a condition that holds at both ends, but not in between */
+    jlt_section_least so_far;     /* before the last step */
+    jlt_section_least end, dip;   /* of the last step: at its end; within it, where a condition is lost, */
+    double dip_theta;             /* at this fraction of it; INFINITY: nowhere */
 } jlt_section_conditions;
 
 /** Forget all; to be called at the start of an orbit. */
@@ -25,16 +25,17 @@ void jlt_section_conditions_begin(jlt_section_conditions *self);
 /** Take a value into account. */
 void jlt_section_conditions_note(jlt_section_conditions *self, jlt_section_least value);
 
-/** Look at the step that the orbit has just made. Cost: one kernel; within the step, jlt_orbit_loss for each condition. */
+/** Count all of the step before, and evaluate the conditions on the one that the orbit has just made. Cost: one kernel; to look
+ *  within the step, jlt_orbit_loss for each condition. */
 void jlt_section_conditions_step(jlt_section_conditions *self, jlt_orbit *orbit);
 
-/** The orbit is at x, shape (states,), at the part theta of its last step. Cost: one kernel. */
+/** Count the last step up to its fraction theta, where the orbit is at x, shape (states,). Cost: one kernel. */
 void jlt_section_conditions_arrive(jlt_section_conditions *self, double theta, const double *x);
 
-/** All of the last step counts. */
+/** Count all of the last step. */
 void jlt_section_conditions_end(jlt_section_conditions *self);
 
-/** What is left of the last step will be made again. */
+/** Drop the rest of the last step: the orbit restarts from its current point. */
 void jlt_section_conditions_turn(jlt_section_conditions *self);
 
 #endif

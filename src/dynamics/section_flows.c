@@ -104,7 +104,7 @@ jlt_status jlt_section_flows_add(jlt_section_flows *self, const jlt_flow *flow, 
     return append(self, flow, project);
 }
 
-/* What its conditions take of states in lanes. */
+/* Set the prepared values of the flow's conditions, and the factors that convert states of lanes for them. */
 static void set_watched(jlt_batch_case *out, jlt_section_flows_entry *entry, unsigned lanes)
 {
     const int *exponents;

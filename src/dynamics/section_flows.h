@@ -16,7 +16,7 @@ typedef struct {
 typedef struct {
     jlt_flow flow;
     const jlt_instance *project; /* its instance, where lanes restore integrals; NULL: they do not */
-    double unit[JLT_BATCH_STATES_MAX]; /* states of lanes times these are what its conditions take */
+    double unit[JLT_BATCH_STATES_MAX]; /* its conditions take the states of lanes times these */
 } jlt_section_flows_entry;
 
 /* All zero: no flows. */
@@ -41,7 +41,7 @@ JLT_CHECKED jlt_status jlt_section_flows_add(jlt_section_flows *self, const jlt_
 /** How many conditions of the model are watched along orbits. */
 unsigned jlt_section_flows_conditions(const jlt_flow *flow);
 
-/** Why orbits of this flow go alone, a clause such as "the section's state is an angle"; NULL: they go in lanes. */
+/** Returns why orbits of this flow cannot go in lanes, a clause such as "the section's state is an angle"; NULL: they can. */
 const char *jlt_section_flows_obstacle(const jlt_flow *flow, const jlt_kernel_batch *kernels);
 
 /** Kernels with `valid_values` for its conditions, of the instruction set of these kernels; NULL: there are none. */
@@ -52,7 +52,7 @@ const jlt_kernel_batch *jlt_section_flows_watching(const jlt_flow *flow, const j
  *  In: kernels, those of lanes; watches, whether conditions are watched. */
 jlt_batch_case *jlt_section_flows_cases(jlt_section_flows *self, const jlt_kernel_batch *kernels, bool watches);
 
-/** The section of a thread, now one of this flow; *section is kept by the flows until the thread asks again. Errors: as
+/** Set *section to the section of a thread, made anew if it is of another flow; valid until the thread asks again. Errors: as
  *  jlt_section_create. Cost: a section's creation where the thread was at another flow. */
 JLT_CHECKED jlt_status jlt_section_flows_section(jlt_section_flows *self, jlt_section **section, unsigned thread, size_t flow);
 

@@ -4,7 +4,7 @@
 
 enum { ANGLES = 4, HALVINGS = 60 };
 
-static const double margin = 5e-10; /* of a coordinate's interval, off its ends */
+static const double margin = 5e-10; /* distance kept from the ends of a coordinate's interval, as a part of its length */
 
 bool jlt_section_points_any(const jlt_chart_section *chart)
 {
@@ -27,7 +27,7 @@ bool jlt_section_points_none(const jlt_chart_section *chart)
     return !jlt_section_points_any(chart);
 }
 
-/* Whether there is a point with one coordinate given: points are counted over the others. */
+/* Whether the section has a point with this value of one coordinate; the others run over the grid. */
 static bool holds_at(const jlt_chart_section *chart, unsigned coordinate, double value)
 {
     const size_t places = jlt_chart_section_places(chart, coordinate, ANGLES),
@@ -44,7 +44,7 @@ static bool holds_at(const jlt_chart_section *chart, unsigned coordinate, double
     return false;
 }
 
-/* The end of the interval from a value inside towards another: between the two, or there. */
+/* The end of the interval around `inside` towards `outside`: by bisection between the two, or `outside` if that is still inside. */
 static double edge(const jlt_chart_section *chart, unsigned coordinate, double inside, double outside)
 {
     if (holds_at(chart, coordinate, outside)) return outside;

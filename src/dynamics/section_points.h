@@ -1,20 +1,19 @@
-/** Where a section that tables describe has points: the grid of jlt_chart_section_points is tried, 4096 combinations of the
- *  coordinates that are no angles. */
+/** Finds where a section that tables describe has points, by trying the grid of jlt_chart_section_points: 4096 combinations of
+ *  the coordinates that are no angles. */
 #ifndef JLT_DYNAMICS_SECTION_POINTS_H
 #define JLT_DYNAMICS_SECTION_POINTS_H
 
 #include "dynamics/chart_section.h"
 
-/** Whether a point of the grid is on the section. Cost: few lifts where much of the grid is, else one for each of its points. */
+/** Whether the section has any of the points of jlt_chart_section_probes. Cost: few tests where it has many, else one for each. */
 bool jlt_section_points_any(const jlt_chart_section *chart);
 
-/** Whether no point of the grid is on the section. False where a coordinate is unbounded, for the grid does not cover the section
- *  then. */
+/** Whether the section has none of these. Returns false where a coordinate is unbounded: the grid does not cover it then. */
 bool jlt_section_points_none(const jlt_chart_section *chart);
 
-/** The values of one coordinate for which the section has a point, whatever the others are: an interval with ends refined by
+/** Find the values of one coordinate for which the section has a point, whatever the others are: an interval with ends refined by
  *  bisection, the widest one where there are several.
- *  False: the coordinate is an angle, or not bounded; or there are none. */
+ *  Returns false if the coordinate is an angle, or not bounded, or if there are none. */
 bool jlt_section_points_interval(const jlt_chart_section *chart, unsigned coordinate, double *low, double *high);
 
 #endif

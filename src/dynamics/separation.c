@@ -8,8 +8,8 @@
 
 enum { ROWS = 48, BLOCK = 256 /* orbits that are followed at once, for each thread */ };
 
-/* Points that orbits visit forwards and backwards, and mirror images of those forwards: of the points, as images of cells hold
- * their edges on the other side. */
+/* Sets of cells: those with points of forward orbits, of backward orbits, and with mirror images of forward points. Points are
+ * mirrored, and not cells, as the image of a half-open cell has its closed edges on the other side. */
 enum { FORWARDS, BACKWARDS, IMAGES, SETS };
 
 typedef struct {
@@ -59,7 +59,7 @@ static void visit(cells *self, int set, const double *q, size_t number)
     if (cell != SIZE_MAX && (first[cell] == 0 || first[cell] > when)) first[cell] = (unsigned char)when;
 }
 
-/* An orbit of a batch. `mirrored`: its mirror image is the orbit backwards of a start, and is counted too. */
+/* Count the cells of an orbit of a batch; mirrored: and those of its mirror image, the backward orbit of another start. */
 static jlt_status count_orbit(cells *self, jlt_section_batch *batch, size_t index, bool backwards, bool mirrored)
 {
     const jlt_separation_options *o = self->options;
@@ -90,7 +90,7 @@ static jlt_status count_orbit(cells *self, jlt_section_batch *batch, size_t inde
     return st;
 }
 
-/* Orbits in one direction of time. */
+/* Follow the orbits of all starts in one direction of time. */
 static jlt_status follow(cells *self, const jlt_flow *flow, const start *starts, size_t count, bool backwards)
 {
     const jlt_separation_options *o = self->options;
@@ -144,7 +144,7 @@ static size_t keep_lonely(start *starts, size_t count)
     return kept;
 }
 
-/* All orbits in both directions of time. */
+/* Follow all orbits in both directions of time. */
 static jlt_status follow_all(cells *self, const jlt_flow *flow, const double *q, size_t count)
 {
     start *starts = malloc((count > 0 ? count : 1) * sizeof *starts);

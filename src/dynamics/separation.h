@@ -10,10 +10,10 @@
 #include "dynamics/section.h"
 
 typedef struct {
-    size_t returns;        /* counted after the settling, of each orbit, at most */
+    size_t returns;        /* counted of each orbit, at most, after those left out */
     size_t alive_forward, alive_backward; /* orbits that had not ended after options->returns: the same in every row */
-    size_t strayed;        /* of the others those that left the branch of a chart that solves for states: their further returns
-                              count nowhere. The same in every row */
+    size_t strayed;        /* orbits that left the branch of a chart that solves for states, and were followed no further: the same
+                              in every row */
     size_t forward, backward, common;     /* cells visited: forwards, backwards, and both ways */
     double overlap;        /* common/(forward + backward - common); 1: the same set, 0: apart; NaN: no cell was visited */
     double mirror_overlap; /* the same of the forward set's mirror image and the backward set: tends to 1 with length */
@@ -26,14 +26,15 @@ typedef struct {
     size_t returns;    /* counted at most */
     const jlt_kernel_batch *kernels; /* of the flow's field, for lanes; NULL: each orbit alone, by the flow's method */
     unsigned threads;  /* 0 and 1: the caller's alone */
-    bool by_mirror;    /* the chart's reversor is proved: where a start and its mirror image are both starts, the orbit of the one
-                          backwards is taken for the mirror image of that of the other forwards, and not followed. Half the cost on
-                          a symmetric grid. Where orbits end at the edge of a domain, or of the model, all are followed */
+    bool by_mirror;    /* the chart's reversor is proved: where a start and its mirror image are both starts, the backward orbit of
+                          one is not followed, but taken to be the mirror image of the forward orbit of the other. Half the cost on
+                          a symmetric grid. Where orbits may end at the edge of a domain, or as a condition of the model breaks, all
+                          are followed */
 } jlt_separation_options;
 
-/** Count the cells visited. Out: a row of `out`, which has room for 48, for each power of two of returns below options->returns,
- *  and one for these; *rows, how many. In: starts, shape (count, 2); a start without a state is skipped, and an orbit that ends is
- *  counted up to its end.
+/** Count the cells visited. Out: out, with room for 48 rows: one for each power of two of returns below options->returns, and one
+ *  for options->returns; *rows, how many. In: starts, shape (count, 2); a start without a state is skipped, and an orbit that ends
+ *  is counted up to its end.
  *  Errors: ARG, a section of other than two coordinates or without reversor, no cells, no returns or more than 2^47;
  *  NO_CONVERGENCE (interrupted); as jlt_section_batch_run. */
 JLT_CHECKED jlt_status jlt_separation_measure(jlt_separation *out, size_t *rows, const jlt_flow *flow,

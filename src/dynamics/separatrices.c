@@ -11,7 +11,7 @@ void jlt_separatrices_clear(jlt_separatrices *self)
         for (int s = 0; s < 2; s++) free(self->crossings[u][s]);
 }
 
-/* The unstable branch whose mirror image stable branch k is: where the saddle lies on the reversor's line. JLT_SEPARATRICES:
+/* Index of the unstable branch whose mirror image is stable branch k, if the saddle is its own mirror image; JLT_SEPARATRICES:
  * none. */
 static int original_of(const jlt_separatrices *self, int k)
 {
@@ -29,7 +29,7 @@ static int original_of(const jlt_separatrices *self, int k)
     return JLT_SEPARATRICES;
 }
 
-/* Make stable branch k the image to the last digit. */
+/* Make stable branch k the exact mirror image of its original. */
 static void reflect_branch(jlt_separatrices *self, int k)
 {
     const jlt_branch *original = &self->branch[self->original[k]];
@@ -40,7 +40,7 @@ static void reflect_branch(jlt_separatrices *self, int k)
     branch->lambda = original->lambda;
 }
 
-/* One branch, on a map of its own. */
+/* Grow one branch, on a map of its own. */
 static jlt_status grow(jlt_manifold *curve, const jlt_branch *branch, const jlt_manifold_options *options)
 {
     jlt_branch own = *branch;
@@ -91,14 +91,14 @@ done:
     return st;
 }
 
-/* Where unstable branch u and stable branch 2 + s cross; from where those cross that they are images of, if that is known. */
+/* Find the crossings of unstable branch u and stable branch 2 + s; by reflection if those of their mirror images are known. */
 static jlt_status cross(jlt_separatrices *self, int u, int s, jlt_map_batch *const maps[2])
 {
     const int unstable_of_s = self->original[2 + s];
     const bool mirrored = unstable_of_s == u;
     jlt_homoclinic **out = &self->crossings[u][s];
 
-    for (int i = 0; unstable_of_s < u && i < 2; i++) { /* of the pair (unstable_of_s, i) */
+    for (int i = 0; unstable_of_s < u && i < 2; i++) { /* the crossings of (unstable_of_s, 2 + i), if that is the image of u */
         if (self->original[2 + i] != u) continue;
         self->count[u][s] = self->count[unstable_of_s][i];
         self->touching[u][s] = self->touching[unstable_of_s][i];
@@ -108,14 +108,13 @@ static jlt_status cross(jlt_separatrices *self, int u, int s, jlt_map_batch *con
                                &self->curve[2 + s], &self->branch[2 + s], mirrored, maps[0], maps[1]);
 }
 
-/* The area along branch k, or one that is its image, at a crossing. */
+/* A crossing on branch k, or on the mirror image of branch k. */
 typedef struct {
     jlt_homoclinic *of;
     bool mirrored;
 } swept;
 
-/* All that are on the branch and on its image, and their points on the branch itself; returns how many. Room is for each crossing
- * twice. */
+/* List the crossings on branch k and on its mirror image, some of them on both, with their points on branch k. Returns how many. */
 static size_t gather(const jlt_separatrices *self, swept *list, double *sigma, double *q, int k)
 {
     size_t n = 0;
@@ -137,12 +136,12 @@ static size_t gather(const jlt_separatrices *self, swept *list, double *sigma, d
     return n;
 }
 
-/* Every branch that is no image is integrated along once. */
+/* Set areas and lobes of all crossings, integrating once along every branch that is no mirror image. */
 static jlt_status measure_lobes(jlt_separatrices *self, jlt_map_batch *maps)
 {
     const size_t room = 2 * (self->count[0][0] + self->count[0][1] + self->count[1][0] + self->count[1][1]) + 1;
     swept *list = calloc(room, sizeof *list);
-    double *sigma = calloc(3 * room, sizeof *sigma); /* and from `room` on two coordinates each */
+    double *sigma = calloc(3 * room, sizeof *sigma); /* (room,), then q, (room, 2) */
     jlt_branch_area *areas = calloc(room, sizeof *areas);
     jlt_status st = list != NULL && sigma != NULL && areas != NULL ? JLT_OK : JLT_ERR_NOMEM;
 
@@ -164,7 +163,8 @@ static jlt_status measure_lobes(jlt_separatrices *self, jlt_map_batch *maps)
     return st;
 }
 
-/* From other branches with polygons of their own: what points, seeds and interpolation err by shows together. */
+/* Add to lobe_error twice the change of each lobe along branches from seeds twice as large, with polygons of their own: it shows
+ * the errors of points, seeds and interpolation together. */
 static jlt_status find_lobe_errors(jlt_separatrices *self, jlt_map_batch *maps, unsigned threads)
 {
     jlt_separatrices other = { .chart = self->chart, .growth = self->growth };

@@ -12,9 +12,9 @@ typedef struct {
     jlt_manifold curve[JLT_SEPARATRICES];
     int original[JLT_SEPARATRICES]; /* the unstable branch that a stable one is the mirror image of; JLT_SEPARATRICES: there is
                                        none */
-    jlt_homoclinic *crossings[2][2]; /* owned: by the side of the unstable branch, of the stable one */
-    jlt_manifold_options growth;     /* what the curves were grown by */
-    size_t count[2][2], touching[2][2]; /* as of jlt_homoclinic_find */
+    jlt_homoclinic *crossings[2][2]; /* owned; indices: sides of the unstable and of the stable branch, 0 for +1 and 1 for -1 */
+    jlt_manifold_options growth;     /* by which the curves are grown */
+    size_t count[2][2], touching[2][2]; /* as by jlt_homoclinic_find */
 } jlt_separatrices;
 
 /** Grow all four, side by side on `threads` threads; a stable branch that is the mirror image of an unstable one is reflected.
@@ -23,9 +23,9 @@ typedef struct {
 JLT_CHECKED jlt_status jlt_separatrices_grow(jlt_separatrices *self, jlt_map *map, const jlt_periodic *saddle, double seed,
                                              const jlt_manifold_options *options, unsigned threads);
 
-/** Find where the grown branches cross, by the batches of jlt_map_batch_create: fills crossings, count and touching. Of crossings
- *  that are mirror images of each other one is refined. For the errors of lobes all branches are grown once more. Errors: those of
- *  jlt_homoclinic_find and jlt_manifold_grow. */
+/** Find where the grown branches cross, and the lobes: fills crossings, count and touching. kernels, threads: as for
+ *  jlt_map_batch_create. Of crossings that are mirror images of each other one is refined. For the errors of lobes all branches are
+ *  grown once more. Errors: those of jlt_homoclinic_find and jlt_manifold_grow. */
 JLT_CHECKED jlt_status jlt_separatrices_cross(jlt_separatrices *self, const jlt_kernel_batch *kernels, unsigned threads);
 void jlt_separatrices_clear(jlt_separatrices *self); /* legal when zeroed */
 

@@ -9,17 +9,17 @@
 /* All zero: empty. */
 typedef struct {
     jlt_fates_count all, low;
-    jlt_fate turned; /* the fate of low ones that turned over */
+    jlt_fate turned; /* the fate of low orbits that turn over */
     size_t empty;    /* points of a grid without a state */
 } jlt_shares;
 
 /** Whether the section's table says which orbits turn over. */
 bool jlt_shares_turn(const jlt_system *system);
 
-/** Count the orbit that started at q, shape (dim,), and ended so. */
+/** Count an orbit that started at q, shape (dim,), by its end. */
 void jlt_shares_add(jlt_shares *sum, const jlt_system *system, const double *q, const jlt_fates_end *end);
 
-/** On how many orbits the model's conditions held throughout. */
+/** The number of orbits on which the model's conditions held throughout. */
 size_t jlt_shares_held(const jlt_shares *sum);
 
 #endif

@@ -21,7 +21,7 @@ void jlt_shooting_clear(jlt_shooting *self); /* legal on a zeroed one */
 /* Forget what was added. */
 void jlt_shooting_reset(jlt_shooting *self);
 
-/** Add return `index` of points (period, d): its image q and DP, time, expansion, determinant and defect as in jlt_image. */
+/** Add return `index` of points (period, d): its image q, DP, and `measured`: T, expansion, determinant and defect of jlt_image. */
 void jlt_shooting_add(jlt_shooting *self, const jlt_chart *chart, const double *points, size_t period, size_t index,
                       const double *q, const double *slope, const double measured[4]);
 

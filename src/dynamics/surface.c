@@ -14,8 +14,8 @@
 typedef struct {
     jlt_system base;
     jlt_surface surface;
-    double values[JLT_CHART_VALUES_MAX]; /* as the surface names them */
-    jlt_chart_section rows;              /* in the table's units, */
+    double values[JLT_CHART_VALUES_MAX]; /* in the surface's order */
+    jlt_chart_section rows;              /* the chart in the table's units, */
     jlt_chart_counted flow;              /* and in the flow's */
 } surface_system;
 
@@ -42,7 +42,7 @@ static jlt_status add(jlt_surface *out, const jlt_quantity *quantity, double val
     return JLT_OK;
 }
 
-/* What gives a parameter of the table; where nothing proved leads there, what seems to. */
+/* Where a parameter of the section's table comes from; without a proved link, as its name suggests. */
 static jlt_source source_of(const jlt_surface *surface, const char *name)
 {
     size_t index;
@@ -51,7 +51,7 @@ static jlt_source source_of(const jlt_surface *surface, const char *name)
     return jlt_descriptor_param(surface->asked, name, &index) ? JLT_SOURCE_OWN : JLT_SOURCE_LEVEL;
 }
 
-/* Parameters of the table that have this source, with the defaults of the asked table or its own. */
+/* Add the table's parameters that have this source, with defaults of the asked table for OWN, else its own. */
 static jlt_status add_params(jlt_surface *out, jlt_source source)
 {
     const jlt_descriptor *table = out->table;
@@ -86,7 +86,7 @@ done:
     return st;
 }
 
-/* Whether the table has such a section that stands for the asked one; *claim: what is not proved of that. */
+/* Whether proved claims lead from the asked table to this section of `table`; if not, *claim is one that is not proved, or NULL. */
 static bool serves(jlt_link *link, const jlt_claim **claim, const jlt_descriptor *asked, const jlt_way_tables *others,
                    const jlt_descriptor *table, const jlt_section_chart *section)
 {
@@ -97,7 +97,7 @@ static bool serves(jlt_link *link, const jlt_claim **claim, const jlt_descriptor
     return true;
 }
 
-/* The asked table itself, those beside it, then those built in, but for what is one of the former. NULL: this number is none. */
+/* Table `number` of the search: the asked one, those beside it, then those built in; NULL where a built-in one has come before. */
 static const jlt_descriptor *candidate(size_t number, const jlt_descriptor *asked, const jlt_way_tables *others)
 {
     const size_t beside = others != NULL ? others->count : 0;
@@ -147,7 +147,7 @@ enum { HALVINGS = 60 };
 
 /* ---- the system ---- */
 
-/* Parameters of the asked table, with its defaults where the surface does not know them. */
+/* Fill in the asked table's parameters, with its defaults where the surface has no value. */
 static void ask(double *out, const jlt_surface *surface, const double *values)
 {
     for (unsigned i = 0; i < surface->asked->param_count; i++) {
@@ -168,7 +168,7 @@ void jlt_surface_arrange(double *out, const jlt_surface *surface, const double *
         if (surface->entries[i] != JLT_SURFACE_COMPUTED) out[surface->entries[i]] = values[i];
 }
 
-/* Of the asked table, where others are computed from them, and of the section's. */
+/* Check the parameters of the section's table, and those of the asked one where others are computed from them. */
 static jlt_status check_params(const jlt_surface *surface, const double *values, const double *arranged)
 {
     double params[JLT_WAY_VALUES_MAX];
@@ -184,7 +184,7 @@ done:
     return st;
 }
 
-/* The chart for the flow: that of the table's units, and over it where the flow counts in others. */
+/* Make the flow's chart, in the flow's units, from the one in the table's. */
 static void set_chart(surface_system *self)
 {
     const jlt_section_chart *section = self->surface.section;
@@ -197,7 +197,7 @@ static void set_chart(surface_system *self)
         rows->per[rows->base.dim + k] = jlt_units_exponent(units, section->levels[k].unit);
     jlt_chart_counted_init(&self->flow, &rows->base, rows->unit, rows->per);
     self->base.flow.chart = self->base.chart_base = &self->flow.base;
-    if (self->surface.asked->family[0]->valid_count == 0) self->base.flow.observed = NULL; /* whatever this table says */
+    if (self->surface.asked->family[0]->valid_count == 0) self->base.flow.observed = NULL; /* whatever the section's table says */
 }
 
 static jlt_status open_system(surface_system *self, const jlt_flow *options)
@@ -239,7 +239,7 @@ jlt_status jlt_surface_system(jlt_system **out, const jlt_surface *surface, cons
         if (!isfinite(values[i])) goto done;
     JLT_TRY(open_system(self, options));
     if (!jlt_surface_crossing_ends_at_poles(&self->base, &self->rows)) {
-        jlt_surface plain = *surface; /* in the model's own time, which stops before them */
+        jlt_surface plain = *surface; /* in the model's own time, in which orbits stop before the poles */
         plain.table = surface->table->family[0];
         plain.section = &plain.table->sections[surface->section - surface->table->sections];
         st = jlt_surface_system(out, &plain, values, options);
@@ -352,7 +352,7 @@ bool jlt_surface_is_low(const jlt_system *system, const double *q)
     return turn < 0;
 }
 
-/* The pole at which what turns is positive. */
+/* The pole at which the expression of `turns` is positive. */
 jlt_fate jlt_surface_turned_at(const jlt_system *system)
 {
     const jlt_chart_section *chart = jlt_surface_chart(system);

@@ -1,9 +1,9 @@
-/** Surfaces of section that tables describe by the record `section`: which one an asked table leads to, what it is made from, and
- *  the system of a flow with that section.
+/** Surfaces of section that tables describe by the record `section`: which one the asked table (that of the user's model) leads to,
+ *  which values it is made from, and the system of a flow with that section.
  *
  *  Where the record stands in another table than the asked one, a chain of proved reductions leads there (kernel/link.h).
- *  Parameters of that table are those of the asked one by their names, or computed from them, as the reductions say; or they are
- *  values of integrals of the asked one: levels, like those that the record names. */
+ *  Parameters of that table have the values of the asked table's parameters of equal names, or are computed from these, as the
+ *  reductions say; or they are values of the asked table's integrals: levels, like those that the record names. */
 #ifndef JLT_DYNAMICS_SURFACE_H
 #define JLT_DYNAMICS_SURFACE_H
 
@@ -12,49 +12,49 @@
 #include "kernel/link.h"
 #include "kernel/way.h"
 
-/* Starts with the default values, by the names of the records: of a regular orbit, of a chaotic one, and near a saddle. */
+/* Starts that a section's table names, for its default values: on a regular orbit, on a chaotic one, and near a saddle. */
 typedef enum { JLT_START_REGULAR, JLT_START_CHAOTIC, JLT_START_SADDLE, JLT_STARTS } jlt_surface_start;
 
-enum { JLT_SURFACE_COMPUTED = ~0u >> 1 }; /* in place of an index: the section's kernels do not take this value, a parameter of the
-                                             asked table; parameters that they take are computed from it */
+enum { JLT_SURFACE_COMPUTED = ~0u >> 1 }; /* in place of an index: the value is a parameter of the asked table that the section's
+                                             kernels do not take, but from which parameters of theirs are computed */
 
-/** Plain data. Its values are the parameters of the table that go by equal names, in the table's order, those of the asked table
- *  from which others are computed, then the levels. */
+/** Plain data. Its values are, in this order: parameters of the section's table that the asked table has by the same names, in the
+ *  former's order; parameters of the asked table from which others are computed; levels. */
 typedef struct jlt_surface {
-    const jlt_descriptor *asked;      /* the general field from which it was found */
+    const jlt_descriptor *asked;      /* the asked table's field from which it was found */
     const jlt_descriptor *table;      /* the section's: its general field, in the time that lifts most roots */
     const jlt_section_chart *section;
     jlt_link link;                    /* from the asked table to the section's */
-    unsigned count, params;           /* of values: the parameters stand first, levels after them */
+    unsigned count, params;           /* of values; how many are parameters, which come first; levels follow */
     const char *names[JLT_CHART_VALUES_MAX];   /* (count,) */
     double defaults[JLT_CHART_VALUES_MAX];     /* (count,); NaN where the tables have none */
     unsigned entries[JLT_CHART_VALUES_MAX];    /* (count,): the index of each in the argument `values` of the section's kernels, or
                                                   JLT_SURFACE_COMPUTED */
 } jlt_surface;
 
-/** Find the section called `name`, NULL for the first, that the table says or is linked to by proof; others: tables beside those
- *  that are built in, NULL for none. *broken: where there is none but a claim would lead to it that is not proved, or whose
- *  parameters and levels cannot be followed, that claim, and *out the section all the same; else NULL.
- *  Errors: UNSUPPORTED, none, or one with more values than there is room for. */
+/** Find the section called `name`, or the first if that is NULL, in the asked table or one that proved claims link to it; others:
+ *  tables beside those that are built in, NULL for none. *broken: NULL if it is found; else, if a claim would lead to a section
+ *  but is not proved, or its parameters and levels cannot be followed, that claim, and *out is the section all the same.
+ *  Errors: UNSUPPORTED, no section, or one with more values than there is room for. */
 JLT_CHECKED jlt_status jlt_surface_find(jlt_surface *out, const jlt_claim **broken, const jlt_descriptor *asked,
                                         const jlt_way_tables *others, const char *name);
 
 /** The index of a value; surface->count where there is none of this name. */
 unsigned jlt_surface_value(const jlt_surface *surface, const char *name);
 
-/** Values, shape (count,), as the section's kernels take them: out, shape (JLT_CHART_VALUES_MAX,), the table's parameters, then the
- *  levels of the record. */
+/** Arrange values, shape (count,), as the section's kernels take them. Out: out, shape (JLT_CHART_VALUES_MAX,), the table's
+ *  parameters, then the levels of the record. */
 void jlt_surface_arrange(double *out, const jlt_surface *surface, const double *values);
 
-/** Make the system of the most special kernel that serves; where coordinates are numbers, in units of the problem. Out: *out, NULL
- *  on failure; destroy with jlt_system_destroy. In: surface; values, shape (count,), both copied; options, of which chart, field
- *  and rhs_jacobian are not read; NULL: all defaults (upward crossings).
+/** Make the system with the most special kernel that holds for the values; where no coordinate has a unit, its flow counts in units
+ *  of the problem. Out: *out, NULL on failure; destroy with jlt_system_destroy. In: surface; values, shape (count,), both copied;
+ *  options, of which chart, field and rhs_jacobian are not read; NULL: all defaults (upward crossings).
  *  Errors: DOMAIN, NONFINITE, a value; EMPTY, no state of the section has these levels; ARG, its points are not crossed in the
  *  direction of options; UNSUPPORTED, no Jacobian; NOMEM; as jlt_chart_section_init. */
 JLT_CHECKED jlt_status jlt_surface_system(jlt_system **out, const jlt_surface *surface, const double *values,
                                           const jlt_flow *options);
 
-/** Let the flow count in these units. Maps and sections made from it before are void. Errors: as jlt_instance_create. */
+/** Let the flow count in these units. Maps and sections made from it before become invalid. Errors: as jlt_instance_create. */
 JLT_CHECKED jlt_status jlt_surface_count_in(jlt_system *system, const jlt_units *units);
 
 /** A family of systems in one of the values: jlt_surface_at is the `make` of a jlt_system_family, with this as its context. */
@@ -74,12 +74,11 @@ JLT_CHECKED jlt_status jlt_surface_at(void *surface_family, jlt_system **out, do
 /** The chart, in the table's units, of a system that jlt_surface_system made; its flow.chart is in the flow's units. */
 const jlt_chart_section *jlt_surface_chart(const jlt_system *system);
 
-/** The values of one coordinate for which the section has a point, whatever the others are: an interval with ends refined by
- *  bisection, the widest one where there are several. False: the coordinate is an angle, or not bounded; or there are none. */
+/** As jlt_section_points_interval, for the section of a system. */
 bool jlt_surface_interval(const jlt_system *system, unsigned coordinate, double *low, double *high);
 
-/** What is shown beside the coordinates, and at the end of an orbit: shape (section->beside_count,), (section->ending_count,), at a
- *  state of a row; NaN where a value is not finite. */
+/** Compute what is shown beside the coordinates, shape (section->beside_count,), and at the end of an orbit, shape
+ *  (section->ending_count,), at a row's state x; NaN where a value is not finite. */
 void jlt_surface_beside(double *out, const jlt_system *system, const double *x);
 void jlt_surface_ending(double *out, const jlt_system *system, const double *x);
 
@@ -92,7 +91,7 @@ void jlt_surface_off_section(double *q, const jlt_system *system, const double *
 bool jlt_surface_is_low(const jlt_system *system, const double *q);
 jlt_fate jlt_surface_turned_at(const jlt_system *system);
 
-/** The level nearest to values[params] at which the section has states: into *level. False: none was found. */
+/** Set *level to the value of the first level nearest to values[params] at which the section has states. Returns false if none. */
 bool jlt_surface_nearest_level(const jlt_surface *surface, const double *values, double *level);
 
 #endif

@@ -93,7 +93,7 @@ bool jlt_surface_crossing_ends_at_poles(const jlt_system *self, const jlt_chart_
         jlt_chart_section_probe(section, q, i, ANGLES);
         if (chart->lift(chart, x, NULL, q) != JLT_OK) continue;
         for (unsigned k = 0; k < section->plain; k++)
-            if (x[k] == 0) x[k] = 1; /* any state will do */
+            if (x[k] == 0) x[k] = 1; /* any state will do, but the rate may vanish where one is 0 */
         /* Poles lie where the table says, in its units. */
         for (unsigned k = 0; k < chart->states; k++) x[k] = ldexp(x[k], self->flow.units.state[k]);
         (void)chart->side(chart, x);

@@ -8,13 +8,13 @@
 /** Whether a coordinate has a unit. */
 bool jlt_surface_units_named(const jlt_section_chart *section);
 
-/** Where none has: units in which the first positive mass and length are in [1, 2), lengths of states no smaller than 1/64, and
- *  half the square of the largest rate in [1, 4), at points of the section. */
+/** Where no coordinate has one: units in which the first positive mass and length are in [1, 2), lengths of states no smaller than
+ *  1/64, and half the square of the largest rate in [1, 4), at points of the section. */
 jlt_units jlt_surface_units_of(const jlt_chart_section *chart);
 
-/** Where one has: units of the problem at points of the section, shape (count, dim), or, where there are none, all over its
- *  coordinates' intervals. False: none of them is a point; the table's units are no dimensions of its terms; or no coordinate has
- *  a unit, and jlt_surface_system has taken units already. */
+/** Where a coordinate has one: units of the problem at points of the section, shape (count, dim), or, for count 0, all over its
+ *  coordinates' intervals. Returns false if none of the points is on the section; if the table's units are no dimensions of its
+ *  terms; or if no coordinate has a unit: jlt_surface_system has then chosen units already. */
 bool jlt_surface_units_at(jlt_units *out, const jlt_chart_section *chart, const double *points, size_t count);
 
 #endif

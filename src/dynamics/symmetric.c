@@ -11,7 +11,7 @@ typedef struct {
     jlt_section *both;  /* the flow's section, crossed in both directions */
     const jlt_symmetric_line *line;
     unsigned mirrored;
-    unsigned char held[JLT_CHART_DIM_MAX]; /* on the line; the mirrored coordinate alone if there are two */
+    unsigned char held[JLT_CHART_DIM_MAX]; /* coordinates that Newton keeps: fixed on the line, mirrored only if dim is 2 */
 } search;
 
 /* h_1 .. h_count along the orbit from u; NaN after its end. */
@@ -38,7 +38,7 @@ static jlt_status halves(const search *self, double *h, double u, size_t count)
     return st;
 }
 
-/* Zero of h_j between a and b by the Illinois method, bisecting where that is slow. *found is false at a jump. */
+/* Find the zero of h_j between a and b by the Illinois method, bisecting where that is slow. *found is false at a jump. */
 static jlt_status bisect(const search *self, double *root, bool *found, double *work, double a, double ha, double b,
                          double hb, size_t j)
 {
@@ -102,7 +102,7 @@ static jlt_status deliver(const search *self, double u, size_t period, jlt_symme
     }
     st = jlt_periodic_find(self->map, &orbit, q, period, held);
     if (st != JLT_OK) return st == JLT_ERR_NOMEM ? st : JLT_OK;
-    if (!orbit.symmetric && orbit.type != JLT_ORBIT_DEGENERATE) return JLT_OK; /* Newton's method went to another one */
+    if (!orbit.symmetric && orbit.type != JLT_ORBIT_DEGENERATE) return JLT_OK; /* Newton's method went to another orbit */
     for (k = 0; k < orbit.period; k++) {
         double distance;
         jlt_chart_mirror(chart, mirror, orbit.points + k * d);

@@ -3,8 +3,8 @@
  *  The reversor S of the flow leaves the states alone whose mirrored coordinates vanish. An orbit that meets this set twice is
  *  periodic and its own mirror image, and every symmetric periodic orbit meets it in exactly two points, half a period
  *  apart. So an orbit is started on the set, at the free coordinate u of a line, and followed over j crossings of the
- *  section in both directions: where the mirrored coordinate h_j(u) (the sine of it, for an angle) changes sign through
- *  zero, there is a symmetric orbit of 2j crossings.
+ *  section in either direction: where the mirrored coordinate h_j(u) (its sine, for an angle) changes sign through zero, there is
+ *  a symmetric orbit of 2j crossings.
  *  Source: R. DeVogelaere (1958); J. Lamb, J. Roberts, Physica D 112 (1998). */
 #ifndef JLT_DYNAMICS_SYMMETRIC_H
 #define JLT_DYNAMICS_SYMMETRIC_H
@@ -14,7 +14,7 @@
 typedef struct {
     double base[JLT_CHART_DIM_MAX]; /* a point of the line; its mirrored coordinate must be 0, or half a period of an angle, which
                                        is not checked */
-    unsigned free;                  /* the coordinate that runs */
+    unsigned free;                  /* the coordinate that varies along the line */
     double low, high;
     size_t samples;                 /* >= 2, evenly spread over [low, high] */
 } jlt_symmetric_line;

@@ -52,7 +52,7 @@ const jlt_descriptor *jlt_system_regular(const jlt_descriptor *descriptor)
 /* The base comes first, so that jlt_system_destroy frees it all. */
 typedef struct {
     jlt_system base;
-    jlt_field told; /* in the table's units, in which coordinates are */
+    jlt_field told; /* the field in the table's units, as the chart's coordinates */
     jlt_conserved conserved, told_conserved; /* with lifted roots */
     jlt_chart_counted counted; /* the flow's chart, where it counts in other units */
 } plane_system;
@@ -76,7 +76,7 @@ jlt_status jlt_system_invariants(jlt_invariants *out, jlt_system *self)
     return JLT_OK;
 }
 
-/* The flow's chart: that of the table's units, or over it. */
+/* Set the flow's chart: the one in the table's units, or where the flow counts in others, one over it. */
 static void set_chart(jlt_system *self)
 {
     plane_system *plane = plane_of(self);
@@ -93,7 +93,7 @@ static void set_chart(jlt_system *self)
     self->flow.chart = self->chart_base;
 }
 
-/* The plane of all states becomes one of those before lifted roots. */
+/* Turn the chart of a plane of all states into one whose coordinates leave out the lifted roots. */
 static jlt_status add_roots(jlt_system *self)
 {
     const jlt_instance *told = self->told;
@@ -142,7 +142,7 @@ done:
 
 enum { POINTS = 5, PARTS = 16 };
 
-/* The field at x, in the table's units; false: it is not finite. */
+/* Compute the field at x, in the table's units. Returns false if it is not finite. */
 static bool field_at(const jlt_system *self, const double *x, double *f)
 {
     bool finite = true;
@@ -152,11 +152,11 @@ static bool field_at(const jlt_system *self, const double *x, double *f)
     return finite;
 }
 
-/* Whether the field is the same a period on, to rounding, in every component. */
+/* Whether the field at x repeats after a period of the state, to rounding, in every component. */
 static bool is_period(const jlt_system *self, double *x, unsigned state, double period)
 {
-    static const double same = 1e-9;      /* of what changes on the way: rounding of a period, times slopes of the field */
-    static const double rounding = 1e-13; /* of a component, whose terms may be larger */
+    static const double same = 1e-9;      /* relative to the change over a period: rounding of the period, times slopes */
+    static const double rounding = 1e-13; /* relative to a component, whose terms may be larger */
     const unsigned n = self->field.dim;
     const double at = x[state];
     double f[JLT_CHART_STATES_MAX], there[JLT_CHART_STATES_MAX], changes[JLT_CHART_STATES_MAX] = { 0 };
@@ -175,7 +175,7 @@ static bool is_period(const jlt_system *self, double *x, unsigned state, double 
     return repeats;
 }
 
-/* Points without any meaning, within the states' bounds. */
+/* Test point k: arbitrary, within the states' bounds. */
 static void point_number(const jlt_system *self, double *x, int k)
 {
     const jlt_quantity *quantities = self->instance->descriptor->states;
@@ -210,8 +210,7 @@ jlt_status jlt_system_angles(jlt_system *self, const double *periods, unsigned *
     return JLT_OK;
 }
 
-/* Whether the reversor of a plane section keeps these integrals, to rounding, at every point: one that it changes leads to another
- * level. */
+/* Whether the reversor of a plane section keeps these integrals at all test points, to rounding, and so leads to the same level. */
 static bool keeps_levels(const jlt_system *self, const jlt_chart *plane, const jlt_invariants *integrals, const jlt_level *levels,
                          unsigned count)
 {
@@ -244,7 +243,7 @@ jlt_status jlt_system_levels(jlt_system *self, const jlt_level *levels, unsigned
     jlt_invariants integrals;
     jlt_status st = JLT_OK;
 
-    plane.dim += plane.roots; /* as before they were added */
+    plane.dim += plane.roots; /* as before add_roots */
     JLT_TRY(invariants_of(&integrals, &plane_of(self)->told_conserved, told));
     JLT_TRY(jlt_chart_level_init(&self->chart.level, &plane, &integrals, levels, count, told->descriptor, told->params));
     if (plane.reversible) self->chart.level.base.reversible &= keeps_levels(self, &plane, &integrals, levels, count);
@@ -253,7 +252,7 @@ done:
     return st;
 }
 
-/* Whether the table's units may be changed for others: they are the dimensions of its terms, and angles are numbers. */
+/* Whether the flow may count in other units: the table's are the dimensions of its terms, and angles have none. */
 static bool scales(const jlt_system *self)
 {
     static const jlt_units each = { 1, 1 << 8, 1 << 16 };

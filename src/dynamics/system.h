@@ -7,18 +7,18 @@
 #include "kernel/instance.h"
 
 typedef struct {
-    jlt_instance *instance; /* its prepared values in the flow's units */
-    jlt_instance *told;     /* in the table's: the same where the flow counts in these */
+    jlt_instance *instance; /* in the flow's units */
+    jlt_instance *told;     /* in the table's units: the same object where the flow counts in these */
     jlt_observed *observed;
     jlt_units units;
     const struct jlt_surface *surface; /* of a section that tables describe (dynamics/surface.h); NULL: a plane */
-    const double *values;              /* what that one is made from, shape (surface->count,) */
+    const double *values;              /* of the surface, shape (surface->count,) */
     union {
         jlt_chart plane;
         jlt_chart_level level;
     } chart;
     jlt_field field;
-    jlt_chart *chart_base; /* flow.chart: what dynamics/scale.h sets is in it; may be another chart over `chart` */
+    jlt_chart *chart_base; /* flow.chart, which dynamics/scale.h changes: `chart`, or one over it in the flow's units */
     jlt_flow flow; /* points into this object */
 } jlt_system;
 
@@ -28,8 +28,8 @@ typedef struct {
 JLT_CHECKED jlt_status jlt_system_bind(jlt_system *self, const jlt_descriptor *descriptor, const double *params,
                                        const jlt_units *units, const jlt_flow *options);
 
-/** The kernel on which orbits of `descriptor`, of a general field or a variant, are followed to plane sections: in the time
- *  that lifts the root of its poles, where every pole is proved, so that orbits end there; otherwise `descriptor` itself. */
+/** The kernel by which orbits of `descriptor`, a general field or a variant, are followed to plane sections: if every pole is
+ *  proved, that of the time that lifts the root of the poles, so that orbits end there; otherwise `descriptor` itself. */
 const jlt_descriptor *jlt_system_regular(const jlt_descriptor *descriptor);
 
 /** The section x[column] = level of any kernel. In a time that lifts roots these are not among the coordinates. Out: *out, NULL
@@ -41,8 +41,8 @@ JLT_CHECKED jlt_status jlt_system_plane(jlt_system **out, const jlt_descriptor *
                                         unsigned column, double level, const int *signs, const jlt_flow *options);
 
 /** Declare states of a plane section to be angles: periods, shape (states,), 0 for a state that is none. Call it before
- *  jlt_system_levels. Errors: DOMAIN, a period that the table does not prove, and the field is not the same a period further on at
- *  one of five points; *state is then the index of that state. */
+ *  jlt_system_levels. Errors: DOMAIN, a period that the table does not prove and that the field does not have at one of five test
+ *  points; *state is then the index of that state. */
 JLT_CHECKED jlt_status jlt_system_angles(jlt_system *self, const double *periods, unsigned *state);
 
 /** Restrict a plane section to levels (count,) of its table's integrals; on failure it stays as it was. Errors: ARG, as
@@ -51,21 +51,22 @@ JLT_CHECKED jlt_status jlt_system_levels(jlt_system *self, const jlt_level *leve
 
 /** Let the flow of a plane section, whose angles and levels are set, count in units of the problem (jlt_instance_units) where
  *  states are of these sizes, shape (states of the general field,). It stays as it is where the table's units are no dimensions of
- *  its terms, or an angle has a unit. Maps and sections made from the flow before are void. Errors: as jlt_instance_create. */
+ *  its terms, or an angle has a unit. Maps and sections made from the flow before become invalid. Errors: as
+ *  jlt_instance_create. */
 JLT_CHECKED jlt_status jlt_system_count(jlt_system *self, const double *sizes);
 
 /** Let the flow count in these units; its chart is left to the caller. Errors: as jlt_instance_create. */
 JLT_CHECKED jlt_status jlt_system_count_in(jlt_system *self, const jlt_units *units);
 
-/** What the system's field keeps: integrals, in the flow's units; on a plane section also the relations of lifted roots. *out
- *  points into the system. Errors: UNSUPPORTED, more than JLT_INVARIANTS_MAX with relations. */
+/** Set *out to what the system's field conserves: integrals, in the flow's units; on a plane section also the relations of lifted
+ *  roots. *out points into the system. Errors: UNSUPPORTED, more than JLT_INVARIANTS_MAX with relations. */
 JLT_CHECKED jlt_status jlt_system_invariants(jlt_invariants *out, jlt_system *self);
 void jlt_system_destroy(jlt_system *self); /* NULL is legal */
 
 /** A family of systems in one value, with the system and the map of the value that was asked for last. Set `system` and `map`
  *  to NULL before use. */
 typedef struct {
-    jlt_status (*make)(void *context, jlt_system **out, double value); /* destroyed by the family */
+    jlt_status (*make)(void *context, jlt_system **out, double value); /* the family destroys *out */
     void *context;
     double value;
     jlt_system *system;

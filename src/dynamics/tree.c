@@ -6,11 +6,11 @@
 #include "core/memory.h"
 #include "dynamics/continuation_step.h"
 
-/* A bifurcation listed, and whether the branches that begin there are. */
+/* A bifurcation. */
 typedef struct {
     jlt_continuation_point point;
     size_t branch, generation; /* on which it lies */
-    bool followed;
+    bool followed; /* the branch that begins there has come up as the end of another */
 } node;
 
 typedef struct {
@@ -21,7 +21,7 @@ typedef struct {
     node *nodes; /* in order */
     size_t count;
     size_t branch, generation; /* under way */
-    jlt_tree_end end;          /* of that */
+    jlt_tree_end end;          /* of that branch */
 } tree;
 
 static jlt_status keep_node(tree *self, const jlt_continuation_point *point)
@@ -34,14 +34,14 @@ static jlt_status keep_node(tree *self, const jlt_continuation_point *point)
     return JLT_OK;
 }
 
-/* Two rows of one bifurcation: located well enough to compare, by whichever points of the orbit. */
+/* Whether two points are the same bifurcation, whichever point of the orbit each begins with. */
 static bool same_bifurcation(const tree *self, const jlt_continuation_point *a, const jlt_continuation_point *b)
 {
     return a->kind == b->kind && fabs(a->value - b->value) < 1e-7 * fmax(self->options->scale, fabs(a->value)) &&
            jlt_periodic_same(self->chart, &a->orbit, &b->orbit, 1e-5);
 }
 
-/* A branch that comes to a period doubling of another ends there: it is the one that begins there. */
+/* A branch that ends at a period doubling of another branch is the one that begins there: mark that doubling as followed. */
 static void mark_followed(tree *self, const jlt_continuation_point *end)
 {
     for (size_t i = 0; i < self->count; i++) {
@@ -67,7 +67,7 @@ static jlt_status take(void *context, const jlt_continuation_point *point)
     return st != JLT_OK || point->kind == JLT_BIFURCATION_NONE ? st : keep_node(self, point);
 }
 
-/* One branch, from its first point to its end. */
+/* Follow one branch from its first point to its end. */
 static jlt_status run_branch(tree *self, const jlt_continuation_point *first, int direction,
                              const jlt_continuation_point *origin)
 {
@@ -82,7 +82,7 @@ static jlt_status run_branch(tree *self, const jlt_continuation_point *first, in
     return JLT_OK;
 }
 
-/* Is there another branch, and is it short enough? */
+/* Whether another branch begins at the bifurcation. */
 static bool begins(const node *l)
 {
     return l->point.kind == JLT_BIFURCATION_BRANCH || l->point.kind == JLT_BIFURCATION_DOUBLING;
@@ -93,8 +93,8 @@ static bool too_long(const node *l)
     return l->point.kind == JLT_BIFURCATION_DOUBLING && 2 * l->point.orbit.period > JLT_PERIODIC_MAX;
 }
 
-/* Branches that begin at a bifurcation: both sides of a branch point, and of a period doubling one, as the other is the same
- * orbit one return later. */
+/* Follow the branches that begin at a bifurcation: both sides of a branch point, and one side of a period doubling, since the other
+ * has the same orbits, begun half a period later. */
 static jlt_status follow_branches(tree *self, size_t from)
 {
     const jlt_continuation_point origin = self->nodes[from].point;

@@ -1,4 +1,4 @@
-/** The tree of periodic orbits as a value runs: a branch, the branches that begin at its bifurcations, and so on. */
+/** The tree of periodic orbits as a parameter or level varies: a branch, the branches that begin at its bifurcations, and so on. */
 #ifndef JLT_DYNAMICS_TREE_H
 #define JLT_DYNAMICS_TREE_H
 
@@ -9,7 +9,7 @@ typedef struct {
     bool found;
     size_t branch;
     const jlt_continuation_point *origin; /* the bifurcation at which it begins; NULL: the first branch */
-    int side;                             /* of it, where none was found */
+    int side;                             /* of the origin, where no branch was found */
     bool is_known;                        /* the branch reached a bifurcation of branch `known` and coincides with it from there */
     size_t known;
     jlt_status status;                    /* valid when !is_known */
@@ -18,8 +18,8 @@ typedef struct {
 
 /* Functions of the caller that are called as the tree grows. */
 typedef struct {
-    jlt_status (*point)(void *context, size_t branch, const jlt_continuation_point *point); /* NOMEM and IO, and on the first branch
-                                                              any error, end all; on others another error ends the branch */
+    jlt_status (*point)(void *context, size_t branch, const jlt_continuation_point *point); /* if it returns NOMEM or IO, or any
+                                                              error on the first branch, all ends; on others the branch ends */
     void (*end)(void *context, const jlt_tree_end *end);
     void *context;
 } jlt_tree_sink;

@@ -51,7 +51,7 @@ static void time_rate(const double *restrict x, const double *restrict p, double
     self->plain->time_rate(x, self->plain->p, out);
 }
 
-/* Rows are as long as there are nodes in a step. */
+/* A row has one value for each Gauss node of a step. */
 static void call_on_lanes(const double *restrict x, const double *restrict p, double *restrict out, size_t stride)
 {
     const jlt_varied *self = (const jlt_varied *)(const void *)p;

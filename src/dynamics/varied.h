@@ -18,14 +18,14 @@ typedef struct {
     double scale[JLT_VARIED_DIM_MAX]; /* scale of `field`: that of the plain field for its states, 1 for all else */
 } jlt_varied;
 
-/** Make the field in place, for jlt_varied_clear: it points into *self, which must stay where it is, as must `plain`. On vectors it
- *  goes where the plain field has kernels for that and at most JLT_BATCH_STATES_MAX states. Errors: UNSUPPORTED, no Jacobian is
- *  known; NOMEM. */
+/** Make the field in place, for jlt_varied_clear: it points into *self, which must stay where it is, as must `plain`. It has a
+ *  `batch` where the plain field has kernels on vectors and at most JLT_BATCH_STATES_MAX states. Errors: UNSUPPORTED, no Jacobian
+ *  is known; NOMEM. */
 JLT_CHECKED jlt_status jlt_varied_make(jlt_varied *self, const jlt_field *plain, jlt_kernel_function rhs_jacobian,
                                        unsigned tangents);
 void jlt_varied_clear(jlt_varied *self); /* legal on a zeroed one */
 
-/** Field and Jacobian of the plain field: (n,) and (n, n). */
+/** Compute the plain field, then its Jacobian, at x: both, shape (n + n*n,). */
 void jlt_varied_linear(const jlt_varied *self, const double *x, double *both);
 
 #endif

@@ -6,8 +6,8 @@
 
 typedef struct jlt_varied_batch {
     unsigned lanes;
-    /* Of one vector, all rows `stride` apart. x: n states, then the tangent vectors; both: the field (n,), then its Jacobian (n,
-     * n). out: the field, the Jacobian times each tangent vector, and its trace. */
+    /* Compute the products for one vector of lanes; all rows are `stride` apart. x: n states, then the tangent vectors; both: the
+     * field (n,), then its Jacobian (n, n). out: the field, the Jacobian times each tangent vector, and its trace. */
     void (*product)(const double *x, const double *both, double *out, size_t stride, unsigned n, unsigned tangents);
 } jlt_varied_batch;
 

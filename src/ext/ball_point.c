@@ -11,7 +11,7 @@
 
 enum { SIZE = JLT_BALL_SIZE_MAX, FARTHEST = 100, THINNINGS = 3 };
 
-/* `rank` equations in as many states: the first of each order. */
+/* The equations rows[0 .. rank - 1] of the field, to be solved for the states columns[0 .. rank - 1]. */
 typedef struct {
     const jlt_ball_table *table;
     const jlt_ball_question *question;
@@ -67,9 +67,9 @@ static jlt_ball_point vanishes(const system_of *s, arb_srcptr x)
     return exactly ? JLT_BALL_POINT_PROVED : zero ? JLT_BALL_POINT_NEAR : JLT_BALL_POINT_NONE;
 }
 
-/* Equations and states in the order of complete pivoting on the Jacobian in units of what is within reach; returns how many
- * pivots there are. States with a fraction stay out of it where they are held. Doubles suffice: the order is a guess that the
- * field's vanishing confirms. */
+/* Order equations and states by complete pivoting on the Jacobian, with the derivative by state j scaled by reach[j]; returns the
+ * number of nonzero pivots. If `hold`, states with a fraction get no pivot. Doubles suffice: the order is a guess that is
+ * confirmed when the whole field vanishes. */
 static unsigned order(system_of *s, arb_srcptr x, bool hold)
 {
     const unsigned n = s->n;
@@ -106,7 +106,7 @@ static unsigned order(system_of *s, arb_srcptr x, bool hold)
     return rank;
 }
 
-/* The system's equations at x, shape (rank, 1), and their derivatives in its states, shape (rank, rank). */
+/* Evaluate the system's equations at x, f, shape (rank, 1), and their derivatives by its states, slopes, shape (rank, rank). */
 static void evaluate(arb_mat_t f, arb_mat_t slopes, const system_of *s, arb_srcptr x)
 {
     const unsigned n = s->n;
@@ -122,7 +122,7 @@ static void evaluate(arb_mat_t f, arb_mat_t slopes, const system_of *s, arb_srcp
     _arb_vec_clear(all, n);
 }
 
-/* One Newton step, in place; step, shape (rank, 1), is what was taken off. */
+/* One Newton step in place: x -= step, shape (rank, 1). Returns false if the Jacobian is not invertible. */
 static bool advance(arb_ptr x, arb_mat_t step, const system_of *s)
 {
     arb_mat_t f, slopes;
@@ -159,7 +159,7 @@ static bool near(const system_of *s, arb_srcptr x, arb_srcptr start)
     return good;
 }
 
-/* The largest of the system's states, as numbers: what rounding leaves of one that is 0 is of the others' size. */
+/* The largest modulus of the system's states. A state whose exact value is 0 has rounding errors of the size of the others. */
 static void size_of(mag_t size, arb_srcptr x, const system_of *s)
 {
     mag_t one;
@@ -173,7 +173,7 @@ static void size_of(mag_t size, arb_srcptr x, const system_of *s)
     mag_clear(one);
 }
 
-/* Newton's method from x, whose digits double a step; then x with its errors. */
+/* Newton's method from x, doubling the digits each step; then widen x by error estimates: twice the last step, and roundoff. */
 static bool refine(arb_ptr x, const system_of *s)
 {
     arb_mat_t step;
@@ -200,8 +200,8 @@ static bool refine(arb_ptr x, const system_of *s)
     return good;
 }
 
-/* K(X) = c - Y F(c) + (1 - Y F'(X))(X - c) with c the middle of X and Y near the inverse of F'(c): in place of X where it lies in
- * the interior of X. */
+/* Krawczyk's operator K(X) = c - Y F(c) + (1 - Y F'(X))(X - c), with c the midpoint of X and Y an approximate inverse of F'(c). If
+ * K(X) lies in the interior of X, so that both contain a solution, replace X by K(X) and return true. */
 static bool contract(arb_ptr x, const system_of *s)
 {
     const slong rank = s->rank;
@@ -247,7 +247,7 @@ static bool contract(arb_ptr x, const system_of *s)
     return inside;
 }
 
-/* Krawczyk's test in a ball of half the digits, which then gets as thin as it can. */
+/* Apply Krawczyk's test to a ball with a relative radius of half the precision; if it succeeds, contract the ball further. */
 static bool contains_solution(arb_ptr x, const system_of *s)
 {
     arb_ptr wide = _arb_vec_init(s->n);
@@ -267,7 +267,7 @@ static bool contains_solution(arb_ptr x, const system_of *s)
     return proved;
 }
 
-/* Equations that are not in the system, nor hold as they stand, nor by a reversor: their places to `left`; returns how many. */
+/* List the equations outside the system that neither hold identically nor follow from a reversor; returns their number. */
 static unsigned leftover(unsigned *left, const system_of *s, arb_srcptr x)
 {
     arb_ptr f = _arb_vec_init(s->n);
@@ -286,7 +286,7 @@ static unsigned leftover(unsigned *left, const system_of *s, arb_srcptr x)
     return count;
 }
 
-/* Where the system's equations hold, all of them do. */
+/* Whether all other equations hold wherever those of the system do. */
 static bool others_follow(const system_of *s, arb_srcptr x)
 {
     const jlt_ball_question *q = s->question;
@@ -322,8 +322,8 @@ static bool others_follow(const system_of *s, arb_srcptr x)
     return independent;
 }
 
-/* Newton's method with one equation, with two, and so on, until the field vanishes, and is known to: x where that is better than
- * what is found. */
+/* Newton's method with 1, 2, ... equations until an equilibrium is proved. Returns the better of `found` and the best result here;
+ * sets x only if the latter is better. */
 static jlt_ball_point search(arb_ptr x, jlt_ball_point found, system_of *s, arb_srcptr start, bool hold)
 {
     const unsigned most = order(s, start, hold);

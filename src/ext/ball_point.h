@@ -1,4 +1,4 @@
-/** Inside the ball arithmetic of equilibria: the point itself. */
+/** Finds an equilibrium in ball arithmetic, near given states, and proves that it exists. */
 #ifndef JLT_EXT_BALL_POINT_H
 #define JLT_EXT_BALL_POINT_H
 
@@ -8,29 +8,30 @@
 #include <stdbool.h>
 
 typedef enum {
-    JLT_BALL_POINT_NONE,  /* there is none, or this precision does not show it */
-    JLT_BALL_POINT_NEAR,  /* every component of the field may vanish in the balls; they are right to first order */
-    JLT_BALL_POINT_PROVED /* the balls hold an equilibrium */
+    JLT_BALL_POINT_NONE,  /* there is none within reach, or this precision does not show it */
+    JLT_BALL_POINT_NEAR,  /* every component of the field contains zero; the balls are error estimates of first order, not proved */
+    JLT_BALL_POINT_PROVED /* the balls contain an equilibrium */
 } jlt_ball_point;
 
-/* The value, exact but for the rounding to `precision` bits; false when its fraction is none. */
+/* Set out to the value: exact, except that a fraction is rounded to `precision` bits. Returns false if its fraction is malformed,
+ * or its double is not finite. */
 bool jlt_ball_point_set(arb_t out, const jlt_ball_value *value, slong precision);
 
-/* Whether a reversor leaves this point where it is: x, shape (states,), is exactly zero where signs are -1. */
+/* Whether a reversor fixes this point: x, shape (states,), is exactly zero where signs are -1. */
 bool jlt_ball_point_fixed(arb_srcptr x, const signed char *signs, size_t states);
 
-/** The equilibrium at the states given, or else one within 100 times the question's reach of them, by Newton's method with
- *  as few equations as make every component of the field vanish; states with nothing within reach keep their values, and if that
- *  can be so those that have a fraction.
- *  Krawczyk's test proves that these equations have a solution in the balls. The others hold with them where they hold at all
- *  points of the balls, where a reversor leaves the point where it is, in the components that it leaves, and where integrals I
- *  have grad I . f = 0 with enough independent gradients; then it is an equilibrium.
- *  Out: x, shape (n,), untouched where there is none. In: params, shape (params,).
+/** Find the equilibrium at the given states, or else one within 100 times the question's reach of them. Newton's method solves the
+ *  smallest number of equations, in as many states, that makes every component of the field contain zero; a state with reach 0
+ *  keeps its value, and so does one with a fraction, if an equilibrium is proved that way.
+ *  Krawczyk's test proves that these equations have a solution in the balls. Each other equation follows if it holds identically
+ *  in the balls; if a reversor fixes the point and does not flip that component; or from integrals I, since grad I . f = 0, if
+ *  enough of their gradients are independent. If all follow, the point is proved to be an equilibrium.
+ *  Out: x, shape (n,), untouched if NONE is returned. In: params, shape (params,).
  *  Source: R. Krawczyk, Computing 4 (1969) 187-201. */
 jlt_ball_point jlt_ball_point_find(arb_ptr x, const jlt_ball_table *table, arb_srcptr params, const jlt_ball_question *question,
                                    slong precision);
 
-/* Which row of the table's integrals bears this name; -1 for none. */
+/* The row of the table's integral_gradients that belongs to the integral of this name; -1 if there is none. */
 slong jlt_ball_point_integral(const jlt_ball_table *table, const char *name);
 
 #endif

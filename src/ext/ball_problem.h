@@ -1,4 +1,4 @@
-/** Inside the ball arithmetic of equilibria: the linearization at one precision. */
+/** Ball arithmetic of equilibria: the linearization at one precision, shared by the files ball_*.c. */
 #ifndef JLT_EXT_BALL_PROBLEM_H
 #define JLT_EXT_BALL_PROBLEM_H
 
@@ -24,29 +24,30 @@ typedef struct {
     const jlt_ball_table *table;
     const jlt_ball_question *question;
     slong n, precision;
-    bool last;      /* no higher precision follows: what is open stays so */
-    bool late;      /* eigenvalues that are not told apart yet are taken for multiple ones */
-    bool clustered; /* eigenvalues were taken as multiple; no precision tells how many are real */
-    bool proved;    /* the point is an equilibrium, and zero is as often an eigenvalue as is said, with as many eigenvectors */
-    bool settled;   /* the sign of every real part, or that it is zero, is known */
+    bool last;      /* this is the highest precision: what may be zero is taken as zero */
+    bool late;      /* eigenvalues that are not separated yet may be enclosed in clusters */
+    bool clustered; /* eigenvalues are enclosed in clusters; no precision would tell how many of them are real */
+    bool proved;    /* the point is an equilibrium, and both multiplicities of the eigenvalue zero are as stated */
+    bool settled;   /* of every real part, the sign is known, or that it is zero */
     arb_ptr params, x;
     arb_mat_t a;
-    arb_poly_t charpoly, rest; /* rest: what zeros leave of it */
-    acb_ptr roots;             /* of rest, shape (count,): multiple ones as often, ascending */
+    arb_poly_t charpoly, rest; /* rest: charpoly / x^zeros */
+    acb_ptr roots;             /* of rest, shape (count,), repeated by multiplicity, ascending */
     jlt_ball_root kinds[JLT_BALL_SIZE_MAX];
     slong count;
 } jlt_ball_problem;
 
-/** The eigenvalues other than zero. Parts that are exactly zero are so in the balls: imaginary ones of real roots, real ones of
- *  pairs on the imaginary axis, where the polynomial is even.
- *  In/out: *p. Out: growing and decaying of *s. False where this precision does not separate them; a late one then gives
- *  balls that several share. Source: S. Miyajima, J. Comput. Appl. Math. 233 (2010) 2994-3004, as Arb has it. */
+/** Enclose the eigenvalues other than zero. Parts known to be zero are exactly zero in the balls: imaginary parts of real
+ *  eigenvalues, and real parts of pairs on the imaginary axis if the polynomial is even.
+ *  In/out: *p. Out: growing and decaying of *s. Returns false if this precision does not separate the eigenvalues; if p->late,
+ *  clusters then share balls. Source: S. Miyajima, J. Comput. Appl. Math. 233 (2010) 2994-3004, as implemented in Arb. */
 bool jlt_ball_problem_roots(jlt_ball_spectrum *s, jlt_ball_problem *p);
 
-/** Every number to its nearest double. *sure: no ball holds two numbers that round apart. False: one is beyond the doubles. */
+/** Round every number to the nearest double. *sure: in every ball, all numbers round to the same double. Returns false if a number
+ *  is outside the range of doubles. */
 bool jlt_ball_problem_round(jlt_ball_spectrum *s, bool *sure, const jlt_ball_problem *p);
 
-/** Every number as a decimal. *sure becomes false where a ball holds two numbers that round apart. NULL: memory is out. */
+/** Write every number as a decimal. *sure becomes false if numbers in a ball round differently. Returns NULL if memory is out. */
 jlt_ball_texts *jlt_ball_texts_create(bool *sure, const jlt_ball_problem *p);
 
 #endif

@@ -1,9 +1,9 @@
-/* Eigenvalues other than zero, enclosed in balls: roots of the characteristic polynomial, or clusters of eigenvalues. */
+/* Encloses the eigenvalues other than zero in balls: as roots of the characteristic polynomial, or as clusters of eigenvalues. */
 #include "ext/ball_problem.h"
 
 enum { ITERATIONS = 256 };
 
-/* 2^k is near the largest root, by M. Fujiwara's bound. */
+/* An exponent k such that 2^k is close to the modulus of the largest root, from M. Fujiwara's bound. */
 static slong size_of(const arb_poly_t poly)
 {
     const slong degree = arb_poly_degree(poly), lead = arf_abs_bound_lt_2exp_si(arb_midref(arb_poly_get_coeff_ptr(poly, degree)));
@@ -20,8 +20,8 @@ static slong size_of(const arb_poly_t poly)
     return most;
 }
 
-/* All roots of a polynomial with real coefficients, none of which is zero; those that are real with imaginary parts that are
- * exactly zero. They are looked for in units of the largest, exactly: iterations begin near 1. */
+/* All roots of a real polynomial without the root 0; the imaginary parts of real roots are exactly zero. The roots are scaled by a
+ * power of two to the order of 1, where the iterations begin. Returns false if the precision does not isolate them. */
 static bool separate(acb_ptr roots, const arb_poly_t poly, slong precision)
 {
     const slong degree = arb_poly_degree(poly), size = size_of(poly);
@@ -43,7 +43,7 @@ static bool separate(acb_ptr roots, const arb_poly_t poly, slong precision)
     return good;
 }
 
-/* z and -z with z^2 = square, which is not zero and has a known sign where it is real. */
+/* Both roots z of z^2 = square, where square is not zero, and has a known sign if it is real. */
 static void set_pair(acb_ptr roots, const acb_t square, slong precision)
 {
     if (acb_is_real(square) && arb_is_negative(acb_realref(square))) {
@@ -63,7 +63,7 @@ static bool is_even(const arb_poly_t poly)
     return arb_poly_degree(poly) % 2 == 0;
 }
 
-/* The roots of one factor. */
+/* The roots of one factor; an even polynomial is solved for the squares of its roots. */
 static bool find(acb_ptr roots, const arb_poly_t poly, slong precision)
 {
     const slong half = arb_poly_degree(poly) / 2;
@@ -82,7 +82,7 @@ static bool find(acb_ptr roots, const arb_poly_t poly, slong precision)
     return good;
 }
 
-/* Takes over the roots of a factor, each as often as it is one. */
+/* Append the roots of a factor to p, each repeated by its multiplicity, and update the flags that depend on real parts. */
 static void take(jlt_ball_spectrum *s, jlt_ball_problem *p, acb_srcptr roots, slong degree, jlt_ball_root kind)
 {
     for (slong i = 0; i < degree; i++) {
@@ -135,10 +135,11 @@ static void widen(acb_t value, const mag_t error, ulong times)
     mag_clear(more);
 }
 
-/* Disks of one radius about n numbers hold all eigenvalues, and those that hang together as many as they are. Widened by 2 n radii,
- * and some more, each holds all that its neighbours do: one that is alone holds a simple eigenvalue, which is real where its number
- * is within two radii of the axis, as its conjugate would lie in the same disk. Of those that share a disk neither is known. False
- * where zero is not as often among them as it should be. */
+/* Disks of one radius about n approximate eigenvalues contain all eigenvalues, and every connected component of their union
+ * contains as many eigenvalues as disks. A disk widened by 2 n radii, and some more, contains the whole component of its centre.
+ * So a widened disk that overlaps no other contains exactly one eigenvalue, which is simple, and is real if its centre is within
+ * two radii of the real axis, since its conjugate would lie in the same disk. Of eigenvalues in overlapping disks it is not known
+ * whether they are simple or real. Returns false if the number of disks that contain zero is not s->zeros. */
 static bool find_clusters(jlt_ball_spectrum *s, jlt_ball_problem *p)
 {
     acb_ptr values = _acb_vec_init(p->n), narrow = _acb_vec_init(p->n);
@@ -186,7 +187,7 @@ bool jlt_ball_problem_roots(jlt_ball_spectrum *s, jlt_ball_problem *p)
     const size_t factors = exact == NULL ? p->n > (slong)s->zeros : exact->factor_count;
     acb_ptr roots = _acb_vec_init(p->n);
     arb_poly_t poly;
-    bool good = s->counted; /* the polynomial without coefficients that may not be zero has other roots */
+    bool good = s->counted; /* dropping low coefficients that may differ from zero would change the roots */
 
     s->decaying = p->n > (slong)s->zeros;
     s->growing = 0;

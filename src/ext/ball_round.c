@@ -1,12 +1,13 @@
-/* From balls to the nearest doubles, and how well eigenvalues stand perturbations. */
+/* Rounds balls to the nearest doubles, and computes condition numbers of eigenvalues. */
 #include "ext/ball_problem.h"
 
 #include <math.h>
 
 enum { CONDITION_BITS = 60 };
 
-/* |x| |y| / |y^H x| of a simple eigenvalue: the product of A - mu over all others is a multiple of x y^H. Where this precision does
- * not tell it *sure becomes false. */
+/* The condition number |x| |y| / |y^H x| of a simple eigenvalue with right and left eigenvectors x and y. The product of A - mu
+ * over all other eigenvalues mu is a multiple of x y^H, so the number is its Frobenius norm divided by |trace|. *sure becomes
+ * false if the ball has fewer than 60 accurate bits. A multiple eigenvalue gives NaN, or INFINITY if it is defective. */
 static double condition(bool *sure, const jlt_ball_problem *p, slong which)
 {
     acb_mat_t product, factor;
@@ -42,8 +43,8 @@ static double condition(bool *sure, const jlt_ball_problem *p, slong which)
     return value;
 }
 
-/* The nearest double, zero where the ball holds it; *error grows by the distance to the ball's farthest point. *sure stays where
- * all numbers in the ball have the same nearest double. */
+/* The nearest double, or zero if the ball contains zero; *error grows by the distance from it to the farthest point of the ball.
+ * *sure becomes false unless all numbers in the ball have the same nearest double. */
 static double rounded(double *error, bool *sure, arb_srcptr ball, slong precision)
 {
     const double value = arb_contains_zero(ball) ? 0.0 : arf_get_d(arb_midref(ball), ARF_RND_NEAR);

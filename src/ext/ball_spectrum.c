@@ -28,7 +28,7 @@ static void end(jlt_ball_problem *p)
     _arb_vec_clear(p->params, p->table->param_count);
 }
 
-/* A reversor that leaves the point where it is maps the Jacobian to its negative: S A S = -A. */
+/* Whether a reversor S fixes the equilibrium, so that the Jacobian A satisfies S A S = -A. */
 static bool reversed_by(const jlt_ball_problem *p, const signed char *signs)
 {
     return p->proved && jlt_ball_point_fixed(p->x, signs, (size_t)p->n);
@@ -59,7 +59,7 @@ static jlt_status place(jlt_ball_problem *p)
     return arb_mat_is_finite(p->a) ? JLT_OK : JLT_ERR_NO_CONVERGENCE;
 }
 
-/* Row `last` of w is a left null vector of A, and certainly independent of the rows before it. */
+/* Whether row `last` of w, the gradient of an integral, may be a left null vector of A, and is independent of the rows above. */
 static bool forces_zero(const jlt_ball_problem *p, const arb_mat_t w, slong last)
 {
     arb_mat_t rows, row, transposed, gram, image;
@@ -87,7 +87,7 @@ static bool forces_zero(const jlt_ball_problem *p, const arb_mat_t w, slong last
     return good;
 }
 
-/* Zeros that integrals force: as many as their gradients have independent rows. */
+/* Count the zeros that integrals force: the number of independent gradients. */
 static void attribute(jlt_ball_spectrum *s, const jlt_ball_problem *p)
 {
     arb_ptr gradients;
@@ -108,8 +108,8 @@ static void attribute(jlt_ball_spectrum *s, const jlt_ball_problem *p)
     _arb_vec_clear(gradients, (slong)p->table->integral_count * p->n);
 }
 
-/* How many eigenvectors zero has at least: as many as integrals force it to have; and A takes the `fixed` directions that a
- * reversor leaves into the others, and those into these. */
+/* A lower bound on the dimension of the null space of A: the number of zeros that integrals force; and if a reversor fixes the
+ * point, | fixed - (n - fixed) | for its `fixed` states of sign +1, since A maps these to the others, and the others to these. */
 static slong null_vectors(const jlt_ball_spectrum *s, const jlt_ball_problem *p)
 {
     slong most = (slong)s->attributed;
@@ -123,7 +123,7 @@ static slong null_vectors(const jlt_ball_spectrum *s, const jlt_ball_problem *p)
     return most;
 }
 
-/* The characteristic polynomial; coefficients that are zero for a reason are zero exactly. */
+/* Compute the characteristic polynomial, with exact zeros for the coefficients that integrals or a reversor force to be zero. */
 static void expand(jlt_ball_problem *p, slong forced)
 {
     arb_mat_charpoly(p->charpoly, p->a, p->precision);
@@ -133,8 +133,8 @@ static void expand(jlt_ball_problem *p, slong forced)
             arb_zero(arb_poly_get_coeff_ptr(p->charpoly, k));
 }
 
-/* Zero has as many eigenvectors as it is an eigenvalue, or certainly not: A q(A) is not zero, q being what zeros leave of the
- * characteristic polynomial. False: neither is known. */
+/* Decide whether the eigenvalue zero is semisimple: it is if its multiplicity is at most `forced`, and is defective (s->defective
+ * = 1) if A q(A) is certainly not zero, where q is p->rest. Returns false if neither is known. */
 static bool judge_zero(jlt_ball_spectrum *s, const jlt_ball_problem *p, slong forced)
 {
     arb_mat_t value;
@@ -142,7 +142,7 @@ static bool judge_zero(jlt_ball_spectrum *s, const jlt_ball_problem *p, slong fo
     s->defective = 0;
     if ((slong)s->zeros <= forced) return true;
     arb_mat_init(value, p->n, p->n);
-    for (slong k = arb_poly_degree(p->rest); k >= -1; k--) { /* Horner, and A once more */
+    for (slong k = arb_poly_degree(p->rest); k >= -1; k--) { /* Horner's scheme, then one more factor A */
         arb_mat_mul(value, value, p->a, p->precision);
         for (slong i = 0; k >= 0 && i < p->n; i++)
             arb_add(arb_mat_entry(value, i, i), arb_mat_entry(value, i, i), arb_poly_get_coeff_ptr(p->rest, k), p->precision);
@@ -153,8 +153,8 @@ static bool judge_zero(jlt_ball_spectrum *s, const jlt_ball_problem *p, slong fo
     return s->defective;
 }
 
-/* The characteristic polynomial, its zeros counted and taken out; false when this precision does not tell them, of which the last
- * takes for zero what may be. */
+/* Compute the characteristic polynomial, count its roots zero and divide them out. Returns false if this precision does not decide
+ * their number and kind; at the last precision, what may be zero is taken as zero. */
 static bool deflate(jlt_ball_spectrum *s, jlt_ball_problem *p)
 {
     const jlt_exact_matrix *exact = p->question->exact;
@@ -180,7 +180,7 @@ static bool deflate(jlt_ball_spectrum *s, jlt_ball_problem *p)
     return sure || p->last;
 }
 
-/* *finished: nothing is left that more bits could tell. */
+/* Compute the spectrum at one precision. *finished: more bits would change nothing. */
 static jlt_status attempt(jlt_ball_spectrum *s, bool *finished, jlt_ball_problem *p)
 {
     const bool decimals = p->question->digits > 0;

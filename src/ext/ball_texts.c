@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A decimal exponent of |x|, or one off it. */
+/* The decimal exponent of |x|, possibly off by one. */
 static slong exponent_of(const arb_t x)
 {
     arf_t mantissa;
@@ -23,7 +23,7 @@ static slong exponent_of(const arb_t x)
     return exponent;
 }
 
-/* |x| 10^(digits - 1 - exponent) to the nearest integer; false where the ball holds numbers that round apart. */
+/* |x| 10^(digits - 1 - exponent), rounded to the nearest integer. Returns false if numbers in the ball round differently. */
 static bool scale(fmpz_t out, const arb_t x, slong digits, slong exponent)
 {
     const slong shift = digits - 1 - exponent, precision = arb_bits(x) + 4 * digits + 64;
@@ -53,7 +53,7 @@ static char *append(char *at, const char *digits, slong count)
     return at;
 }
 
-/* [-]D.DDD, [-]0.000DDD, or with an exponent where that is below -5, or not below `most`. */
+/* Lay out digits as [-]D.DDD or [-]0.000DDD, or with an exponent if it is below -5 or at least `most`. */
 static char *lay_out(const char *digits, bool negative, slong exponent, slong most)
 {
     const slong count = (slong)strlen(digits);
@@ -77,7 +77,7 @@ static char *lay_out(const char *digits, bool negative, slong exponent, slong mo
     return text;
 }
 
-/* |x| as an integer of so many digits and the exponent of its first one; false as above. */
+/* |x| as an integer of `digits` digits, and the decimal exponent of its first digit. Returns false as scale does. */
 static bool nearest(fmpz_t value, slong *exponent, const arb_t x, slong digits)
 {
     fmpz_t limit;
@@ -92,8 +92,8 @@ static bool nearest(fmpz_t value, slong *exponent, const arb_t x, slong digits)
     return sure;
 }
 
-/* The nearest decimal, zeros at its end left out. Where the ball holds numbers that round apart *sure becomes false, and it is
- * that of the middle, with no more digits than the ball knows; NULL: memory is out. */
+/* The nearest decimal, without trailing zeros. If the ball contains numbers that round differently, *sure becomes false, and the
+ * text is that of the midpoint, with no more digits than the ball determines. Returns NULL if memory is out. */
 static char *decimal(bool *sure, const arb_t ball, slong digits)
 {
     fmpz_t value;

@@ -106,7 +106,7 @@ done:
 
 jlt_status jlt_eigen_least_squares(double *z, const double *a, const double *b, size_t rows, size_t columns, double cutoff)
 {
-    /* GSL decomposes tall matrices only: zero rows change neither the least squares nor the shortest solution. */
+    /* GSL needs rows >= columns. Appended zero rows change neither the residual nor the shortest solution. */
     const size_t tall = rows > columns ? rows : columns;
     jlt_status st = JLT_ERR_NOMEM;
     gsl_matrix *u = NULL, *v = NULL;

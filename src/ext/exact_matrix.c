@@ -2,7 +2,7 @@
 
 #include <stdlib.h>
 
-/* Zeros; memory that is out ends the program, as in all of FLINT. */
+/* An array of zeros. FLINT ends the program if memory is out. */
 static jlt_surd *create_numbers(size_t count)
 {
     jlt_surd *numbers = flint_malloc((count + 1) * sizeof *numbers);
@@ -63,7 +63,7 @@ static void take(jlt_surd *out, const jlt_surd *a, const jlt_surd *b, const jlt_
     jlt_surd_clear(&product);
 }
 
-/* An upper Hessenberg matrix similar to h, in its place. */
+/* Replace h by a similar upper Hessenberg matrix. */
 static void reduce(jlt_surd *h, size_t n, const jlt_surd_field *field)
 {
     jlt_surd factor, minus, zero;
@@ -91,10 +91,11 @@ static void reduce(jlt_surd *h, size_t n, const jlt_surd_field *field)
     jlt_surd_clear(&factor);
 }
 
-/* p_m = (x - h_mm) p_(m-1) - the sum over i < m of h_(m-i) m times the subdiagonal between times p_(m-i-1). */
+/* Characteristic polynomial of a Hessenberg matrix: p_m = (x - h_mm) p_(m-1) - sum over i < m of h_(m-i,m) times the product of
+ * the i subdiagonal entries between, times p_(m-i-1). */
 static void expand(jlt_surd *coefficients, const jlt_surd *h, size_t n, const jlt_surd_field *field)
 {
-    jlt_surd *p = create_numbers((n + 1) * (n + 1)); /* row m: the polynomial of the leading m rows */
+    jlt_surd *p = create_numbers((n + 1) * (n + 1)); /* row m: the characteristic polynomial of the leading m x m block */
     jlt_surd between, factor;
 
     jlt_surd_init(&between);
@@ -120,7 +121,7 @@ static void expand(jlt_surd *coefficients, const jlt_surd *h, size_t n, const jl
     destroy_numbers(p, (n + 1) * (n + 1));
 }
 
-/* By elimination, which spoils the matrix. */
+/* The rank, by elimination in place, which destroys the matrix. */
 static size_t rank_of(jlt_surd *a, size_t n, const jlt_surd_field *field)
 {
     size_t rank = 0;
@@ -144,7 +145,7 @@ static size_t rank_of(jlt_surd *a, size_t n, const jlt_surd_field *field)
     return rank;
 }
 
-/* The roots of `poly`, each of them an eigenvalue `multiplicity` times, have as many eigenvectors: poly(A) kills as much. */
+/* Whether the roots of `poly`, eigenvalues of this multiplicity, are semisimple: the null space of poly(A) has full dimension. */
 static bool is_semisimple(const jlt_exact_matrix *m, const jlt_exact_poly *poly, size_t multiplicity)
 {
     const size_t n = m->n;
@@ -155,7 +156,7 @@ static bool is_semisimple(const jlt_exact_matrix *m, const jlt_exact_poly *poly,
     value = create_numbers(n * n);
     next = create_numbers(n * n);
     jlt_surd_init(&product);
-    for (size_t k = poly->length; k-- > 0;) { /* Horner */
+    for (size_t k = poly->length; k-- > 0;) { /* Horner's scheme */
         for (size_t i = 0; i < n * n; i++) {
             jlt_surd_subtract(&next[i], &next[i], &next[i]);
             for (size_t j = 0; j < n; j++) {
@@ -174,7 +175,7 @@ static bool is_semisimple(const jlt_exact_matrix *m, const jlt_exact_poly *poly,
     return whole;
 }
 
-/* A factor with these roots, unless there are none. */
+/* Append the factor `poly`, unless it is constant. */
 static void add_factor(jlt_exact_matrix *m, jlt_exact_poly *poly, size_t multiplicity)
 {
     jlt_exact_factor *factor = &m->factors[m->factor_count];
@@ -209,7 +210,7 @@ void jlt_exact_matrix_analyse(jlt_exact_matrix *m)
     destroy_numbers(h, n * n);
 }
 
-/* Of a factor without multiple roots: those that come in pairs of either sign, and the others. */
+/* Split a polynomial without multiple roots into its roots z for which -z is a root too, and the others; append both factors. */
 static void add_parts(jlt_exact_matrix *m, const jlt_exact_poly *poly, size_t multiplicity)
 {
     jlt_exact_poly even, other;
@@ -241,7 +242,7 @@ void jlt_exact_matrix_split(jlt_exact_matrix *m)
     for (size_t multiplicity = 1; b.length > 1; multiplicity++) {
         jlt_exact_poly_derive(&d, &b);
         jlt_exact_poly_subtract(&d, &c, &d);
-        jlt_exact_poly_gcd(&common, &b, &d, m->field); /* the roots of this multiplicity */
+        jlt_exact_poly_gcd(&common, &b, &d, m->field); /* its roots are those of this multiplicity */
         add_parts(m, &common, multiplicity);
         jlt_exact_poly_divide(&b, NULL, &b, &common, m->field);
         jlt_exact_poly_divide(&c, NULL, &d, &common, m->field);

@@ -1,6 +1,6 @@
 #include "ext/exact_poly.h"
 
-/* Room for `length` zeros; memory that is out ends the program, as in all of FLINT. */
+/* Initialize to `length` zero coefficients. FLINT ends the program if memory is out. */
 static void init_length(jlt_exact_poly *p, size_t length)
 {
     p->length = length;
@@ -27,7 +27,7 @@ static void swap(jlt_exact_poly *p, jlt_exact_poly *q)
     *q = held;
 }
 
-/* out becomes `p`, which is given away, without zeros at its end. */
+/* Move p into out, without leading zeros; p is cleared. */
 static void give(jlt_exact_poly *out, jlt_exact_poly *p)
 {
     while (p->length > 0 && jlt_surd_is_zero(&p->coefficients[p->length - 1])) jlt_surd_clear(&p->coefficients[--p->length]);

@@ -14,7 +14,7 @@ struct jlt_gsl_ode {
     void *context;
     size_t dim;
     double tolerance;
-    double clock; /* since the reset; msadams tells a new step from a repeated one by it */
+    double clock; /* time since the reset, by which msadams distinguishes a new step from a repeated one */
 };
 
 static int call(double t, const double x[], double f[], void *self)
@@ -22,7 +22,7 @@ static int call(double t, const double x[], double f[], void *self)
     const jlt_gsl_ode *ode = self;
     (void)t;
     ode->field(ode->context, x, f);
-    /* GSL takes steps whose error is no number, but halves those that its field refuses. */
+    /* GSL accepts steps whose error estimate is NaN, but halves those in which the field returns an error. */
     for (size_t i = 0; i < ode->dim; i++)
         if (!isfinite(f[i])) return GSL_EDOM;
     return GSL_SUCCESS;

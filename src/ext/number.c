@@ -17,7 +17,7 @@ static bool is_digit(char c)
     return c >= '0' && c <= '9';
 }
 
-/* One unsigned decimal from *at, into value * 10^exponent; false when there is none. */
+/* Read one unsigned decimal at *at as digits * 10^exponent, and move *at past it. Returns false if there is none. */
 static bool read_decimal(fmpz_t digits, long *exponent, const char **at, const char *end)
 {
     char buffer[JLT_NUMBER_LENGTH_MAX + 1];
@@ -104,7 +104,7 @@ static void set_double(fmpq_t out, double value)
     arf_clear(exact);
 }
 
-/* pi, -pi, 2*pi, 2*pi/3, pi/2: the double that it is. */
+/* Read pi, -pi, 2*pi, 2*pi/3, pi/2 and the like; out is the double that double arithmetic gives. */
 static bool read_multiple_of_pi(fmpq_t out, const char *text, size_t length)
 {
     static const double pi = 3.14159265358979323846;

@@ -12,7 +12,7 @@ enum { SUBINTERVALS = 2000, FIRST = 200 };
 typedef struct {
     jlt_quadrature_integrand integrand;
     void *context;
-    jlt_status status; /* the first failure */
+    jlt_status status; /* of the first evaluation that failed */
 } call;
 
 static double evaluate(double at, void *parameters)
@@ -47,7 +47,7 @@ jlt_status jlt_quadrature_integrate(double *integral, double *error, jlt_quadrat
     }
     st = c.status;
     if (st != JLT_OK) goto done;
-    /* GSL_EROUND: the rest is rounding, and the estimate says how much. */
+    /* GSL_EROUND: the remaining error is rounding, and the estimate includes it. */
     if (gsl != GSL_SUCCESS && gsl != GSL_EROUND) st = JLT_ERR_NO_CONVERGENCE;
     else if (!isfinite(result)) st = JLT_ERR_NONFINITE;
     if (st != JLT_OK) goto done;

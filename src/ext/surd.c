@@ -57,7 +57,7 @@ void jlt_surd_swap(jlt_surd *a, jlt_surd *b)
     *b = held;
 }
 
-/* out becomes `a`, which is given away, at its least level. */
+/* Move `a` into out at its least level; `a` is cleared. */
 static void give(jlt_surd *out, jlt_surd *a)
 {
     unsigned level = a->level;
@@ -94,7 +94,7 @@ bool jlt_surd_is_zero(const jlt_surd *a)
     return all_zero(a->coordinates, size_of(a->level));
 }
 
-/* a at a level that is not below its own */
+/* Initialize out to a, at a level not below that of a. */
 static void raise_to(jlt_surd *out, const jlt_surd *a, unsigned level)
 {
     init_at(out, level);
@@ -121,7 +121,7 @@ void jlt_surd_subtract(jlt_surd *out, const jlt_surd *a, const jlt_surd *b)
     combine(out, a, b, true);
 }
 
-/* Adds a b to out, all of them at one level: (p + q t)(u + v t) = p u + q v t^2 + (p v + q u) t. */
+/* Add a b to out, all at one level: (p + q t)(u + v t) = p u + q v t^2 + (p v + q u) t. */
 static void add_product(fmpq *out, const fmpq *a, const fmpq *b, unsigned level, const jlt_surd_field *field)
 {
     if (level == 0) {
@@ -159,7 +159,7 @@ void jlt_surd_multiply(jlt_surd *out, const jlt_surd *a, const jlt_surd *b, cons
     give(out, &product);
 }
 
-/* a = low + high t, t being the last root in it. */
+/* a = low + high t, where t is the last root in a. */
 static void split(jlt_surd *low, jlt_surd *high, const jlt_surd *a)
 {
     const size_t half = size_of(a->level - 1);
@@ -182,7 +182,7 @@ static void join(jlt_surd *out, const jlt_surd *low, const jlt_surd *high, unsig
     give(out, &whole);
 }
 
-/* low^2 - high^2 t^2, which vanishes of zero alone. */
+/* low^2 - high^2 t^2 with t the root number `root`; it is zero only if low + high t is zero. */
 static void norm(jlt_surd *out, const jlt_surd *low, const jlt_surd *high, unsigned root, const jlt_surd_field *field)
 {
     jlt_surd square;
@@ -261,7 +261,7 @@ slong jlt_surd_height(const jlt_surd *a)
     return most;
 }
 
-/* Of a number that is not zero, by balls as thin as it takes. */
+/* The sign of a number that is not zero, from balls of increasing precision. */
 static int sign_of(const jlt_surd *a, const jlt_surd_field *field)
 {
     arb_t ball;
@@ -291,7 +291,7 @@ static bool rational_root(jlt_surd *out, const fmpq_t a)
 
 static bool find_root(jlt_surd *out, const jlt_surd *a, unsigned level, const jlt_surd_field *field);
 
-/* The root of an a that is free of t, where t is root number `root`: x, or y t with y^2 = a/t^2. */
+/* A square root of a, which does not contain t, the root number `root`: either x without t, or y t with y^2 = a/t^2. */
 static bool find_plain(jlt_surd *out, const jlt_surd *a, unsigned root, const jlt_surd_field *field)
 {
     jlt_surd y, none;
@@ -309,7 +309,7 @@ static bool find_plain(jlt_surd *out, const jlt_surd *a, unsigned root, const jl
     return found;
 }
 
-/* x + y t with x^2 = (low +- n)/2, n^2 = low^2 - high^2 t^2, y = high/(2 x). */
+/* A square root x + y t of low + high t: x^2 = (low +- n)/2, n^2 = low^2 - high^2 t^2, y = high/(2 x). */
 static bool find_mixed(jlt_surd *out, const jlt_surd *low, const jlt_surd *high, unsigned root, const jlt_surd_field *field)
 {
     jlt_surd n, x, half;
@@ -343,7 +343,7 @@ static bool find_mixed(jlt_surd *out, const jlt_surd *low, const jlt_surd *high,
     return found;
 }
 
-/* A square root of a in the field of the first `level` roots, of either sign; false where there is none. */
+/* A square root of a, of either sign, in the field of the first `level` roots. Returns false if there is none. */
 static bool find_root(jlt_surd *out, const jlt_surd *a, unsigned level, const jlt_surd_field *field)
 {
     jlt_surd low, high;

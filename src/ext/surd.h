@@ -1,6 +1,5 @@
-/** Real numbers in a tower of square roots over the rationals, exactly: sums, products and quotients of rationals and of roots
- *  taken one after another. Each root is adjoined only where it is not in the field already, so that a number is zero where all
- *  its coordinates are. */
+/** Exact real numbers in a tower of square roots over the rationals: sums, products and quotients of rationals and of successive
+ *  square roots. Only roots outside the field are adjoined, so a number is zero exactly if its coordinates are. */
 #ifndef JLT_EXT_SURD_H
 #define JLT_EXT_SURD_H
 
@@ -15,18 +14,18 @@
 
 enum { JLT_SURD_ROOTS_MAX = 4 };
 
-/* coordinates, shape (2^level,): the first half is free of root number `level` - 1, the second half is what stands with it. */
+/* coordinates, shape (2^level,): with t the root number level - 1, the number is (first half) + (second half) t. */
 typedef struct {
-    unsigned level; /* the least that serves */
+    unsigned level; /* the least possible */
     fmpq *coordinates;
 } jlt_surd;
 
 typedef struct {
     unsigned count;
-    jlt_surd radicands[JLT_SURD_ROOTS_MAX]; /* that of root k is positive, and made of roots before it */
+    jlt_surd radicands[JLT_SURD_ROOTS_MAX]; /* of root k: positive, in the field of the roots before it */
 } jlt_surd_field;
 
-jlt_surd_field *jlt_surd_field_create(void);      /* the rationals; NULL when memory is out */
+jlt_surd_field *jlt_surd_field_create(void);      /* the rationals; returns NULL if memory is out */
 void jlt_surd_field_destroy(jlt_surd_field *field); /* legal on NULL */
 
 void jlt_surd_init(jlt_surd *a); /* zero */
@@ -36,20 +35,20 @@ void jlt_surd_set_rational(jlt_surd *out, const fmpq_t value);
 void jlt_surd_swap(jlt_surd *a, jlt_surd *b);
 bool jlt_surd_is_zero(const jlt_surd *a);
 
-/** Arithmetic; out may alias. Cost: at most 5^level products of rationals a product. */
+/** Arithmetic; out may alias inputs. Cost: at most 5^level products of rationals per product. */
 void jlt_surd_add(jlt_surd *out, const jlt_surd *a, const jlt_surd *b);
 void jlt_surd_subtract(jlt_surd *out, const jlt_surd *a, const jlt_surd *b);
 void jlt_surd_multiply(jlt_surd *out, const jlt_surd *a, const jlt_surd *b, const jlt_surd_field *field);
-bool jlt_surd_invert(jlt_surd *out, const jlt_surd *a, const jlt_surd_field *field); /* false of zero */
+bool jlt_surd_invert(jlt_surd *out, const jlt_surd *a, const jlt_surd_field *field); /* returns false if a is zero */
 
-/** The positive root, adjoined to the field where it is not in it; false where a is not positive, or the field has as many roots
- *  as it may. */
+/** The positive square root of a; it is adjoined to the field if the field does not contain it. Returns false if a is not
+ *  positive, or a root would have to be adjoined to a field that already has JLT_SURD_ROOTS_MAX. */
 bool jlt_surd_root(jlt_surd *out, const jlt_surd *a, jlt_surd_field *field);
 
-/** A ball that holds a, computed with so many bits. */
+/** A ball that contains a, computed with `precision` bits. */
 void jlt_surd_enclose(arb_t out, const jlt_surd *a, const jlt_surd_field *field, slong precision);
 
-/** The largest number of bits of a numerator or denominator. */
+/** The largest number of bits of a numerator or denominator among the coordinates. */
 slong jlt_surd_height(const jlt_surd *a);
 
 #endif

@@ -7,7 +7,7 @@
 enum { DIM_MAX = JLT_JACOBIAN_DIM_MAX };
 
 static const double rounding = 1e-16;
-static const double nothing = 1e-40; /* of the largest entry: a root may be 1e-180, which eigenvalue solvers do not stand */
+static const double nothing = 1e-40; /* relative size of entries set to 0: a root may be 1e-180, which eigenvalue solvers fail on */
 
 double jlt_approach_size(const jlt_stepper *stepper, unsigned i)
 {
@@ -35,7 +35,7 @@ static void jacobian(double *a, const jlt_field *field, const double *x)
     }
 }
 
-/* The states that move or are pushed by those that do, in order. Returns their number. */
+/* List the states that move, or whose rates depend on such states, in order. Returns their number. */
 static unsigned moving_states(unsigned *moving, const double *a, const double *f, unsigned n)
 {
     bool moves[DIM_MAX];
@@ -52,8 +52,8 @@ static unsigned moving_states(unsigned *moving, const double *a, const double *f
     return count;
 }
 
-/* Slowest and fastest rate across the equilibria, and how many there are. A slowest rate <= 0: something grows. Eigenvalues
- * that are 0 on the set of equilibria are of the order of the distance from it here. */
+/* Find the slowest and the fastest rate of decay across the set of equilibria, and the number of rates. slowest <= 0: something
+ * grows. Eigenvalues along the set, which are 0 on it, are of the order of the distance from it here, and left out. */
 static jlt_status rates(double *slowest, double *fastest, unsigned *count, const double *a, unsigned n, double direction)
 {
     double re[DIM_MAX], im[DIM_MAX];
@@ -79,9 +79,8 @@ static void multiply(double *out, const double *a, const double *x, unsigned n, 
     }
 }
 
-/* The way left, y with a y = f in the space of what decays: that is spanned by a f, a^2 f, ..., as many as there are
- * rates; f itself has a part of second order along the equilibria, on which a is 0. Below a part of 1e-9 such a vector is
- * rounding. */
+/* Find the remaining displacement y, a y = f, in the decaying subspace, which a f, a^2 f, ... span, `count` of them; f itself has
+ * a part of second order along the equilibria, where a is 0. Singular values below 1e-9 of the largest are rounding. */
 static jlt_status way_left(double *y, const double *a, const double *f, unsigned n, unsigned count, double fastest)
 {
     double power[DIM_MAX][DIM_MAX], system[DIM_MAX * DIM_MAX], weight[DIM_MAX];

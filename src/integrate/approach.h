@@ -1,8 +1,8 @@
 /** How an orbit decays onto an equilibrium, judged by the field's Jacobian at the orbit's current point.
  *
- *  What is left of the way to the equilibrium is y with J y = x', in the space of what decays: x(infinity) = x - y up to second
- *  order. States that rest exactly and that no moving state pushes (as those across a plane in which the motion stays) are left
- *  out: an orbit on such an invariant plane decays or grows in it alone. */
+ *  The remaining displacement y solves J y = x' in the decaying subspace: x(infinity) = x - y up to second order. States that rest
+ *  exactly and that no moving state pushes (as those across a plane in which the motion stays) are left out: an orbit on such an
+ *  invariant plane decays or grows in it alone. */
 #ifndef JLT_INTEGRATE_APPROACH_H
 #define JLT_INTEGRATE_APPROACH_H
 
@@ -12,7 +12,7 @@ typedef struct {
     bool decays;             /* all rates across the equilibria are negative, and y accounts for the field here */
     double slowest, fastest; /* when decays: rates of decay in tau, > 0 */
     double left[JLT_JACOBIAN_DIM_MAX]; /* when decays: y, shape (dim,) */
-    double longest;          /* when decays: the largest of y relative to the states or their scale */
+    double longest;          /* when decays: the largest |y_i| relative to jlt_approach_size */
     double root_left_out;    /* when decays: bound on how far the part of the field that y misses can move the root (absolute) */
 } jlt_approach;
 
@@ -20,10 +20,10 @@ typedef struct {
  *  slowest, are below a hundredth of the tolerance. */
 bool jlt_approach_is_known(const jlt_approach *self, const jlt_stepper *stepper);
 
-/** Whether an equilibrium lies within `distance` of x, shape (dim,), relative to each state or `size`: J y = x' has such a y, but
- *  for rounding and terms of second order. However slow a motion that goes farther is, it is none. A field with more than
- *  JLT_JACOBIAN_DIM_MAX states, and one whose eigenvalues are not found, is taken to have one; but not where its Jacobian is not
- *  finite, as far out. Cost: as below. */
+/** Whether an equilibrium lies within `distance` of x, shape (dim,), relative to max(|x_i|, size): J y = x' has such a solution y,
+ *  up to rounding and terms of second order. An orbit without one goes farther, however slowly. A field with more than
+ *  JLT_JACOBIAN_DIM_MAX states, or whose eigenvalues are not found, is taken to have one; one whose Jacobian is not finite, as far
+ *  out, is not. Cost: as below. */
 bool jlt_approach_is_near(const jlt_field *field, const double *x, double size, double distance);
 
 /** Judge the stepper's current point. Cost: a Jacobian and its eigenvalues. A field with more than JLT_JACOBIAN_DIM_MAX states is

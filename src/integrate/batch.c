@@ -40,7 +40,7 @@ jlt_status jlt_batch_section(const jlt_batch_map *map, const double *starts, siz
                                   map->project->lifted_count != (map->root >= 0))))
         return JLT_ERR_ARG;
     const size_t wide = JLT_BATCH_VECTORS * map->kernels->lanes, filled = (count + wide - 1) / wide;
-    const int threads = map->threads < filled ? (int)map->threads : (int)filled; /* others would wait alone, at full speed */
+    const int threads = map->threads < filled ? (int)map->threads : (int)filled; /* others would only wait, spinning */
     size_t steps = 0, rejected = 0, stages = 0;
     int failure = JLT_OK;
 #if defined(_OPENMP)

@@ -15,12 +15,12 @@
 #include "integrate/field.h"
 #include "kernel/instance.h"
 
-/** By how much the error of a state may be larger beside a larger state: by six bits, less than two digits. */
+/** The factor by which a state's relative error may be larger beside a larger state: six bits, less than two digits. */
 enum { JLT_BATCH_SPREAD = 64 };
 
 enum { JLT_BATCH_STATES_MAX = 16 /* of a field */, JLT_BATCH_COLUMNS_MAX = 64, JLT_BATCH_CONDITIONS_MAX = 16 };
 
-/** Where a lane's orbit ended. */
+/** How a lane's orbit ended. */
 typedef enum {
     JLT_LANE_DONE,    /* all its returns are made */
     JLT_LANE_ROOT,    /* the lifted root fell below root_floor and all else has come to rest: near a pole; go on from there with a
@@ -34,13 +34,13 @@ typedef enum {
 typedef struct {
     const double *p;       /* prepared values, (kernels->prepared,) */
     double level;          /* the section is x[column] = level */
-    const double *params;  /* of `project`: what the descriptor's relation of a root takes, in the states' units */
-    const double *watched; /* of `watch`: prepared values, (watch->kernels->prepared,) */
-    const double *unit;    /* of `watch`: (dim,), states times these are what its kernels take; NULL: states as they are */
+    const double *params;  /* for `project`: the parameters, in the states' units, that the descriptor's relation of a root takes */
+    const double *watched; /* for `watch`: prepared values, (watch->kernels->prepared,) */
+    const double *unit;    /* for `watch`: (dim,), its kernels take the states times these; NULL: states as they are */
 } jlt_batch_case;
 
-/** Conditions under which the model holds, looked at after every step that is taken, and within it where they may be lost and come
- *  back: those of the kernel `valid_values`. */
+/** Conditions under which the model holds, by the kernel `valid_values`: evaluated at the end of every accepted step, and within it
+ *  where one may be lost and come back. */
 typedef struct {
     const jlt_kernel_batch *kernels; /* of the instruction set that the map's kernels have */
     unsigned count;                  /* 1 .. JLT_BATCH_CONDITIONS_MAX */
@@ -49,8 +49,8 @@ typedef struct {
 /** The map, and how to compute it. Plain data; what it points to must live as long as it is used. */
 typedef struct {
     const jlt_kernel_batch *kernels; /* of one instruction set, see jlt_batch_isa_best */
-    const jlt_batch_case *cases;     /* the parameters of orbits, and what goes with them */
-    const size_t *case_of;           /* index of each orbit's, shape (count,); NULL: the first is that of all */
+    const jlt_batch_case *cases;     /* parameters and levels of orbits */
+    const size_t *case_of;           /* index of each orbit's case, shape (count,); NULL: all have the first */
     unsigned dim;                    /* states */
     bool clock;                      /* physical time is carried as the last column, in starts, rows and ends */
     unsigned tangents;               /* tangent vectors carried by the variational equations, column by column after the states, and
@@ -68,10 +68,10 @@ typedef struct {
     const jlt_domain *domain;        /* orbits end with JLT_LANE_DOMAIN where they leave it: that of the map's kernels, at most
                                         JLT_BATCH_CONDITIONS_MAX conditions; NULL: not watched */
     const struct jlt_batch_method *method; /* NULL: the cheaper one for the tolerance */
-    double tolerance;                /* of the local error, in (0, 1): root mean square over states and clock, each relative to
-                                        max(size, largest |x_j| but for the root), where the size is jlt_field_size of the orbit's
-                                        start, but to JLT_BATCH_SPREAD times max(size, |x_i|) at most; the clock's to that over
-                                        the size; the root relative to itself */
+    double tolerance;                /* of the local error, in (0, 1): the root mean square over states, the clock added. A state's
+                                        error is relative to max(size, largest |x_j| but for the root), or JLT_BATCH_SPREAD times
+                                        max(size, |x_i|) if that is less, size being jlt_field_size of the orbit's start; the
+                                        clock's to the former over the size; the root's to the root */
     size_t max_steps;                /* of one return, accepted and rejected */
     unsigned threads;                /* 0 and 1: the caller's alone */
     const jlt_descriptor *project;   /* descriptor whose integrals are restored: after every step that crosses the section, unless

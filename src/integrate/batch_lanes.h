@@ -1,4 +1,4 @@
-/** Inside of the batched section map: one instance for each instruction set, all from batch_lanes.inc. */
+/** Internals of the batched section map: one instance for each instruction set, all from batch_lanes.inc. */
 #ifndef JLT_INTEGRATE_BATCH_LANES_H
 #define JLT_INTEGRATE_BATCH_LANES_H
 

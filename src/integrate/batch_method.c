@@ -2,7 +2,7 @@
 
 /* J. H. Verner, Numerically optimal Runge-Kutta pairs with interpolants, Numer. Algorithms 53 (2010), 383-396: the solution of
  * order 8 of the efficient pair of orders 8 and 7, from the fractions that he gives, without the stage that only the estimate of
- * that pair needs. The estimate here compares with a solution of order 5 in six slopes (there is one, up to the factor of the
+ * that pair needs. The estimate here compares with a solution of order 5 in six slopes (unique up to a factor of the
  * difference). That its order is low costs nothing: steps come out more even, and evaluations fewer, than with estimates of
  * orders 6 and 7. */
 static const jlt_batch_method verner8 = {

@@ -63,7 +63,7 @@ unsigned jlt_bernstein_variations(const double *b, unsigned degree)
 }
 
 /* The one zero of b on (0, 1) by Halley's method in a bracket. With u = theta/(1 - theta) b is q(u)/(1 + u)^degree,
- * q = sum_j C(degree,j) b_j u^j, which Horner's rule sums stably where u <= 1: the interval is turned if the zero is right
+ * q = sum_j C(degree,j) b_j u^j, which Horner's rule sums stably where u <= 1: the interval is reversed if the zero is right
  * of 1/2. */
 static double only_root(const double *b, unsigned degree)
 {
@@ -80,7 +80,7 @@ static double only_root(const double *b, unsigned degree)
         a[degree - j] = a[j];
         a[j] = other;
     }
-    unsigned first = 0; /* where the control polygon is zero, which is near */
+    unsigned first = 0; /* start from the zero of the control polygon, which is near */
     while (rises ? b[first + 1] < 0 : b[first + 1] > 0) first++;
     const double start = (first + b[first] / (b[first] - b[first + 1])) / degree;
     double u = turned ? (1 - start) / start : start / (1 - start);
@@ -96,7 +96,7 @@ static double only_root(const double *b, unsigned degree)
         if (rises == turned ? value > 0 : value < 0) lo = u;
         else hi = u;
         const double move = -value * slope / (slope * slope - value * bend), next = u + move;
-        /* What Halley's method leaves is the cube of its move, unless that is short because the slope vanishes. */
+        /* The error left by Halley's method is the cube of its move, unless that is short because the slope vanishes. */
         const bool done = fabs(move) <= 1e-5 * u && fabs(value) <= 1e-5 * u * fabs(slope);
         u = done || (next > lo && next < hi) ? next : 0.5 * (lo + hi);
         if (done || hi - lo <= DBL_EPSILON * hi) break;
@@ -132,7 +132,7 @@ static void collect(collection *found, const double *b, double from, double widt
     collect(found, right, from + width * theta, width * (1 - theta), depth + 1);
 }
 
-/* Zeros at the ends divided out: signs on (0, 1) stay. Returns the degree. */
+/* Divide out zeros at the ends, which keeps signs on (0, 1). Returns the degree left. */
 static unsigned without_ends(double *b, unsigned degree)
 {
     while (degree > 0 && b[0] == 0) jlt_bernstein_deflate(b, degree--);
@@ -152,7 +152,7 @@ unsigned jlt_bernstein_sign_changes(double *roots, const double *b, unsigned deg
     return found.count;
 }
 
-/* Coefficients as far from zero as the bound, all on one side, keep the polynomial there. */
+/* Whether all coefficients are above the bound, or below its negative: so is the polynomial then. */
 static bool stays_off(const double *b, unsigned degree, double bound)
 {
     double least = b[0], most = b[0];

@@ -1,4 +1,4 @@
-/** Zeros of a polynomial on [0, 1], all of them, by its Bernstein form. */
+/** Finds all zeros of a polynomial on [0, 1], by its Bernstein form. */
 #ifndef JLT_INTEGRATE_BERNSTEIN_H
 #define JLT_INTEGRATE_BERNSTEIN_H
 
@@ -22,15 +22,15 @@ double jlt_bernstein_value(const double *b, unsigned degree, double theta);
 /** Count the sign changes among the coefficients: there are as many zeros on (0, 1), or fewer by an even number. */
 unsigned jlt_bernstein_variations(const double *b, unsigned degree);
 
-/** The points of (0, 1) where the sign changes, ascending, into roots (degree,); returns their number. Zeros of even
- *  multiplicity are none, and neither is a zero at an end. Between the returned points the sign alternates, beginning with
- *  that right of 0. Two zeros nearer than about 1e-12 may be taken for none, always in pairs.
- *  Method: an interval whose coefficients change sign never holds no zero, once holds one (found by Halley's method in a
- *  bracket), otherwise is halved. Cost: O(degree^2) a halving.
+/** Find the points of (0, 1) where the sign changes: roots (degree,), ascending; returns their number. Zeros of even multiplicity
+ *  and zeros at the ends are left out. Between the returned points the sign alternates, beginning with that right of 0. Zeros
+ *  nearer to each other than about 1e-12 may be missed, always in pairs.
+ *  Method: an interval whose coefficients have no sign change holds no zero; with one, it holds one zero (found by Halley's method
+ *  in a bracket); with more, it is halved. Cost: O(degree^2) a halving.
  *  Source: J. M. Lane, R. F. Riesenfeld, Bounds on a polynomial, BIT 21 (1981). */
 unsigned jlt_bernstein_sign_changes(double *roots, const double *b, unsigned degree);
 
-/** The extrema on (0, 1) where |p| <= bound, ascending, into at (degree - 1,); returns their number. Method: as for sign changes,
+/** Find the extrema on (0, 1) where |p| <= bound: at (degree - 1,), ascending; returns their number. Method: as for sign changes,
  *  on the derivative, in those intervals alone where the coefficients let p come so near to zero. */
 unsigned jlt_bernstein_touches(double *at, const double *b, unsigned degree, double bound);
 

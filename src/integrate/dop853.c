@@ -1,6 +1,6 @@
 /* E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd ed., II.5 and II.6.
  *
- * The stage sums are straight lines over vectors of eight columns. The newest slope enters each sum last and by scalars:
+ * The stage sums are straight-line code on vectors of eight columns. The newest slope enters each sum last and by scalars:
  * the kernel has just stored it entry by entry, and a vector load of it would wait for those stores. */
 #include "integrate/dop853.h"
 
@@ -63,7 +63,7 @@ static inline void close_stage(jlt_dop853 *self, const jlt_field *field, double 
     FOR_BLOCKS part[b] = x0[b] + h * (older);                              \
     close_stage(self, field, h * jlt_dop853_a[i][last], ROW(last), ROW(i))
 
-/* k2 .. k12 from k1, and the sum of the solution but for k12 in `part`. */
+/* Compute k2 .. k12 from k1, and in `part` the increment of the solution but for k12. */
 static inline __attribute__((always_inline)) void stages(jlt_dop853 *self, const jlt_field *field, const double *x,
                                                          double h, unsigned blocks)
 {
@@ -87,7 +87,7 @@ static inline __attribute__((always_inline)) void stages(jlt_dop853 *self, const
     FOR_BLOCKS part[b] = h * (A(13, 1) + A(13, 6) + A(13, 7) + A(13, 8) + A(13, 9) + A(13, 10) + A(13, 11));
 }
 
-/* Solution into trial, with what rounding cuts off into trial_low; then k13, the slope there. */
+/* Put the solution into trial and its rounding error into trial_low; then compute k13, the slope there. */
 static inline void solution(jlt_dop853 *self, const jlt_stepper *stepper, const double *x, const double *x_low, double h)
 {
     const unsigned stride = stepper->stride, columns = stepper->columns;
@@ -134,7 +134,7 @@ static inline __attribute__((always_inline)) double error_norm(const jlt_dop853 
     }
     const double five = ((sum5[0] + sum5[1]) + (sum5[2] + sum5[3])) + ((sum5[4] + sum5[5]) + (sum5[6] + sum5[7]));
     const double three = ((sum3[0] + sum3[1]) + (sum3[2] + sum3[3])) + ((sum3[4] + sum3[5]) + (sum3[6] + sum3[7]));
-    /* The slope at the end takes no part in the estimate, but a point without one must not be accepted. */
+    /* The slope at the end takes no part in the estimate, but a point where it is not finite must not be accepted. */
     lanes last = { 0 };
     FOR_BLOCKS last += 0 * K(13);
     const double defect = ((last[0] + last[1]) + (last[2] + last[3])) + ((last[4] + last[5]) + (last[6] + last[7]));
@@ -203,7 +203,7 @@ static jlt_status step(jlt_stepper *stepper, double limit)
     (jlt_dop853_d[i][1] * f0[b] + D(i, 6) + D(i, 7) + D(i, 8) + D(i, 9) + D(i, 10) + D(i, 11) + D(i, 12) + D(i, 13)    \
      + D(i, 14) + D(i, 15) + D(i, 16))
 
-/* Nested form of the book, x0 + theta (r1 + (1 - theta)(r2 + theta (r3 + ...))), multiplied out into powers of theta. */
+/* Multiply the book's nested form, x0 + theta (r1 + (1 - theta)(r2 + theta (r3 + ...))), out into powers of theta. */
 static void expand(jlt_stepper *stepper, const lanes r[8], unsigned b)
 {
     lanes c[8] = { r[7] }; /* r7 is the innermost */
@@ -223,7 +223,7 @@ static void expand(jlt_stepper *stepper, const lanes r[8], unsigned b)
     for (unsigned j = 0; j < 8; j++) *(lanes *)(void *)(stepper->dense + j * stepper->stride + b * WIDTH) = c[j];
 }
 
-/* Slopes k2 .. k13 of the step from x to x_end are in place; k1 is given. */
+/* Make the polynomial of the step from x to x_end, whose slopes k2 .. k13 are in place; f is k1. */
 static void polynomial(jlt_dop853 *self, jlt_stepper *stepper, const double *x, const double *f, double h,
                        const double *x_end)
 {
@@ -273,7 +273,7 @@ void jlt_dop853_dense(jlt_dop853 *self, jlt_stepper *stepper, const double *x, d
     stepper->evaluations++;
 }
 
-/* The slopes of the whole step are still needed (its polynomial may be asked for later), so they are kept aside. */
+/* A partial step overwrites the slopes of the whole step, so the polynomial that needs them is made before. */
 static jlt_status partial(jlt_stepper *stepper, double theta, double *out)
 {
     jlt_status st = jlt_stepper_dense(stepper);
@@ -322,7 +322,7 @@ static jlt_status start(jlt_stepper *stepper)
     return JLT_OK;
 }
 
-/* |x_i(theta) - x_i(0)| summed over the step, from the slopes at its stages: see method.h. */
+/* Length of the step times the largest slope at its stages: see method.h. */
 static double variation(const jlt_stepper *stepper, unsigned column)
 {
     const jlt_dop853 *self = stepper->state;

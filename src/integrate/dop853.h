@@ -14,8 +14,8 @@ void jlt_dop853_free(jlt_dop853 *self);                     /* NULL is legal */
 void jlt_dop853_single(jlt_dop853 *self, const jlt_stepper *stepper, const double *x, const double *f, double h,
                        double *out);
 
-/** After jlt_dop853_single from x to x_end: its polynomial of degree 7 into stepper->dense. Cost: 4 evaluations, which are added
- *  here. */
+/** Make the polynomial of degree 7 of the step from x to x_end, just made by jlt_dop853_single, in stepper->dense. Cost: 4
+ *  evaluations, which are added here. */
 void jlt_dop853_dense(jlt_dop853 *self, jlt_stepper *stepper, const double *x, double h, const double *x_end);
 
 #endif

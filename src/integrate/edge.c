@@ -7,7 +7,7 @@
 #include "integrate/watch.h"
 
 enum { SAMPLES = 16, BISECTIONS = 60 };
-static const double ahead = 1e-8; /* of the time that has passed: half of its digits */
+static const double ahead = 1e-8; /* part of |tau|: half of its digits */
 
 /* How far x is from where it counts as being at an end of its interval, which may be infinite. */
 static double margin(double x, double end, double side)
@@ -60,7 +60,7 @@ static double distance_of(const jlt_stepper *stepper, const double *x)
     return !(a >= b) ? a : b;
 }
 
-/* Of the last step's polynomial. */
+/* The least distance on the last step's polynomial. */
 static double distance_at(const jlt_stepper *stepper, double theta)
 {
     double x[JLT_DOMAIN_STATES_MAX];
@@ -101,7 +101,7 @@ static double along(const double *gradient, const double *f, unsigned count)
     return sum;
 }
 
-/* When what is `value` now and changes at `rate` comes to zero: 0 where it is beyond, INFINITY where it goes away. */
+/* The time in which a quantity with this value and rate comes to zero: 0 if it is beyond, INFINITY if it does not approach zero. */
 static double time_to_zero(double value, double rate)
 {
     if (!(value > 0)) return 0;
@@ -184,8 +184,8 @@ static void rates(double rate[2], const jlt_stepper *stepper, const jlt_event *e
     rate[1] = stepper->h * jlt_locate_slope(event, stepper, stepper->x, stepper->f);
 }
 
-/* Whether a cubic polynomial through values and slopes, in Bernstein form, is above zero by more than its terms of second and third
- * order let it be off: what it leaves out is x""h^4/384 at most, a 192th of the former at x"" = x"/h^2. */
+/* Whether the cubic polynomial through values and slopes, in Bernstein form, is above zero by more than its error, estimated as
+ * 1/32 of its terms of second and third order: it is w""h^4/384 at most, 1/192 of the former where w"" = w"/h^2. */
 static bool stays_above(const jlt_stepper *stepper, const jlt_event *event, double w0, double w1)
 {
     double rate[2];
@@ -223,7 +223,7 @@ static bool stays_far(jlt_stepper *stepper, const jlt_event *event, double w0, d
     return least > most - least;
 }
 
-/* A method whose polynomial is free may take steps over which values and slopes at the ends tell nothing. */
+/* Whether a method's polynomial costs no evaluation: its steps may be so long that values and slopes at the ends tell nothing. */
 static bool has_polynomial(const jlt_method *method)
 {
     return method->bernstein != NULL || method->needs_jet;
@@ -241,7 +241,7 @@ jlt_status jlt_edge_first_loss(double *theta, jlt_stepper *stepper, const jlt_ev
     return jlt_edge_first_zero(theta, stepper, event, 1);
 }
 
-/* Between thirds, of which the larger end goes. */
+/* By ternary search, after an interval that holds the minimum is found by doubling. */
 double jlt_edge_least_after(const jlt_stepper *stepper, const jlt_event *event, double theta)
 {
     double low = theta, width = 0x1p-12;

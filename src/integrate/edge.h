@@ -2,7 +2,7 @@
  *
  *  Both are functions that are positive inside. At the ends of steps they are evaluated. Within a step they are polynomials, all of
  *  whose zeros are isolated as those of events are (event.h), so that an orbit which leaves and comes back within one step is
- *  seen: where it is out by more than jlt_locate_noise, of a condition by more than rounding. */
+ *  detected if it is outside by more than jlt_locate_noise, or a condition is negative by more than rounding. */
 #ifndef JLT_INTEGRATE_EDGE_H
 #define JLT_INTEGRATE_EDGE_H
 
@@ -15,19 +15,19 @@
  *  jlt_stepper_dense and of partial steps. */
 JLT_CHECKED jlt_status jlt_edge_left(double *theta, jlt_stepper *stepper);
 
-/** The first zero of an event's function within the last step, whose start is on this side of it. In/out: *theta, replaced by that
- *  of the zero if that is smaller. Errors and cost: as jlt_edge_left. */
+/** Find the first zero within the last step of an event's function that has the sign `side` at its start. In/out: *theta, replaced
+ *  by that of the zero if that is smaller. Errors and cost: as jlt_edge_left. */
 JLT_CHECKED jlt_status jlt_edge_first_zero(double *theta, jlt_stepper *stepper, const jlt_event *event, int side);
 
 /** As jlt_edge_left, for the function of an event that is positive at both ends of the step. In/out: *theta, replaced by the first
  *  theta at which the function is not positive, if that is smaller. Errors: as jlt_edge_left. */
 JLT_CHECKED jlt_status jlt_edge_first_loss(double *theta, jlt_stepper *stepper, const jlt_event *event);
 
-/** The least value of such a function from theta on, until it rises again, by the polynomial of the last step, which must be
- *  there. Cost: at most 145 values of the function. */
+/** The least value of such a function from theta on, until it rises again, on the polynomial of the last step; call
+ *  jlt_stepper_dense before. Cost: at most 145 values of the function. */
 double jlt_edge_least_after(const jlt_stepper *stepper, const jlt_event *event, double theta);
 
-/** Whether the stepper's point is outside. */
+/** Whether the stepper's point is outside the domain. */
 bool jlt_edge_is_outside(const jlt_stepper *stepper);
 
 /** Whether the point counts as being at the domain's end: its distance from an interval's end, relative to the larger of
@@ -35,8 +35,8 @@ bool jlt_edge_is_outside(const jlt_stepper *stepper);
  *  tolerance and 2^-46. */
 bool jlt_edge_reached(const jlt_stepper *stepper);
 
-/** Whether the orbit would be outside after going straight on for 1e-8 of the time that has passed: a field that grows beyond
- *  bounds there, or has no values outside, may let no step come nearer. */
+/** Whether the orbit would be outside after going straight on for 1e-8 |tau|: where the field is unbounded at the edge, or has no
+ *  values outside, it may be that no step comes nearer. */
 bool jlt_edge_is_ahead(const jlt_stepper *stepper);
 
 /** One end of the domain: a condition of its field's table, or an end of a state's interval. */
@@ -46,13 +46,13 @@ typedef struct {
     bool is_upper;  /* of the interval's ends */
 } jlt_edge_part;
 
-/** Which of them the stepper's point is beyond, or comes to first if it goes straight on. False: the orbit comes to none. Cost:
- *  the values of all conditions, and their gradients. */
+/** Find the end that the stepper's point is beyond, or comes to first if it goes straight on. Returns false if it comes to none.
+ *  Cost: the values of all conditions, and their gradients. */
 bool jlt_edge_ahead(jlt_edge_part *out, const jlt_stepper *stepper);
 
-/** In: *theta, from jlt_edge_left. Out: *theta, 0 <= theta < 1: where the polynomial of the last step, before it leaves, is half as
- *  far from the end as jlt_edge_reached allows. Errors: as jlt_stepper_dense. Cost: its own, and some 75 values of the conditions,
- *  twice each. */
+/** Find where the polynomial of the last step, before it leaves, is half as far from the domain's end as jlt_edge_reached allows.
+ *  In/out: *theta, from jlt_edge_left; then that place, 0 <= theta < 1. Errors: as jlt_stepper_dense. Cost: that of
+ *  jlt_stepper_dense, and some 75 values of the conditions, twice each. */
 JLT_CHECKED jlt_status jlt_edge_find(double *theta, jlt_stepper *stepper);
 
 #endif

@@ -25,7 +25,7 @@ typedef struct {
     double (*rate)(void *context, const double *x, const double *f);
     void *context;
     jlt_direction direction;
-    bool grazing; /* report touches too, whatever the direction asked */
+    bool grazing; /* report touches too, whatever the direction asked for */
     /* Largest allowed |dtau| of a step from x, where f is the field, in this direction of tau: for fields that are rough near
      * g = 0. NULL: no limit. */
     double (*longest_step)(void *context, const double *x, const double *f, double direction);

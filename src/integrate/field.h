@@ -20,7 +20,7 @@ enum { JLT_DOMAIN_STATES_MAX = 256 }; /* as in a table, with lifted roots */
 
 /** Where a field means something: in open intervals of its states, and where conditions on them are positive. */
 typedef struct {
-    unsigned states;               /* leading columns that this speaks of, <= JLT_DOMAIN_STATES_MAX */
+    unsigned states;               /* leading columns that are restricted, <= JLT_DOMAIN_STATES_MAX */
     const jlt_quantity *intervals; /* (states,); NULL: not watched */
     unsigned conditions;           /* <= JLT_REGION_CONDITIONS_MAX; 0: none */
     jlt_kernel_function values,    /* x, p -> (conditions,), > 0 inside */
@@ -42,7 +42,7 @@ typedef struct {
     jlt_domain domain;             /* which orbits do not leave */
     const double *scale;           /* (dim,), >= 0, the size below which a state counts as small: its error is measured
                                       against max(|x_i|, scale_i). NULL: 1, and 0 for the root, whose error is relative */
-    unsigned sized;                /* leading states of which a scale of 1 stands for jlt_field_size of an orbit's start; 0: none */
+    unsigned sized;                /* leading states for which a scale of 1 means jlt_field_size of an orbit's start; 0: none */
 } jlt_field;
 
 /** dx/dtau at x, shape (dim,), and behind it dt/dtau where the field has a time of its own: f, shape (dim,) or (dim + 1,). */
@@ -75,7 +75,7 @@ double jlt_field_scale(const jlt_field *field, unsigned i);
  *  are left, and a field that divides by the root of that distance has no correct digits worth speaking of. */
 #define JLT_FIELD_NEAREST 0x1p-37
 
-/** Whether anything of the field's domain is to be watched: a finite interval, or a condition. */
+/** Whether the field's domain restricts orbits: by a finite interval, or a condition. */
 bool jlt_field_watches(const jlt_field *field);
 
 /** Name the state that grows without bound, where an integration has stopped at x, shape (dim,), at physical time t because its

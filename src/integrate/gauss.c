@@ -26,27 +26,27 @@
 enum { N = JLT_GAUSS_NODES, SWEEPS_MAX = 24 };
 static const double rounding = 8e-16; /* half a unit in each of 48 values, root of the sum of squares */
 static const double slowest_rate = 0.7, growth_max = 2.5, safety = 0.65;
-static const double scatter = 0.1, digits = 44; /* binary: of 100 steps 2 fall short of r by more; coefficients above rounding */
-static const double farthest = 128; /* lengths of a step: its polynomial continued farther is rounding errors */
+static const double scatter = 0.1, digits = 44; /* log2: 2 of 100 steps fall short of r by more; lower coefficients are rounding */
+static const double farthest = 128; /* in lengths of the last step: continued farther, its polynomial is rounding errors */
 
 typedef struct {
     double *block;             /* all arrays below */
     const jlt_gauss_batch *batch;
     jlt_gauss_nodes nodes;     /* of the step being tried */
     jlt_gauss_nodes inside;    /* of a partial step */
-    double guessed;            /* the length that nodes hold a guess for, from the point; 0: none */
+    double guessed;            /* length of the step from the point for which `nodes` holds a guess; 0: none */
     double *clock;             /* (N,): dt/dtau at nodes */
     double *legendre;          /* (columns, N): of the last accepted step */
     double *trial;             /* (columns, N): of the step being tried */
     double *partial;           /* (columns, N): of a partial step, or the powers of a polynomial */
-    double *end, *end_low;     /* (stride,): the point a step leads to, and what rounding cuts off it */
+    double *end, *end_low;     /* (stride,): the point a step leads to, and its rounding error */
     double *end_f;             /* (stride,): the slope there */
     double *sizes;             /* (N,): of the Legendre coefficients, relative to the states, as binary logarithms */
-    double *scratch;           /* (2 dim,): without batched kernels; with them: */
-    double *spread;            /* the field's prepared values in every lane; NULL: there are none */
+    double *scratch;           /* (2 dim,): work */
+    double *spread;            /* the field's prepared values in every lane, for batched kernels; NULL: none are needed */
     const double *p;           /* these, or what the field passes through */
     double dense_error;
-    double rate;               /* what the last sweep of a whole step contracted by */
+    double rate;               /* by which the last sweep of a whole step contracted */
     bool has_past;
 } gauss;
 
@@ -61,7 +61,7 @@ static const jlt_gauss_batch *instance(const jlt_kernel_batch *kernels)
     return &jlt_gauss_batch_baseline;
 }
 
-/* Rows of eight at `rows`, the rest at `rest`, whose ends are returned. */
+/* Place the arrays of nodes: rows of eight from *rows, the others from *rest on. Moves both pointers behind them. */
 static void place(jlt_gauss_nodes *nodes, double **rows, double **rest, const jlt_stepper *stepper)
 {
     nodes->dim = stepper->field->dim;
@@ -160,8 +160,8 @@ static void begin_at(const jlt_gauss_nodes *nodes, const jlt_stepper *stepper, c
         nodes->inverse_weight[c] = 1 / jlt_larger(fabs(x0[c]), stepper->scale[c]);
 }
 
-/* The last step's polynomial, continued by h, which is growth times that step, from the point; without a last step, or where it
- * was cut too short to tell, a straight line. */
+/* Guess the nodes of a step h from the point, `growth` times as long as the last one: by the last step's polynomial, continued; by
+ * a straight line if there is no last step, or it is too short for that. */
 static void guess(gauss *self, jlt_stepper *stepper, double h, double growth)
 {
     const jlt_gauss_nodes *nodes = &self->nodes;
@@ -178,9 +178,9 @@ static void guess(gauss *self, jlt_stepper *stepper, double h, double growth)
     self->guessed = h;
 }
 
-/* Solve for the nodes of a step h, beginning with what stands there. The field is asked for again before the sweep is judged,
- * which takes as long. rate: what a sweep contracts by, 1 when it is not known; replaced where it was measured. Insist for a part
- * of a step that was solved, where sweeps are known to contract: those that seem not to may do so two by two, or are rounding. */
+/* Solve for the nodes of a step h, beginning with those in place. The field is evaluated before a sweep is judged, so that the two
+ * overlap. *rate: by which a sweep contracts, 1 if not known; replaced where it is measured. insist: for a part of a step that was
+ * solved, where sweeps are known to contract: if they seem not to, they do in pairs, or are down to rounding. */
 static bool solve(gauss *self, jlt_stepper *stepper, const jlt_gauss_nodes *nodes, double h, double *rate, bool insist)
 {
     const double enough = 0.05 * stepper->tolerance;
@@ -198,15 +198,15 @@ static bool solve(gauss *self, jlt_stepper *stepper, const jlt_gauss_nodes *node
             return true;
         }
         if (sweeps > 2 && change > slowest_rate * before) {
-            if (change < 1e-13) return true; /* rounding errors go round */
+            if (change < 1e-13) return true; /* rounding errors cycle */
             if (sweeps > 3 && !insist) return false;
         }
     }
     return insist && last <= jlt_larger(stepper->tolerance, 1e-12);
 }
 
-/* Binary logarithm of the local error at the end in units of the tolerance; self->dense_error as a side result. Logarithms
- * alone: the next step waits for this, and quotients and roots would be most of it. */
+/* Binary logarithm of the local error at the end in units of the tolerance; sets self->dense_error too. It works on logarithms
+ * alone, as the next step waits for it, and quotients and roots would take most of the time. */
 static double error_norm(gauss *self, const jlt_stepper *stepper, double h)
 {
     self->batch->sizes(self->sizes, self->trial, self->nodes.inverse_weight, stepper->columns);
@@ -214,7 +214,7 @@ static double error_norm(gauss *self, const jlt_stepper *stepper, double h)
     if (!(size < JLT_GAUSS_SIZE_MAX)) return NAN;
     /* A seventh coefficient may vanish by chance; the sixth then stands in, one factor r lower. */
     double last = jlt_larger(n[7], n[6] + (1.0 / 6) * (n[6] - size)), r = (1.0 / 7) * (last - size);
-    /* Of a large smooth part and a small rough one the last coefficients fall more slowly; rounding does not fall at all. */
+    /* The last coefficients of a large smooth part plus a small rough one fall more slowly; those of rounding do not fall. */
     const double tail = jlt_larger(n[6], n[7]), pairs = 0.5 * (tail - jlt_larger(n[4], n[5])) - 2 * scatter;
     const double fall = jlt_larger(pairs, 0.25 * (n[6] + n[7] - n[4] - n[5]) - scatter);
     if (fall > r && tail > size - digits) {
@@ -285,15 +285,15 @@ static jlt_status step(jlt_stepper *stepper, double limit)
     self->legendre = self->trial;
     self->trial = swap;
     self->has_past = true;
-    /* Begin the next step at once: the field is being evaluated while others look at this one. */
+    /* Begin the next step at once: its evaluations overlap with the search for events on this one. */
     const double next = jlt_smaller(stepper->h_next, stepper->max_step);
     guess(self, stepper, stepper->direction * next, next == proposed ? factor : next / fabs(h));
     return JLT_OK;
 }
 
-/* The time in which slopes change by as much as the states do that change them, both in their sizes, in a direction of no
- * meaning. A first step much longer than that may seem to be solved beside an unstable equilibrium, where the start stirs what
- * grows so little that no sweep sees it. */
+/* The inverse of the field's Lipschitz constant, relative to the states' sizes, estimated in an arbitrary direction. Beside an
+ * unstable equilibrium a first step much longer than that may seem to be solved, where the growing part of the start is so small
+ * that no sweep detects it. */
 static double time_of_change(gauss *self, jlt_stepper *stepper)
 {
     static const double small = 1e-7;

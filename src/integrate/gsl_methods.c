@@ -1,4 +1,4 @@
-/* GSL gives no dense output. One step of DOP853 over the accepted step provides it, of local order 7, bent to
+/* The methods of GSL, which gives no dense output. One step of DOP853 over the accepted step provides it, of local order 7, bent to
  * end at GSL's point: its error is at most that of DOP853 on the same step, plus GSL's own. Partial steps are
  * DOP853's as well; a step of GSL's controlled methods is short enough for that, being of order 8 or lower or (msadams, order
  * up to 12) shorter still by its stability. */
@@ -52,7 +52,7 @@ static void destroy(jlt_stepper *stepper)
 static jlt_status start(jlt_stepper *stepper)
 {
     gsl_state *self = stepper->state;
-    double scale[JLT_FIELD_DIM_MAX + 1]; /* GSL multiplies them, so "not controlled" must stay finite */
+    double scale[JLT_FIELD_DIM_MAX + 1]; /* GSL multiplies scales, so that of a column not controlled must be finite */
 
     for (unsigned i = 0; i < stepper->columns; i++) scale[i] = fmin(stepper->scale[i], 1e200);
     if (!(stepper->h_next > 0)) stepper->h_next = fmin(1e-3, stepper->max_step);

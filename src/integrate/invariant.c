@@ -33,7 +33,7 @@ static bool solve(double a[COUNT][COUNT], double *b, unsigned n)
     return true;
 }
 
-/* One Gauss-Newton step on x; false where it cannot be made. */
+/* Make one Gauss-Newton step on x. Returns false where it cannot be made. */
 static bool approach(double *x, const jlt_invariants *of, const double *level, const double *size, unsigned dim)
 {
     const unsigned n = of->count;

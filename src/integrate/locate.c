@@ -1,4 +1,4 @@
-/* Newton's method on partial steps, between bounds, and at its end along the flow. */
+/* Newton's method on partial steps, between bounds; its last moves follow the flow. */
 #include "integrate/locate.h"
 
 #include <float.h>
@@ -68,7 +68,7 @@ jlt_status jlt_locate_refine(jlt_crossing *crossing, double *x, double *slope_wo
     double *f = slope_work, *theta = &crossing->theta;
     double lo = fmax(*theta - 0.5, -0.01), hi = fmin(*theta + 0.5, 1.01); /* shrinks about the sign change */
     const double span = fabs(stepper->h), turn = crossing->direction * stepper->direction;
-    if (*theta == 0) lo = -jlt_larger(1, stepper->h_next / span), hi = 1; /* seen as the orbit left the noise */
+    if (*theta == 0) lo = -jlt_larger(1, stepper->h_next / span), hi = 1; /* found as the orbit left the noise */
     double best = *theta, least = INFINITY;
     unsigned nudged = 0;
 
@@ -83,7 +83,7 @@ jlt_status jlt_locate_refine(jlt_crossing *crossing, double *x, double *slope_wo
         const bool downhill = crossing->slope * stepper->direction * turn > 0;
         if (g == 0 || (downhill && fabs(move) <= DBL_EPSILON * span)) goto done;
         if (nudged == 3) goto done; /* at the rounding level of g */
-        /* What nudge leaves is below a third of the cube for steps that gauss takes. */
+        /* On steps that gauss takes, nudge errs by less than a third of the cube of its move. */
         if (downhill && near * near * near <= jlt_larger(1e-3 * stepper->tolerance, 1e-18)) {
             *theta += nudge(stepper, event, x, f, g, move) / stepper->h;
             crossing->residual = jlt_locate_value(event, x);
@@ -101,7 +101,7 @@ jlt_status jlt_locate_refine(jlt_crossing *crossing, double *x, double *slope_wo
         JLT_TRY(jlt_locate_state(event, stepper, *theta, x, f, &crossing->residual, &crossing->slope));
         if (closed) goto done;
     }
-    /* Where partial steps disagree by more than the orbit moves, any point among the errors is as good. */
+    /* Where errors of partial steps are larger than the orbit's motion, any point within them is as good as the zero. */
     st = JLT_ERR_NO_CONVERGENCE;
     if (event->value == NULL && least <= jlt_locate_noise(stepper->asked) * jlt_locate_unit(event, stepper)) {
         *theta = best;

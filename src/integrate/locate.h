@@ -1,4 +1,4 @@
-/** An event's function at a state, and its zeros on the flow itself. */
+/** Evaluates an event's function at a state, and refines its zeros on the flow itself. */
 #ifndef JLT_INTEGRATE_LOCATE_H
 #define JLT_INTEGRATE_LOCATE_H
 
@@ -10,15 +10,15 @@ double jlt_locate_value(const jlt_event *event, const double *x);
 /** dg/dtau at x, where f is the field at x, both (stride,): by central differences along f where the event has no `rate`. */
 double jlt_locate_slope(const jlt_event *event, const jlt_stepper *stepper, const double *x, const double *f);
 
-/** What x[column] - level is measured against: its level, and what counts as small. */
+/** The size relative to which x[column] - level is measured: |level|, or jlt_stepper_unit of the column if that is larger. */
 double jlt_locate_unit(const jlt_event *event, const jlt_stepper *stepper);
 
-/** The state x, the field f there, both (stride,), and g with its rate, at theta by a partial step. Errors: its own. */
+/** Compute the state x at theta by a partial step, the field f there, both (stride,), and g with its rate. Errors: the step's. */
 JLT_CHECKED jlt_status jlt_locate_state(const jlt_event *event, jlt_stepper *stepper, double theta, double *x, double *f,
                                         double *value, double *slope);
 
-/** How far off the section, in units of what counts as small, an orbit must go on both sides of a crossing: ten tolerances, because
- *  a method at its stability limit keeps decayed components at a few tolerances; 1e-12 at least, and 1e-4 at most. */
+/** How far off the section, in units of jlt_locate_unit, an orbit must go on both sides of a crossing: ten tolerances, because a
+ *  method at its stability limit keeps decayed components at a few tolerances; 1e-12 at least, and 1e-4 at most. */
 static inline double jlt_locate_noise(double tolerance)
 {
     const double noise = 10 * tolerance;

@@ -2,7 +2,7 @@
  *
  *  Each method keeps its estimate of a step's error below tolerance * share * max(|x_i|, scale_i), in its own norm (see its
  *  file). Some estimates are more cautious than others, and errors of steps add up, so each method has a share of its own,
- *  which was measured: after ten returns of the regular orbits of (5.1) the error is about the tolerance by every method. */
+ *  which is measured: after ten returns of regular orbits the error is about the tolerance by every method. */
 #ifndef JLT_INTEGRATE_METHOD_H
 #define JLT_INTEGRATE_METHOD_H
 
@@ -13,16 +13,16 @@ struct jlt_method {
     const char *meaning;     /* one line, with its source */
     unsigned order;          /* of the accepted solution; 0: variable */
     unsigned evaluations;    /* field evaluations per accepted step; 0: variable */
-    double share;            /* of the tolerance: what the error estimate of a step may be; a power of two */
+    double share;            /* part of the tolerance that the error estimate of a step may reach; a power of two */
     bool needs_jet;
     bool multistep;          /* uses past steps: moving the point restarts it at order 1 */
     jlt_status (*create)(jlt_stepper *self);    /* makes self->state */
     void (*destroy)(jlt_stepper *self);         /* legal when create failed */
     jlt_status (*start)(jlt_stepper *self);     /* x and f changed: forget the past, set h_next when it is 0 */
-    /* One accepted step of length <= limit (> 0): sets h, h_next, x, x_low, f, x_start, f_start. */
+    /* Make one accepted step of length <= limit (> 0): sets h, h_next, x, x_low, f, x_start, f_start. */
     jlt_status (*step)(jlt_stepper *self, double limit);
     jlt_status (*dense)(jlt_stepper *self);     /* fill dense and dense_degree (>= 3) for the last step */
-    /* The state at tau_start + theta*h by a step of its own from the start, local error not above the whole step's;
+    /* Compute the state at tau_start + theta*h by a step of its own from the start, local error not above the whole step's;
      * out has shape (stride,) and must not be one of the stepper's arrays. theta may leave [0, 1] by a little. */
     jlt_status (*partial)(jlt_stepper *self, double theta, double *out);
     /* These two make a step far from an event cheap; one of them may be NULL. variation: an upper estimate of the total

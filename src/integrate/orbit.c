@@ -25,7 +25,7 @@ struct jlt_orbit {
     jlt_crossing pending[JLT_ORBIT_EVENTS_MAX * JLT_CROSSINGS_MAX]; /* of the last step, ascending, from `next_pending` on */
     unsigned pending_count, next_pending;
     double cursor;  /* theta up to which the last step has been handed out */
-    double *at, *slope; /* (stride,): the state handed out, and work; those of the watches follow */
+    double *at, *slope; /* (stride,): the state handed out, and work; the watches' arrays follow */
 
     jlt_invariant_watch invariants;
     jlt_pole_verdict pole;
@@ -150,7 +150,7 @@ static jlt_status locate_step(jlt_orbit *self)
     return JLT_OK;
 }
 
-/* Take over the list of events. A new one is located anew on what is left of the last step. */
+/* Take over the list of events. If it is a new one, locate its crossings on the rest of the last step. */
 static jlt_status watch_events(jlt_orbit *self, const jlt_event *events, unsigned count)
 {
     bool same = count == self->watch_count;
@@ -199,7 +199,7 @@ static bool at_time(const jlt_stepper *stepper, double t)
     return fabs(now - t) <= 4 * DBL_EPSILON * jlt_larger(fabs(now), fabs(stepper->h));
 }
 
-/* The state at physical time t_end inside the last step. */
+/* Hand out the state at physical time t_end inside the last step. */
 static jlt_status hand_out_time(jlt_orbit *self, jlt_outcome *out, double t_end)
 {
     jlt_stepper *stepper = self->stepper;
@@ -222,7 +222,7 @@ done:
     return st;
 }
 
-/* What the last step still holds: a crossing, or t_end, whichever is first. *found: something was handed out. */
+/* Hand out what the last step still holds: a crossing, or t_end, whichever is first. *found: whether there was one. */
 static jlt_status rest_of_step(jlt_orbit *self, jlt_outcome *out, bool *found, double t_end)
 {
     jlt_status st = JLT_OK;
@@ -262,7 +262,7 @@ static void hand_out_pole(jlt_orbit *self, jlt_outcome *out)
     out->pole_rates[1] = self->pole.approach.slowest;
 }
 
-/* One step, and what is looked at after each. */
+/* Make one step, then watch invariants, locate crossings, and look for a pole. */
 static jlt_status advance(jlt_orbit *self, double limit)
 {
     jlt_status st = JLT_OK;

@@ -14,7 +14,7 @@
 #include "integrate/event.h"
 #include "integrate/invariant.h"
 
-/** The default of tolerances. */
+/** The default tolerance. */
 #define JLT_ORBIT_TOLERANCE 1e-12
 
 /** Zero means the default, in all fields. */
@@ -27,7 +27,7 @@ typedef struct {
     jlt_invariants invariants;
     bool project;             /* after each step put the state back onto the start's levels of the invariants, along their
                                  gradients, when it is off by more than rounding */
-    bool ignore_pole;         /* do not end at a pole: go on in regularised time, for ever */
+    bool ignore_pole;         /* do not end at a pole, but go on towards it in regularised time without end */
 } jlt_options;
 
 typedef enum {
@@ -95,7 +95,7 @@ JLT_CHECKED jlt_status jlt_orbit_sample(jlt_orbit *self, double *states, size_t 
 const jlt_stepper *jlt_orbit_stepper(const jlt_orbit *self); /* the point now, the last step, counters */
 
 /** Find where in the last step the function of an event, positive at both ends of it, first comes to zero. Out: *theta, in [0, 1],
- *  or INFINITY: nowhere; else *least, its least value from there on, until it rises again, and jlt_stepper_values may be called.
+ *  or INFINITY: nowhere; else *least, its least value from there on until it rises again, and jlt_stepper_values may be called.
  *  Errors and cost: those of jlt_edge_first_loss, jlt_edge_least_after (edge.h). */
 JLT_CHECKED jlt_status jlt_orbit_loss(jlt_orbit *self, double *theta, double *least, const jlt_event *event);
 

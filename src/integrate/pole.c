@@ -2,8 +2,8 @@
 
 #include <math.h>
 
-/* Where the question is asked at all: the root and all rates this small, relative to scale; or as ten tolerances, for a method at
- * its limit of stability holds at some what has decayed. */
+/* A point is judged only if the root and all rates, relative to scale, are this small, or rates below ten tolerances: a method at
+ * its limit of stability keeps decayed states at some tolerances. */
 static const double near_root = 1e-8, near_rest = 1e-6;
 
 jlt_status jlt_pole_judge(jlt_pole_verdict *out, const jlt_stepper *stepper)

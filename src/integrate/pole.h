@@ -1,21 +1,21 @@
 /** The end of an orbit at a pole, in regularised time.
  *
- *  With dt = w dtau, where w is s times what is not zero there, and the root s lifted to a state, the pole s = 0 is an
+ *  With dt = w dtau, where w is s times a factor that is not zero there, and the root s lifted to a state, the pole s = 0 is an
  *  invariant set, reached as tau -> infinity, and on it lie equilibria. An orbit that ends there decays onto one of them: s as
  *  exp(-mu tau) with mu = -s'/s, the other transverse states at rates of their own. The Jacobian at the equilibrium has the
  *  eigenvalue 0 along the set of equilibria and the rates across it; orbits nearby end there exactly when all the latter
  *  are negative. A near miss has a positive one and leaves.
  *
  *  t_end - t = integral of w dtau = w/mu up to the order that jlt_approach neglects, and the orbit is at its end when that is
- *  below the tolerance. To wait until the way left itself vanishes would be to wait in vain: where the rates differ much, an
- *  explicit method steps at its limit of stability and holds the fast states at some tens of tolerances. */
+ *  below the tolerance. The remaining displacement itself may never get so small: where the rates differ much, an explicit method
+ *  steps at its limit of stability and holds the fast states at some tens of tolerances. */
 #ifndef JLT_INTEGRATE_POLE_H
 #define JLT_INTEGRATE_POLE_H
 
 #include "integrate/approach.h"
 
 typedef struct {
-    bool ends;         /* attracted, and what is left of the way is known below the tolerance */
+    bool ends;         /* the orbit is attracted, and the remaining displacement is known to the tolerance */
     double mu;         /* decay rate of the root, in tau, > 0 */
     double t_end;      /* when ends */
     jlt_approach approach; /* when ends */

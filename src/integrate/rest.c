@@ -47,10 +47,10 @@ static bool is_slow(const jlt_stepper *stepper)
     return stepper_slower(stepper, jlt_rest_slow(stepper->asked));
 }
 
-/* Whether the orbit decays, to where is known; limit gets it. A root that goes to 0 leads to a pole, which is another end. */
+/* Whether the orbit decays onto a known equilibrium; limit gets it. A root that goes to 0 leads to a pole, another kind of end. */
 static bool decays_to(jlt_approach *approach, const jlt_stepper *stepper, double *limit)
 {
-    static const double weakest = 1e-5; /* of the fastest rate: a weaker one may be none */
+    static const double weakest = 1e-5; /* a rate below this part of the fastest may be 0 */
     const int root = stepper->field->root;
 
     if (jlt_approach_judge(approach, stepper) != JLT_OK || !jlt_approach_is_known(approach, stepper)
@@ -70,7 +70,7 @@ bool jlt_rest_ends(const jlt_stepper *stepper, double *limit)
     return true;
 }
 
-/* What is left is less than a crossing is deep. */
+/* Whether the remaining displacement is less than jlt_locate_noise, so that no crossing can follow. */
 static bool is_near(const jlt_stepper *stepper, double *limit)
 {
     jlt_approach approach;

@@ -12,7 +12,7 @@
 #define JLT_REST_STILL 1e-12
 
 /** The speed below which an orbit that decays counts as come to rest: a thousand tolerances, but JLT_REST_STILL at least, and 1e-6
- *  at most, for at loose tolerances a thousand of them would be the speed of ordinary motion. */
+ *  at most, since a thousand loose tolerances would be the speed of ordinary motion. */
 double jlt_rest_slow(double tolerance);
 
 /** Whether the field at x, shape (dim,), is slower than `speed` on an orbit of this size. Cost: 1 evaluation. */
@@ -28,8 +28,8 @@ typedef struct {
     unsigned steps, slow_steps;
 } jlt_rest_watch;
 
-/** Call after an accepted step. True when the orbit has been slow for more than 64 steps and jlt_rest_ends, or when it decays and
- *  is nearer to its equilibrium than jlt_locate_noise (a method at its stability limit may never become slow), which is tested
+/** Call after an accepted step. Returns true if the orbit has been slow for more than 64 steps and jlt_rest_ends holds, or if it
+ *  decays and is nearer to its equilibrium than jlt_locate_noise (a method at its stability limit may never become slow), tested
  *  every 1024 steps. limit as below. Cost: at most a Jacobian and its eigenvalues every 1024 steps until the orbit is slow. */
 bool jlt_rest_watch_step(jlt_rest_watch *self, const jlt_stepper *stepper, double *limit);
 

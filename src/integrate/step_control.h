@@ -47,8 +47,8 @@ static inline double jlt_smaller(double a, double b)
     return a < b ? a : b;
 }
 
-/** The unit of time in which a first step is chosen, for the largest rate relative to its state's size, 0 where all is at rest: 1,
- *  but for a motion so slow that what counts as a short step would be no step at all. */
+/** The unit of time in which a first step is chosen. speed: the largest rate relative to its state's size, 0 at rest. The unit is
+ *  1, but 1/speed for a motion so slow that an ordinary first step would change nothing. */
 static inline double jlt_first_unit(double speed)
 {
     return speed > 0 && speed < 1e-5 ? 1 / jlt_larger(speed, 1e-290) : 1;

@@ -16,7 +16,7 @@ static bool all_finite(const double *x, unsigned count)
     return true;
 }
 
-/* For an orbit that starts at x. Scales past the columns are 1, where all is 0. */
+/* Set the scales for an orbit that starts at x. Scales past the columns, where all is 0, are 1. */
 static void set_scales(jlt_stepper *self, const double *x)
 {
     const jlt_field *field = self->field;
@@ -33,7 +33,7 @@ static void set_scales(jlt_stepper *self, const double *x)
 jlt_status jlt_stepper_create(jlt_stepper **out, const jlt_method *method, const jlt_field *field, double tolerance,
                               double max_step)
 {
-    static const double finest = 1e-15; /* below it a share would ask estimates to tell from rounding what they cannot */
+    static const double finest = 1e-15; /* no share makes the tolerance smaller: error estimates drown in rounding there */
     jlt_status st = JLT_OK;
     jlt_stepper *self = NULL;
     double *block;
@@ -87,7 +87,7 @@ void jlt_stepper_destroy(jlt_stepper *self)
     free(self);
 }
 
-/* The last step becomes an empty one at the point. */
+/* Make the last step an empty one at the point. */
 static void forget_step(jlt_stepper *self)
 {
     const size_t size = self->stride * sizeof *self->x;
@@ -131,7 +131,7 @@ jlt_status jlt_stepper_replace(jlt_stepper *self, const double *x)
     return self->method->start(self);
 }
 
-/* The step was not taken: once more at its start. */
+/* Undo the last step: go back to its start. */
 static jlt_status step_back(jlt_stepper *self)
 {
     const size_t size = self->stride * sizeof *self->x;
@@ -142,8 +142,8 @@ static jlt_status step_back(jlt_stepper *self)
     return self->method->start(self);
 }
 
-/* After a step that led out of the domain at theta: one that ends before, and within the tolerance of the end where the
- * polynomial of the longer one was good enough. A point from where no such step can be made is at the end. */
+/* Replace a step that led out of the domain at theta by one that ends before that, and within the tolerance of the domain's end if
+ * the longer step's polynomial was good enough. Returns DOMAIN, at the step's start, if that is so near that none can be made. */
 static jlt_status approach_edge(jlt_stepper *self, double theta)
 {
     jlt_status st = JLT_OK;
@@ -168,7 +168,7 @@ done:
     return st;
 }
 
-/* The step in hand, or a shorter one. On failure none is taken. */
+/* Keep the last step if it stays in the domain, else replace it by a shorter one. On failure no step is taken. */
 static jlt_status stay_inside(jlt_stepper *self)
 {
     double left;

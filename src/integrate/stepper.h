@@ -14,7 +14,7 @@
 
 enum { JLT_DENSE_DEGREE_MAX = JLT_JET_ORDER_MAX, JLT_STEPPER_WIDTH = 8 };
 
-/** The scale of a state that has none: not 0, for 0/0 would be no number. */
+/** The least scale, in place of 0, since 0/0 is NaN. */
 #define JLT_STEPPER_SCALE_LEAST 1e-290
 
 typedef struct jlt_method jlt_method;
@@ -46,12 +46,12 @@ typedef struct {
     bool dense_ready;
 
     double *gradients;    /* room for those of the field's conditions, (conditions, domain states) */
-    double size;          /* of the start, see field.h */
-    double *scale;        /* below it a column counts as small; INFINITY: not controlled */
+    double size;          /* jlt_field_size_at the start */
+    double *scale;        /* below which a column counts as small; INFINITY: not controlled */
     unsigned controlled;  /* columns in the error norm */
-    bool watches;         /* something of the field's domain */
+    bool watches;         /* jlt_field_watches(field) */
     bool at_edge;         /* the last point counts as the domain's end; the next advance returns DOMAIN */
-    unsigned approaches;  /* steps that were shortened because they would have left it */
+    unsigned approaches;  /* steps that were shortened because they would have left the domain */
     size_t steps, rejected;
     size_t evaluations;   /* of the field so far; gauss: with the 8 that the next step begins with, whether it is taken or not;
                              taylor: of its jet, one a step */
@@ -65,13 +65,13 @@ JLT_CHECKED jlt_status jlt_stepper_create(jlt_stepper **out, const jlt_method *m
                                           double tolerance, double max_step);
 void jlt_stepper_destroy(jlt_stepper *self); /* NULL is legal */
 
-/** Put it at x, shape (dim,), at physical time t (tau starts at t as well), to go forwards (direction > 0) or backwards.
+/** Put the stepper at x, shape (dim,), at physical time t (tau starts at t as well), to go forwards (direction > 0) or backwards.
  *  first_step > 0 proposes the first step, 0 leaves it to the method. Errors: NONFINITE, x or the field there. */
 JLT_CHECKED jlt_status jlt_stepper_start(jlt_stepper *self, double t, const double *x, double direction,
                                          double first_step);
 
-/** The size below which state i counts as small, as an end of its interval or a level near 0 is told by it: its scale; 1 for one
- *  that has none, being a root or not controlled. */
+/** The size below which state i counts as small, for distances from an end of its interval or from a level near 0: its scale; 1 for
+ *  one that has none, being a root or not controlled. */
 static inline double jlt_stepper_unit(const jlt_stepper *self, unsigned i)
 {
     return self->scale[i] > JLT_STEPPER_SCALE_LEAST && self->scale[i] < INFINITY ? self->scale[i] : 1;

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-/* The polynomial is bent by a smooth step, so that it ends at the point exactly. */
+/* Add gap (3 theta^2 - 2 theta^3) to the polynomial, so that it ends at the point exactly. */
 static void meet_end(jlt_stepper *self)
 {
     for (unsigned from = 0; from < self->stride; from += JLT_STEPPER_WIDTH) {

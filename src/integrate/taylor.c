@@ -81,7 +81,7 @@ static double longest_step(const taylor *self, const jlt_stepper *stepper)
     return longest;
 }
 
-/* The step's polynomial and what it adds to the point; false: not finite. */
+/* Make the step's polynomial, and the increment of the point. Returns false if that is not finite. */
 static bool expand(taylor *self, jlt_stepper *stepper, double h)
 {
     const unsigned columns = stepper->columns, stride = stepper->stride, dim = stepper->field->dim;
@@ -106,9 +106,9 @@ static bool expand(taylor *self, jlt_stepper *stepper, double h)
 }
 
 /* Whether the polynomial still obeys the field where it ends. A series runs smoothly through a pole, where the field's root would
- * change its sign, and comes out as a motion that the field does not know. What is left out of the slope is the order times what is
- * left out of the state; a hundred of that is no truncation any more. As near as that to the bound, where both are small, the signs
- * tell: a step that turned there went through, and is halved until it ends before. */
+ * change its sign, and comes out as a motion that does not obey the field. The slope's truncation error is the order times that of
+ * the state; a hundred times as much is none. As near as that to the bound, where both are small, the signs decide: a step whose
+ * slope is opposite to the field's went through, and is halved until it ends before. */
 static bool follows_field(const taylor *self, const jlt_stepper *stepper, double h)
 {
     double end[JLT_FIELD_DIM_MAX], f[JLT_FIELD_DIM_MAX];

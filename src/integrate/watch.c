@@ -95,8 +95,8 @@ static double left_out(const double value[NODES])
     return 4 * (fabs(last) / 6 + fabs(but_one) / 3);
 }
 
-/* Whether a polynomial through every other value holds between them as well. Through these T_k, k = 7 to 12, is taken for
- * T_(12-k); at the place where it is looked at the two differ by 0.84 or more, of 0.85 that one place can have at most. */
+/* Whether the polynomial through every other value is right between them as well. On these nodes T_k, k = 7 to 12, is aliased to
+ * T_(12-k); at the point that is tested the two differ by 0.84 or more, where no point attains more than 0.85. */
 static bool holds_between(const double *b, unsigned degree, double doubt, const jlt_event *event, const jlt_stepper *stepper)
 {
     static const double between = 0.389;
@@ -170,7 +170,7 @@ typedef struct {
     unsigned touches;
 } zeros;
 
-/* Take out or put in the pair of sign changes about an extremum that nearly touches zero, as the flow decides. */
+/* Remove or insert the pair of sign changes about an extremum that nearly touches zero, according to its refined value. */
 static void settle_pair(zeros *z, const extremum *e, double noise)
 {
     const double depth = -e->value * (e->bend > 0 ? 1 : -1); /* > 0: past the section */
@@ -198,7 +198,7 @@ static void settle_pair(zeros *z, const extremum *e, double noise)
     if (depth >= -noise && z->touches < SIZE) z->touch[z->touches++] = e->theta;
 }
 
-/* Extrema of the polynomial that lie within its error of zero are decided on the flow. at (count,): they; size: of g's terms. */
+/* Refine on the flow the extrema `at`, (count,), where the polynomial is zero within its error, and decide them. size: of g. */
 static jlt_status settle_touches(zeros *z, const jlt_watch *self, jlt_stepper *stepper, const double *b, unsigned degree,
                                  const double *at, unsigned count, double size)
 {
@@ -219,9 +219,9 @@ static jlt_status settle_touches(zeros *z, const jlt_watch *self, jlt_stepper *s
     return JLT_OK;
 }
 
-/* Neighbouring zeros between which g is but noise are none: the orbit does not leave the section there. A zero at the start and
- * one at the end count among the neighbours; they are divided out of b, the former `power` times. Returns the side that the orbit
- * is on at first, which was `side`. */
+/* Drop neighbouring zeros between which g is within the noise: the orbit does not leave the section there. Zeros at the start and
+ * at the end count among the neighbours; that at the start is divided out of b, `power` times. Returns the side that the orbit is
+ * on at first, which is `side` unless zeros are dropped. */
 static int drop_noise(zeros *z, const double *b, unsigned degree, unsigned power, bool at_start, bool at_end, int side,
                       double noise)
 {
@@ -269,8 +269,8 @@ static void note(jlt_crossing *list, unsigned *count, const jlt_watch *self, con
     list[at] = (jlt_crossing){ .theta = theta, .direction = turn * (stepper->direction > 0 ? 1 : -1) };
 }
 
-/* A step that ends within the noise, past a zero that lies as near: it is kept until the orbit leaves the noise, maybe many steps
- * later. A step that begins beyond the noise may have other zeros, before that: the slope at its end tells where to look. */
+/* After a step that ends within the noise, past a zero that lies as near, store that zero until the orbit leaves the noise, maybe
+ * many steps later. A step that begins beyond the noise may have other zeros before: the slope at its end tells where to look. */
 static jlt_status keep_zero(jlt_watch *self, jlt_stepper *stepper, double before, double after, double noise)
 {
     const int turn = -self->side;
@@ -297,7 +297,7 @@ jlt_status jlt_watch_step(jlt_watch *self, jlt_stepper *stepper, jlt_crossing *l
 
     *count = z.count = z.touches = 0;
     self->value = after;
-    /* In what unit another function is small nobody knows. */
+    /* For other functions no unit is known in which they are small. */
     const double noise = self->event.value == NULL ? jlt_locate_noise(stepper->asked) * jlt_locate_unit(&self->event, stepper) : 0;
     if (fabs(before) > noise) self->has_zero = false;
     if (stays_away(self, stepper, before, after)) return JLT_OK;
@@ -320,7 +320,7 @@ jlt_status jlt_watch_step(jlt_watch *self, jlt_stepper *stepper, jlt_crossing *l
     }
     if (!starts_on) touches = jlt_bernstein_touches(touch, b, degree, doubt);
     int side = sign_right_of_zero(b, degree);
-    /* A single crossing that nobody asked for need not be found. */
+    /* A single crossing in a direction that is not asked for need not be located. */
     if (touches == 0 && jlt_bernstein_variations(b, degree) == 1 && !asked_for(self, stepper, -side)) z.roots[z.count++] = 0.5;
     else z.count = jlt_bernstein_sign_changes(z.roots, b, degree);
     if (touches > 0) JLT_TRY(settle_touches(&z, self, stepper, b, degree, touch, touches, terms));

@@ -1,4 +1,4 @@
-/** Which of a descriptor's batched kernels this processor can run. */
+/** Tells which of a descriptor's batched kernels this processor can run. */
 #ifndef JLT_KERNEL_BATCH_ISA_H
 #define JLT_KERNEL_BATCH_ISA_H
 
@@ -9,16 +9,16 @@
 /** Whether the processor and the operating system support the instruction set of these kernels. */
 bool jlt_batch_isa_runs(const jlt_kernel_batch *kernels);
 
-/** Lanes of the widest instruction set that runs here, no more than JELLETT_LANES allows: 2, 4 or 8. */
+/** The number of lanes, 2, 4 or 8, of the widest instruction set that runs here and that JELLETT_LANES allows. */
 unsigned jlt_batch_isa_lanes(void);
 
-/** The widest batched kernels of a descriptor that run here with at most `lanes` lanes. lanes 0: the environment variable
- *  JELLETT_LANES (2, 4 or 8) gives the bound; where it is not set there is none. NULL: the descriptor has no such kernels,
- *  which cannot be for a built-in descriptor and lanes >= 2; one that was compiled for lanes has those of jlt_batch_isa_lanes. */
+/** The widest batched kernels of a descriptor that run here with at most `lanes` lanes; lanes = 0 takes the bound from the
+ *  environment variable JELLETT_LANES (2, 4 or 8; unset: no bound). Returns NULL if there are none. Built-in descriptors always
+ *  have kernels of 2 lanes; a descriptor that was compiled for one number of lanes has those of jlt_batch_isa_lanes(). */
 const jlt_kernel_batch *jlt_batch_isa_best(const jlt_descriptor *descriptor, unsigned lanes);
 
-/** What these kernels take for p where all lanes have the prepared values p, shape (kernels->prepared,): shape (prepared, lanes),
- *  for the caller to free(). NULL: memory is out. */
+/** Replicate the prepared values p, shape (kernels->prepared,), to all lanes: the result, shape (prepared, lanes), is the argument
+ *  p of these kernels. The caller frees it with free(). Returns NULL if memory is out. */
 double *jlt_batch_isa_spread(const jlt_kernel_batch *kernels, const double *p);
 
 #endif

@@ -124,7 +124,7 @@ const jlt_claim *jlt_descriptor_doubted_integral(const jlt_descriptor *of)
     return NULL;
 }
 
-/* Add those of `more` that are not there yet; both are lists joined with ", ". */
+/* Append the claims of `more` that are not yet in `claims`; both are lists joined with ", ". */
 static void join_claims(char *claims, size_t size, const char *more)
 {
     while (*more != '\0') {

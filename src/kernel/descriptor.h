@@ -1,4 +1,4 @@
-/** Finding generated kernels by name, and reading what their descriptors say. */
+/** Finds generated kernels by name, and reads what their descriptors say. */
 #ifndef JLT_KERNEL_DESCRIPTOR_H
 #define JLT_KERNEL_DESCRIPTOR_H
 
@@ -7,8 +7,8 @@
 
 #include <stdbool.h>
 
-/* All descriptors built in: jlt_descriptor_at(i), 0 <= i < jlt_descriptor_count(); those of a model stand together, its
- * general field first. */
+/* The built-in descriptors, 0 <= index < jlt_descriptor_count(); those of one model stand together, its general field first.
+ * jlt_descriptor_at returns NULL beyond the last. */
 size_t jlt_descriptor_count(void);
 const jlt_descriptor *jlt_descriptor_at(size_t index);
 
@@ -20,53 +20,53 @@ const jlt_descriptor *jlt_descriptor_find(const char *model, const char *variant
 const jlt_descriptor *jlt_descriptor_sibling(const jlt_descriptor *of, const char *variant, const char *time,
                                              const char *elimination);
 
-/** The most special variant of a descriptor's model that holds for these parameters. A variant holds when what it substitutes
- *  leaves the parameters as they are; of those that hold, the one with the most integrals is taken, then the one with the
- *  fewest operations. NULL when there is none in this time with this elimination.
+/** The most special variant of a descriptor's model that holds for these parameters, in this time and with this elimination; NULL
+ *  if there is none. A variant holds if its substitutions leave the parameters unchanged. Of those that hold, the one with the
+ *  most integrals is taken; among equals, the one with the fewest operations.
  *  In: params, shape (param_count,), of the model, in the table's units. */
 const jlt_descriptor *jlt_descriptor_choose(const jlt_descriptor *of, const char *time, const char *elimination,
                                             const double *params);
 
-/** How many operations one call of a kernel takes; a fused multiply-add is one. */
+/** The number of operations of one call of a kernel; a fused multiply-add counts as one. */
 unsigned jlt_descriptor_operations(const jlt_operation_count *count);
 
-/** A claim of the model, by kind and name; NULL when its table makes none. */
+/** The claim of the model with this kind and name; NULL if its table makes none. */
 const jlt_claim *jlt_descriptor_claim(const jlt_descriptor *of, const char *kind, const char *name);
 
 /** Whether the table makes this claim, and it is proved. */
 bool jlt_descriptor_proves(const jlt_descriptor *of, const char *kind, const char *name);
 
-/** The first claim without a proof that the field itself rests on: of a root or a logarithm, or of its variant, time or
- *  elimination. NULL: none; what is said of the field, as integrals and equilibria are, may lack its proof all the same. */
+/** The first unproved claim that the field itself rests on: that of a root, a logarithm, or of the field's variant, time or
+ *  elimination. Returns NULL if there is none; claims about the field, such as integrals and equilibria, may still be unproved. */
 const jlt_claim *jlt_descriptor_doubted_field(const jlt_descriptor *of);
 
-/** Whether the table has poles and all are proved: a lifted root then keeps its digits, as orbits come to rest where it is zero. */
+/** Whether the table has poles and all of them are proved: orbits then come to rest where the lifted root is zero, so the root
+ *  keeps its digits there. */
 bool jlt_descriptor_has_poles(const jlt_descriptor *of);
 
-/** The first of a descriptor's integrals that is not proved to be one; NULL: none. */
+/** The claim of the first of a descriptor's integrals that is not proved; NULL if all are proved. */
 const jlt_claim *jlt_descriptor_doubted_integral(const jlt_descriptor *of);
 
-/** The claims that kernels of a model rest on without a proof, all its descriptors taken together: "KIND NAME, ...", cut to
- *  `size` bytes. False, and "", when everything is proved. */
+/** List the unproved claims that kernels of a model rest on, over all its descriptors: "KIND NAME, ...", cut to `size` bytes.
+ *  Returns false, with an empty list, if everything is proved. */
 bool jlt_descriptor_unproved(char *claims, size_t size, const jlt_descriptor *of);
 
-/** Add the claim of this kind and name to a list of that form, unless it is proved or there already. */
+/** Append the claim of this kind and name to such a list, if the table makes it, and it is neither proved nor listed yet. */
 void jlt_descriptor_add_unproved(char *claims, size_t size, const jlt_descriptor *of, const char *kind, const char *name);
 
-/** What a parameter must be, " > 0" and the like; "" where it may have any value. */
+/** The condition on a parameter's sign, " > 0" and the like; "" if any value is allowed. */
 const char *jlt_descriptor_condition(const jlt_quantity *param);
 
-/** Whether the parameter may have this value, which is finite. */
+/** Whether the parameter may have this finite value. */
 bool jlt_descriptor_allows(const jlt_quantity *param, double value);
 
-/* The index of a state or parameter of this name; false when there is none, *index then stays. */
+/* Find the state or parameter of this name. Returns false, and leaves *index, if there is none. */
 bool jlt_descriptor_state(const jlt_descriptor *descriptor, const char *name, size_t *index);
 bool jlt_descriptor_param(const jlt_descriptor *descriptor, const char *name, size_t *index);
 
-/** Check x, shape (state_count,), or params, shape (param_count,), against the table's domain. *index tells the first that
- *  fails.
- *  Errors: NONFINITE, a NaN or an infinity; DOMAIN, a state outside its open interval, or a parameter that breaks its sign
- *  condition. */
+/** Check x, shape (state_count,), or params, shape (param_count,), against the table's domain: finite, states in their open
+ *  intervals, parameters of their signs. On failure *index is the first offender.
+ *  Errors: NONFINITE, a NaN or an infinity; DOMAIN, a state outside its interval, or a parameter of the wrong sign. */
 JLT_CHECKED jlt_status jlt_descriptor_check_state(const jlt_descriptor *descriptor, const double *x, size_t *index);
 JLT_CHECKED jlt_status jlt_descriptor_check_params(const jlt_descriptor *descriptor, const double *params, size_t *index);
 

@@ -33,7 +33,7 @@ jlt_status jlt_kernel_eval_function(double *out, jlt_kernel_function function, s
 
 jlt_status jlt_kernel_eval(double *out, const jlt_kernel *kernel, const double *x, size_t count, const double *prepared)
 {
-    /* Prepared values were checked when they were made. */
+    /* The prepared values were checked when they were computed, so none is checked here. */
     return jlt_kernel_eval_function(out, kernel->call, kernel->outputs, x, count, prepared, 0);
 }
 

@@ -6,7 +6,7 @@
 
 enum { TABLES_MAX = 64 };
 
-/* The way of a claim; NULL where it has none. */
+/* The way that belongs to a claim; NULL if it has none. */
 static const jlt_way *way_of(const jlt_descriptor *from, const jlt_claim *claim)
 {
     for (unsigned i = 0; i < from->way_count; i++)
@@ -30,8 +30,8 @@ const char *jlt_link_renames(const jlt_descriptor *from, const jlt_claim *claim,
     return claim->renames;
 }
 
-/* The claim by which motions of one table are motions of the other, the first that serves if there is any; NULL when it makes none.
- * What holds under a condition on parameters leads nowhere in general. */
+/* The reduction of one table onto the other: the first that is proved and can be followed by name (*serves is then true), else the
+ * first of all, or NULL. Reductions under a condition on parameters are ignored, since they do not hold in general. */
 static const jlt_claim *leads(bool *serves, const jlt_descriptor *from, const jlt_descriptor *to)
 {
     const jlt_claim *first = NULL;
@@ -47,7 +47,7 @@ static const jlt_claim *leads(bool *serves, const jlt_descriptor *from, const jl
     return first;
 }
 
-/* The general fields of all tables that are built in or among others, and of `first`. */
+/* List the general fields of `first`, then of `others`, then of those built-in tables that are not among these. */
 static size_t list_tables(const jlt_descriptor *tables[TABLES_MAX], const jlt_descriptor *first, const jlt_way_tables *others)
 {
     size_t count = 0;
@@ -62,7 +62,7 @@ static size_t list_tables(const jlt_descriptor *tables[TABLES_MAX], const jlt_de
     return count;
 }
 
-/* Whether a parameter there is no parameter here. */
+/* Whether some parameter of step->to is the level of an integral of step->from. */
 static bool has_levels(const jlt_link_step *step)
 {
     size_t index;
@@ -73,7 +73,8 @@ static bool has_levels(const jlt_link_step *step)
     return false;
 }
 
-/* Append a step. What is computed from levels of a table between would be unknown. */
+/* Extend `link` by the step from one table to the other, into *out. Returns false if that is impossible: also when the step
+ * computes parameters while an earlier step takes some from levels, since the values of levels are not known here. */
 static bool append(jlt_link *out, const jlt_link *link, const jlt_descriptor *from, const jlt_descriptor *to)
 {
     bool serves, levels = false;
@@ -133,7 +134,7 @@ bool jlt_link_computes(const jlt_link *link)
     return false;
 }
 
-/* Of one step that has no way: by equal names. */
+/* The parameters of one step without a way: each from the parameter of the same name, else its default. */
 static void take_names(const jlt_link_step *step, double *out, const double *params)
 {
     size_t index;

@@ -8,8 +8,8 @@
 
 struct jlt_observed {
     jlt_instance *general;
-    bool scaled; /* some exponent is not 0 */
-    int *exponents; /* (states,): of the units of what is asked about */
+    bool scaled; /* some exponent is not 0, so states need conversion */
+    int *exponents; /* (states,): state i in the table's units is 2^exponents[i] times the caller's */
 };
 
 jlt_status jlt_observed_create(jlt_observed **observed, const jlt_descriptor *of, const double *params, const jlt_units *units)
@@ -59,7 +59,7 @@ const char *jlt_observed_condition(const jlt_observed *observed, unsigned condit
     return condition < d->valid_count ? d->valids[condition].name : "valid";
 }
 
-/* What is asked about in the table's units, whatever units an observed quantity says that it has: in these it is computed. */
+/* Convert the state to the table's units, in which the quantities are computed whatever unit they declare. */
 static const double *in_table(const jlt_observed *self, double *room, const double *x)
 {
     if (!self->scaled) return x;

@@ -6,7 +6,7 @@
 #include "core/guard.h"
 #include "core/memory.h"
 
-/* Prepared values that no number holds make conditions that have no value, whose other ones still count. */
+/* Exceptions are ignored: if some prepared values are not finite, conditions that do not depend on them still count. */
 static void evaluate(double *values, const jlt_descriptor *descriptor, double *prepared, const double *params, const double *x)
 {
     jlt_guard guard;
@@ -18,8 +18,8 @@ static void evaluate(double *values, const jlt_descriptor *descriptor, double *p
     (void)st;
 }
 
-/* Whether a divisor is 0, or so small that rounding may have made it of what adds up to 0: some units in the last place of what it
- * adds up, whose squares have this sum. */
+/* Whether a divisor is 0, or so small that rounding may have produced it from terms that sum to 0: within a few units in the last
+ * place of its terms, the sum of whose squares is `squares`. */
 static bool is_zero(double value, double squares)
 {
     return value == 0 || (squares > 0x1p-900 && isfinite(squares) && fabs(value) <= 0x1p-51 * sqrt(squares));
@@ -64,8 +64,8 @@ bool jlt_region_holds(unsigned count, jlt_kernel_function values, const double *
 
 enum { SINGLE_MAX = 64 };
 
-/* The state that alone is in a condition whose gradients, shape (states,), at two places are these, and linearly; states: none
- * is. */
+/* The index of the only state on which a condition depends, if it does so linearly; its gradients at two places, shape (states,),
+ * are given. Returns `states` if there is no such state. */
 static unsigned single_state(const double *here, const double *there, unsigned states)
 {
     unsigned single = states;

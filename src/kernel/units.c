@@ -11,7 +11,7 @@ static int exponent_of(const jlt_units *units, const char *name, size_t length)
     return *name == 'm' ? units->length : *name == 's' ? units->time : 0;
 }
 
-/* Of the product that begins here, to its end or to the parenthesis that closes it; *at is moved there. */
+/* The exponent of the product that begins at *at and runs to the end of the text or to an unmatched ')', where it leaves *at. */
 static int exponent_of_product(const jlt_units *units, const char **at)
 {
     int sum = 0, sign = 1;
@@ -50,7 +50,7 @@ int jlt_units_exponent(const jlt_units *units, const char *unit)
     const char *at = unit;
     int sum = exponent_of_product(units, &at);
 
-    while (*at != '\0') { /* past a parenthesis that nothing opens */
+    while (*at != '\0') { /* skip a ')' that matches no '(' */
         at++;
         sum += exponent_of_product(units, &at);
     }
@@ -67,7 +67,7 @@ void jlt_units_restore(double *out, const double *in, const jlt_quantity *of, un
     for (unsigned i = 0; i < count; i++) out[i] = ldexp(in[i], jlt_units_exponent(units, of[i].unit));
 }
 
-/* The first parameter that is declared positive, and the largest state, of this unit; 0 where there is none. */
+/* The first parameter of this unit that is declared positive, and the largest state of this unit; each 0 if there is none. */
 static double first_positive(const double *params, const jlt_quantity *of, unsigned count, const char *unit)
 {
     for (unsigned i = 0; i < count; i++)

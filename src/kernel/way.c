@@ -24,7 +24,8 @@ const jlt_descriptor *jlt_way_target(const jlt_way *way, const jlt_way_tables *o
     return NULL;
 }
 
-/* Whether all reductions of the larger table onto `from` are proved, and there are some. *broken: one that is not. */
+/* Whether the larger table claims reductions onto `from`, and all of them are proved. Out: *broken, the first unproved one; NULL
+ * if there are no reductions. */
 static bool reduces(const jlt_claim **broken, const jlt_descriptor *larger, const jlt_descriptor *from)
 {
     bool found = false;

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The report of doubles, with bounds on the errors of the Jacobian and of the integrals' gradients against the exact values. */
+/* Linearize in doubles, with bounds on the errors of the Jacobian and of the integrals' gradients against the exact values. */
 static jlt_status linearize(jlt_linearization *result, const jlt_equilibrium_question *q, const double *params, const double *x,
                             const char *const *exact_x)
 {
@@ -36,7 +36,7 @@ done:
     return st;
 }
 
-/* Whether x is still what was typed. */
+/* Whether x still is the double of the fraction that the caller gave. */
 static bool untouched(double x, const char *fraction)
 {
     double typed;
@@ -44,8 +44,8 @@ static bool untouched(double x, const char *fraction)
     return fraction != NULL && jlt_number_parse(&typed, fraction, strlen(fraction)) == JLT_OK && !(typed < x) && !(typed > x);
 }
 
-/* What ball arithmetic makes of the exact values, which are exact numbers where they can be. Where it settles nothing, the numbers
- * stay those of doubles. */
+/* Recompute the report in ball arithmetic from the exact values, with exact numbers where the point allows them. On failure the
+ * numbers stay those of doubles, and the verdict becomes undecided. */
 static jlt_status enclose(jlt_linearization *result, const jlt_equilibrium_question *q, const double *params, const double *x,
                           const char *const *fractions)
 {

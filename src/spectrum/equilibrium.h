@@ -1,5 +1,5 @@
-/** One equilibrium of a table with its spectrum: completed from its family or found by Newton's method, checked, and linearized
- *  at exact values. */
+/** Computes one equilibrium of a table with its spectrum: completes it from its family or finds it by Newton's method, checks it,
+ *  and linearizes the field at exact values. */
 #ifndef JLT_SPECTRUM_EQUILIBRIUM_H
 #define JLT_SPECTRUM_EQUILIBRIUM_H
 
@@ -10,40 +10,40 @@
 #include <stdbool.h>
 
 typedef struct {
-    const jlt_descriptor *descriptor; /* general field, of JLT_LINEARIZATION_SIZE_MAX states at most */
-    jlt_oracle *oracle;               /* of its table */
-    const char **params;              /* shape (params,): "p/q" where that counts and not the double it was rounded to; NULL */
-    const char *x[JLT_LINEARIZATION_SIZE_MAX];        /* the same of states */
-    unsigned char given[JLT_LINEARIZATION_SIZE_MAX];  /* states that the family must not set */
-    bool find;                                        /* the states are a guess: an equilibrium nearby is meant */
-    size_t order[JLT_LINEARIZATION_SIZE_MAX], held;   /* the states given, in order of importance */
-    bool fast;                                        /* doubles are enough */
-    long digits;                                      /* of texts; 0: none */
+    const jlt_descriptor *descriptor; /* a general field of at most JLT_LINEARIZATION_SIZE_MAX states */
+    jlt_oracle *oracle;               /* oracle of the descriptor's table */
+    const char **params;              /* shape (params,): the exact value "p/q"; NULL where the double is exact */
+    const char *x[JLT_LINEARIZATION_SIZE_MAX];        /* the same for states */
+    unsigned char given[JLT_LINEARIZATION_SIZE_MAX];  /* 1 for states that the caller gives and the family must not set */
+    bool find;                                        /* the states are a guess: search for an equilibrium nearby */
+    size_t order[JLT_LINEARIZATION_SIZE_MAX], held;   /* states to hold in the search, the most important first; their number */
+    bool fast;                                        /* doubles are enough: compute no balls */
+    long digits;                                      /* decimal digits of the texts to make; 0: none */
 } jlt_equilibrium_question;
 
 /* The step at which `status` arose. */
 typedef enum {
-    JLT_EQUILIBRIUM_PARAMS, /* the table's conditions on parameters */
-    JLT_EQUILIBRIUM_STATES, /* intervals of the states */
-    JLT_EQUILIBRIUM_DOMAIN, /* conditions of the table's domain */
-    JLT_EQUILIBRIUM_SEARCH, /* Newton's method, where `find` is asked */
-    JLT_EQUILIBRIUM_POINT,  /* the linearization in doubles; also where `status` is JLT_OK */
-    JLT_EQUILIBRIUM_DIGITS  /* the linearization in balls */
+    JLT_EQUILIBRIUM_PARAMS, /* check of the table's conditions on parameters */
+    JLT_EQUILIBRIUM_STATES, /* check of the intervals of states */
+    JLT_EQUILIBRIUM_DOMAIN, /* check of the conditions of the table's domain */
+    JLT_EQUILIBRIUM_SEARCH, /* Newton's method, if `find` is set */
+    JLT_EQUILIBRIUM_POINT,  /* linearization in doubles; also if `status` is JLT_OK */
+    JLT_EQUILIBRIUM_DIGITS  /* linearization in balls */
 } jlt_equilibrium_stage;
 
 typedef struct {
-    jlt_status status; /* of a point EMPTY: it is no equilibrium, and only the residual is there */
+    jlt_status status; /* EMPTY at stage POINT: x is no equilibrium, and only the residual is computed */
     jlt_equilibrium_stage stage;
-    size_t index;      /* of the parameter or state that the table does not allow */
-    const jlt_region *region; /* of its domain, the condition that does not hold, NULL where memory is out */
+    size_t index;      /* index of the parameter or state that the table does not allow */
+    const jlt_region *region; /* the condition of the domain that does not hold; NULL if memory is out */
     double region_value;
     jlt_linearization result;
 } jlt_equilibrium;
 
-/** The equilibrium at these parameters, shape (param_count,), and states, shape (state_count,), both changed in place, as
- *  jlt_linearization_enclose gives it. Where enclosing fails it is an error if digits were asked for; otherwise the numbers are
- *  those of doubles, and the verdict is open. Where doubles are enough (`fast`) the verdict is theirs, and not proved. The caller
- *  gives out->result.texts to jlt_ball_texts_destroy. */
+/** Compute the equilibrium at these parameters, shape (param_count,), and states, shape (state_count,). x is completed and, if
+ *  `find` is set, moved to the equilibrium. Numbers and verdict are those of jlt_linearization_enclose. If enclosing fails, that
+ *  is an error if digits were asked for; otherwise the numbers are those of doubles, and the verdict is undecided. With `fast`,
+ *  numbers and verdict are those of doubles, and not proved. The caller passes out->result.texts to jlt_ball_texts_destroy. */
 void jlt_equilibrium_compute(jlt_equilibrium *out, const jlt_equilibrium_question *question, double *params, double *x);
 
 #endif

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Numbers of more bits are left to balls. */
+/* The most bits of a number here; larger ones are left to ball arithmetic. */
 enum { HEIGHT_MAX = 16384 };
 
 typedef enum { UNKNOWN, GOOD, BAD } knowledge;
@@ -12,9 +12,9 @@ typedef enum { UNKNOWN, GOOD, BAD } knowledge;
 typedef struct {
     const ttc_model *model;
     jlt_surd_field *field;
-    const jlt_ball_value **values; /* by symbol, where it has one */
-    ttc_id *bound;                 /* by symbol: the expression that gives it, or TTC_NONE */
-    jlt_surd *numbers;             /* by node, these two */
+    const jlt_ball_value **values; /* by symbol; NULL where it has no value */
+    ttc_id *bound;                 /* by symbol: the expression that the family gives for it, or TTC_NONE */
+    jlt_surd *numbers;             /* by node, like `state` */
     unsigned char *state;
     size_t size;
 } walk;
@@ -42,7 +42,7 @@ static bool take_value(jlt_surd *out, const jlt_ball_value *value)
     return good;
 }
 
-/* Functions are rational, as far as is known here, where their definition is 0 or 1. */
+/* A function's value at an argument where it is known to be rational: log at 1, the others at 0. Returns false elsewhere. */
 static bool function_of(jlt_surd *out, const jlt_surd *of, ttc_symbol_kind kind)
 {
     fmpq_t value;
@@ -103,7 +103,7 @@ static bool evaluate(walk *w, ttc_id id)
     bool good = true;
 
     if (w->state[id] != UNKNOWN) return w->state[id] == GOOD;
-    w->state[id] = BAD; /* met again on the way down, it would stand for itself */
+    w->state[id] = BAD; /* a definition that contains itself has no value */
     switch (ttc_kind_of(graph, id)) {
     case TTC_NUMBER: jlt_surd_set_rational(out, ttc_coefficient(graph, id)); break;
     case TTC_SYMBOL: good = evaluate_symbol(out, w, ttc_symbol_of(graph, id)); break;
@@ -149,7 +149,7 @@ static void bind(walk *w, const jlt_oracle *oracle, const char *family, const un
     }
 }
 
-/* Point and Jacobian; false where they are not known, or the field does not vanish. */
+/* Evaluate field, point and Jacobian. Returns false if one cannot be evaluated, or the field does not vanish. */
 static bool fill(jlt_exact_matrix *m, walk *w, const jlt_oracle *oracle)
 {
     const size_t n = m->n;

@@ -1,4 +1,4 @@
-/** An equilibrium in exact numbers: the table's expressions at rational values, with square roots. */
+/** An equilibrium in exact numbers: evaluates the table's expressions in rational numbers extended by square roots. */
 #ifndef JLT_SPECTRUM_EXACT_POINT_H
 #define JLT_SPECTRUM_EXACT_POINT_H
 
@@ -6,12 +6,12 @@
 #include "ext/exact_matrix.h"
 #include "spectrum/oracle.h"
 
-/** The Jacobian at a point, analysed, where the field vanishes there, exactly.
- *  Out: *matrix, for jlt_exact_matrix_destroy; NULL where this cannot tell: the field does not vanish, or roots and functions
- *  stand in the way (more roots than JLT_SURD_ROOTS_MAX, a cosine of anything but zero, numbers of too many digits).
- *  In: params, x, in the table's order; family, the table's family of equilibria that gives the states it binds where given[i] is
- *  0, or NULL for none.
- *  Errors: NOMEM. Cost: one visit a node of the expressions. */
+/** If the field vanishes exactly at a point, compute and analyse the exact Jacobian there.
+ *  Out: *matrix, to be destroyed with jlt_exact_matrix_destroy; NULL if the field does not vanish, or this arithmetic cannot
+ *  decide it, because of more roots than JLT_SURD_ROOTS_MAX, a cosine of anything but zero, or numbers that are too long.
+ *  In: params, x, in the table's order; family, the name of the family of equilibria whose formulas give those states that it
+ *  binds and for which given[i] is 0, or NULL for none.
+ *  Errors: NOMEM. Cost: one visit per node of the expressions. */
 JLT_CHECKED jlt_status jlt_exact_point_linearize(jlt_exact_matrix **matrix, const jlt_oracle *oracle, const jlt_ball_value *params,
                                                  const jlt_ball_value *x, const char *family, const unsigned char *given);
 

@@ -59,7 +59,7 @@ jlt_status jlt_oracle_create(jlt_oracle **oracle, const jlt_descriptor *descript
     *oracle = NULL;
     if (self == NULL) goto done;
     self->descriptor = descriptor;
-    snprintf(file, sizeof file, "%s.tt", descriptor->model); /* by which other tables call it */
+    snprintf(file, sizeof file, "%s.tt", descriptor->model); /* the name by which other tables refer to it */
     self->model = ttc_model_again(descriptor->table, file);
     st = JLT_ERR_UNSUPPORTED;
     if (self->model == NULL || self->model->state_count != descriptor->state_count) goto done;

@@ -1,5 +1,5 @@
-/** The model's own table as an independent oracle for its kernels: parsed again, differentiated by the compiler's graph and
- *  enclosed in ball arithmetic at exact values. */
+/** Uses the model's own table as an independent oracle for its kernels: parses it again, differentiates it symbolically and
+ *  encloses the expressions in ball arithmetic at exact values. */
 #ifndef JLT_SPECTRUM_ORACLE_H
 #define JLT_SPECTRUM_ORACLE_H
 
@@ -11,35 +11,35 @@ typedef struct {
     const jlt_descriptor *descriptor; /* general field */
     ttc_model *model;
     ttc_ball *ball;
-    uint32_t *states, *params;        /* symbols, in the descriptor's order */
-    char **defaults;                  /* of the table, "p/q", shape (params,); NULL where it has none */
+    uint32_t *states, *params;        /* their symbols, in the descriptor's order */
+    char **defaults;                  /* shape (params,): the table's defaults as "p/q"; NULL where it has none */
     ttc_id *field, *jacobian;         /* shapes (n,) and (n, n) */
-    ttc_id trace;                     /* sum of the diagonal */
-    ttc_id *gradients;                /* (claims, n), of claimed integrals that have been asked for; TTC_NONE of the others */
+    ttc_id trace;                     /* sum of the Jacobian's diagonal */
+    ttc_id *gradients;                /* (claims, n): gradients of claimed integrals, computed on demand; TTC_NONE before */
 } jlt_oracle;
 
-/** Errors: NOMEM; UNSUPPORTED when the embedded table does not read, which says that the build is broken. */
+/** Errors: NOMEM; UNSUPPORTED if the embedded table cannot be parsed, which means that the build is broken. */
 JLT_CHECKED jlt_status jlt_oracle_create(jlt_oracle **oracle, const jlt_descriptor *descriptor);
 void jlt_oracle_destroy(jlt_oracle *oracle); /* legal on NULL */
 
-/** Take values exactly, shapes (params,) and (states,). exact, of the same shape, or NULL for none: what counts in place of a
- *  double, "p/q", or NULL. */
+/** Set the values of parameters, shape (params,), or states, shape (states,), each a double taken exactly. exact, of the same
+ *  shape, or NULL: where exact[i] is not NULL, it is the value, "p/q", instead of the double. */
 void jlt_oracle_set_params(jlt_oracle *oracle, const double *params, const char *const *exact);
 void jlt_oracle_set_states(jlt_oracle *oracle, const double *x, const char *const *exact);
 
-/** Enclose `count` expressions. Errors: DOMAIN when one has no finite enclosure. Out: shape (count,). */
+/** Enclose `count` expressions, out, shape (count,). Errors: DOMAIN if one has no finite enclosure. */
 JLT_CHECKED jlt_status jlt_oracle_enclose(jlt_oracle *oracle, ttc_enclosure *out, const ttc_id *ids, size_t count);
 
-/** The same with the rounding errors to expect of doubles. */
+/** The same, with the rounding errors to be expected of arithmetic in doubles. */
 JLT_CHECKED jlt_status jlt_oracle_estimate(jlt_oracle *oracle, ttc_enclosure *out, const ttc_id *ids, size_t count);
 
-/** Bounds on the errors of integrals' gradients against the exact ones, at the values set.
- *  Out: errors, shape (count, n). In: gradients, shape (count, n), as computed; integrals, their names. Errors: DOMAIN,
- *  UNSUPPORTED (a name that is no claim), NONFINITE. */
+/** Bound the errors of computed gradients of integrals against the exact gradients at the values set.
+ *  Out: errors, shape (count, n). In: gradients, shape (count, n), as computed; integrals, whose names are claims of the table.
+ *  Errors: DOMAIN, UNSUPPORTED (a name that is no claim), NONFINITE. */
 JLT_CHECKED jlt_status jlt_oracle_gradient_errors(jlt_oracle *oracle, double *errors, const double *gradients,
                                                   const jlt_named *integrals, size_t count);
 
-/* |computed - enclosed|, rounded up a little: the distance to the farthest point of the enclosure. */
+/* A bound on |computed - exact|: the distance to the farthest point of the enclosure, rounded up. */
 double jlt_oracle_error(double computed, const ttc_enclosure *enclosure);
 
 #endif

@@ -12,11 +12,11 @@ const char jlt_balanced_table[] = "spherical_top_balanced";
 static const char half[] = "spherical_top_plane", family[] = "spin", variant[] = "balanced";
 static const char third[] = "F0";
 
-/* Coordinates of the surface's table, and those of its half. */
+/* Coordinates of the table of the surface, and of the table of its half v_slip >= 0. */
 enum { GAMMA3, V_SLIP, PSI, SINE, COORDINATES };
 enum { HALF_GAMMA3, HALF_PSI, HALF_SINE, HALF_COORDINATES };
 
-/* How well levels are known, relative to their terms: no integral takes so many roundings. */
+/* Relative error of levels with respect to their terms: more roundings than any integral takes. */
 static const double rounding = 32 * (DBL_EPSILON / 2);
 
 /* ---- what the tables say ---- */
@@ -29,7 +29,7 @@ static bool has(const jlt_descriptor *table, const char *const *states, unsigned
     return true;
 }
 
-/* The field of a table of the surface in the time of s; NULL where it is not the one that is known here. */
+/* The field of the surface's table in the time in which s is a state; NULL if the table has other states than expected. */
 static const jlt_descriptor *surface_field(void)
 {
     static const char *const states[COORDINATES] = { "gamma3", "v_slip", "psi", "s" };
@@ -74,7 +74,7 @@ bool jlt_balanced_serves(const jlt_claim **broken)
     return true;
 }
 
-/* Parameters of a table of the surface at these levels. */
+/* The parameters of a table of the surface at these levels. */
 static void write_levels(double *params, const jlt_descriptor *table, const jlt_top *top, const jlt_balanced_levels *levels)
 {
     const char *const names[] = { "G", "M", third };
@@ -147,15 +147,16 @@ void jlt_balanced_levels_of(jlt_balanced_levels *out, const jlt_top *top, const 
 
 /* ---- the length of the momentum ---- */
 
-/* The state on these levels at the equator where all of M is across the axis, for a velocity v_slip. */
+/* The state with these levels at the equator, with the momentum M perpendicular to the axis, and this v_slip. */
 static void across(double *x, const jlt_top *top, const jlt_balanced_levels *levels, double v_slip)
 {
     jlt_balanced_to_state(top, levels, x, 0, 1, v_slip, acos(0));
 }
 
-/* v_slip^2 >= 0 somewhere: where I1 < I3, F0 is least at v_slip = 0 for one gamma3 and cos psi = +-1. With u = (s, gamma3) it is
- * there -(a u)^2/(u D u) for a diagonal D, and its least value, -a D^-1 a, is the sum of those at the equator and at the pole. The
- * former goes with M^2, which has a relative error; what is left is as low as rounding makes it. */
+/* The least F0 for which v_slip^2 >= 0 at some point. If I1 < I3 it is attained with v_slip = 0 at one gamma3 and cos psi = +-1:
+ * there, with u = (s, gamma3), F0 = -(a u)^2/(u D u) for a diagonal D, and its minimum, -a D^-1 a, is the sum of the values at the
+ * equator and at the pole. The value at the equator is proportional to M^2, whose relative error is `error`; the result is lowered
+ * by all rounding errors. */
 static double least_third_integral(const jlt_top *top, const jlt_balanced_levels *levels, double error)
 {
     double equator[JLT_TOP_STATES], pole[JLT_TOP_STATES];
@@ -207,14 +208,14 @@ static void classify(jlt_fixed_point *point, const jlt_top *top, double gamma3, 
         point->im[0] = sqrt(-root2);
         point->im[1] = -point->im[0];
     } else {
-        const double far = half_trace + copysign(sqrt(root2), half_trace); /* the other by the product: nothing cancels */
+        const double far = half_trace + copysign(sqrt(root2), half_trace); /* sums of one sign: no cancellation */
         point->re[0] = far;
         point->re[1] = far != 0 ? point->determinant / far : 0;
     }
     point->kind = point->trace < 0 ? JLT_FIXED_ATTRACTING : point->trace > 0 ? JLT_FIXED_REPELLING : JLT_FIXED_CENTRE;
 }
 
-/* The integrals on the family at a tilt, by their values at unit velocities. */
+/* Coefficients of the integrals on the family at one tilt: their values at unit velocities. */
 typedef struct {
     double E_v, E_w, F_v, F_w, G_w;
 } family_levels;
@@ -236,7 +237,7 @@ static unsigned both_ways(jlt_fixed_point *out, const jlt_top *top, double gamma
     return 2;
 }
 
-/* v_nu^2 from the level that leaves it more digits, where omega3^2 = w2 has a relative error; 0 where that is all that is known. */
+/* v_nu^2 from E or F0, whichever has the smaller error, for omega3^2 = w2 with a relative error; 0 if it is 0 within its error. */
 static double slip_square(const jlt_balanced_levels *levels, const family_levels *at, double w2, double error)
 {
     const double by_E = (levels->E - at->E_w * w2) / at->E_v, by_F = (levels->F0 - at->F_w * w2) / at->F_v;
@@ -247,7 +248,7 @@ static double slip_square(const jlt_balanced_levels *levels, const family_levels
     return fabs(v2) <= fmin(error_E, error_F) ? 0 : v2;
 }
 
-/* G != 0 gives omega3 = G/G_w, and the level of E, with v_nu^2 from that of F0, times u = gamma3^2 is constant + slope u = 0. */
+/* G != 0: omega3 = G/G_w. Eliminating v_nu^2 between E and F0, and multiplying by u = gamma3^2, gives constant + slope u = 0. */
 static unsigned tilted(jlt_fixed_point *out, const jlt_top *top, const jlt_balanced_levels *levels)
 {
     const family_levels equator = levels_at(top, 0), pole = levels_at(top, 1);
@@ -270,7 +271,7 @@ static unsigned tilted(jlt_fixed_point *out, const jlt_top *top, const jlt_balan
     return count;
 }
 
-/* G = 0: the equator, v_nu and omega3 free there, both from E and F0. False: omega3 is 0, and all gamma3 are served. */
+/* G = 0: fixed points at the equator; E and F0 give v_nu and omega3. Returns false if omega3 is 0, when every gamma3 is fixed. */
 static bool equatorial(jlt_fixed_point *out, unsigned *count, const jlt_top *top, const jlt_balanced_levels *levels)
 {
     const family_levels at = levels_at(top, 0);
@@ -306,7 +307,7 @@ bool jlt_balanced_fixed_like(jlt_fixed_point out[4], unsigned *count, const jlt_
     return true;
 }
 
-/* Multiples of the golden section's generalization in two dimensions (M. Roberts, 2018). */
+/* Points (u, v) are multiples of the generalized golden ratio in two dimensions (M. Roberts, 2018). */
 bool jlt_balanced_start(const jlt_top *top, const jlt_balanced_levels *levels, double *x, size_t number)
 {
     static const double g = 1.32471795724474602596;

@@ -191,7 +191,7 @@ static jlt_portrait_fate fate_of(const jlt_portrait_request *r, const jlt_course
     return JLT_PORTRAIT_WANDERING;
 }
 
-/* One way from a start. A line breaks where psi jumps, or where v_slip passes zero into the other half. */
+/* Follow one orbit in one direction of time. The plotted line breaks where psi jumps, or v_slip changes sign. */
 static jlt_status follow(jlt_portrait_request *r, FILE *file, const double *start, int direction, size_t number)
 {
     const jlt_question question = { .model = r->model, .params = r->params, .start = start };
@@ -223,7 +223,7 @@ static jlt_status follow(jlt_portrait_request *r, FILE *file, const double *star
         if (row.end == JLT_END_POLE) break;
     }
     if (r->session.common.points != NULL) fputs("\n", r->session.common.points);
-    /* on beyond what is drawn, until it is clear where the orbit goes */
+    /* The orbit is continued beyond the plotted part until its fate is clear. */
     for (int i = 5; direction > 0 && i <= 4 * PATIENCE && row.end == JLT_END_TIME && fate_of(r, &row) == JLT_PORTRAIT_WANDERING;
          i++)
         JLT_TRY(jlt_course_to(course, r->until * i / 4, &row));
@@ -261,7 +261,7 @@ static jlt_exit follow_all(jlt_portrait_request *r, FILE *file)
     return code;
 }
 
-/* Of its first orbit. */
+/* Show the plan of the first orbit. */
 static jlt_exit show_plan(const jlt_portrait_request *r)
 {
     double start[JLT_TOP_STATES] = { 0 };

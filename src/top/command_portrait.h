@@ -1,4 +1,4 @@
-/** The command portrait: the flow on M^2 of the balanced sphere, its rows and its picture. */
+/** Data and picture of the command `portrait`: the flow on M^2 of the balanced sphere. */
 #ifndef JLT_TOP_COMMAND_PORTRAIT_H
 #define JLT_TOP_COMMAND_PORTRAIT_H
 
@@ -7,7 +7,7 @@
 #include "cli/session.h"
 
 typedef enum {
-    JLT_PORTRAIT_ATTRACTED, /* at an attracting fixed point, as far as followed */
+    JLT_PORTRAIT_ATTRACTED, /* followed to an attracting fixed point */
     JLT_PORTRAIT_POLE_PLUS,
     JLT_PORTRAIT_POLE_MINUS,
     JLT_PORTRAIT_WANDERING, /* none of these within the time */
@@ -17,15 +17,15 @@ typedef enum {
 typedef struct {
     jlt_session session;
     jlt_assign_list level;
-    const char *trajectories; /* a file for the orbits */
+    const char *trajectories; /* file for the orbits */
     size_t orbits;
     double until;
 
-    jlt_counterpart counterpart;  /* of the table asked about */
+    jlt_counterpart counterpart;  /* of the model asked for */
     jlt_top top;                  /* with the general field and the parameters of JLT_DEFAULT_MODEL */
     const jlt_descriptor *model;
     double params[JLT_WAY_VALUES_MAX];
-    double start[JLT_TOP_STATES]; /* all 0 where levels are given */
+    double start[JLT_TOP_STATES]; /* all 0 if levels are given */
     jlt_balanced_levels levels;
     jlt_fixed_point fixed[4];
     unsigned fixed_count;
@@ -33,7 +33,7 @@ typedef struct {
     size_t fates[JLT_PORTRAIT_FATES];
 } jlt_portrait_request;
 
-/** Draw the orbits that were collected. Says what is wrong. */
+/** Plot the orbits that were collected. Prints an error message on failure. */
 jlt_exit jlt_portrait_draw(const jlt_portrait_request *request);
 
 #endif

@@ -1,9 +1,9 @@
-/* Draws the flow on both halves of M^2 for `jellett portrait`. */
+/* Plots the flow on both halves of M^2 for `jellett portrait`. */
 #include "top/command_portrait.h"
 
 #include <math.h>
 
-/* Columns of $ORBITS: psi, gamma3, v_slip; a blank line where a line breaks off. The half of M^2 where side * v_slip > 0. */
+/* Plot the half of M^2 where side * v_slip > 0. Columns of $ORBITS: psi, gamma3, v_slip; a blank line ends a line. */
 static void draw_half(jlt_plot *plot, const jlt_portrait_request *r, int side)
 {
     static const struct {

@@ -16,8 +16,8 @@ enum { SWEEP = 2000, CHECK, AXES_MAX = 3 };
 typedef struct {
     jlt_session session;
     jlt_grid_axis axes[AXES_MAX];
-    double *targets[AXES_MAX]; /* what an axis runs over: an entry of the session's params or x */
-    size_t axis_count, all; /* all: rows */
+    double *targets[AXES_MAX]; /* the entry of the session's params or x that an axis runs over */
+    size_t axis_count, all; /* all: number of rows */
     size_t rows;
     bool check;
     jlt_extent extent[2]; /* of period and rotation number */
@@ -59,7 +59,7 @@ static const struct argp parser = {
     children, NULL, NULL,
 };
 
-/* Parameters are positive or not negative by the table: what holds at both ends of an axis holds between them. */
+/* Refuse a parameter value that breaks its sign condition. A condition that holds at both ends of an axis holds between them. */
 static jlt_exit check_end(request *r, double *target, double value)
 {
     const jlt_descriptor *d = r->session.descriptor;
@@ -93,13 +93,13 @@ static jlt_exit bind_axes(request *r)
     return code;
 }
 
-/* Of the velocity of the centre of mass. */
+/* The direction of the velocity of the centre of mass, in radians. */
 static double direction(const jlt_top *top, const double *x)
 {
     return atan2(jlt_top_v_tau(top, x), x[JLT_TOP_V_NU]);
 }
 
-/* One period of the same orbit by integration. defects: gamma3, turn, all states. */
+/* Integrate the same orbit over one period. Out: defects of gamma3, of the turn, and of all states. */
 static jlt_status integrate(double defects[3], const request *r, const jlt_rod *rod)
 {
     const jlt_session *s = &r->session;
@@ -142,7 +142,7 @@ static jlt_exit check_claims(const request *r)
     return jlt_command_fail(JLT_EXIT_INPUT, "quadratures do not serve: %s", refusal);
 }
 
-/* Without a sweep the one row there is must have a value. */
+/* Without a sweep, the quadrature must have a value at the start. */
 static jlt_exit check_start(const request *r)
 {
     jlt_rod rod;
@@ -165,7 +165,7 @@ static jlt_exit write_row(FILE *file, request *r)
         jlt_csv_value(file, *r->targets[k]);
         fputc(',', file);
     }
-    if (st == JLT_ERR_DOMAIN) { /* G = 0 or |gamma3| >= 1: a point of the grid without a value */
+    if (st == JLT_ERR_DOMAIN) { /* G = 0 or |gamma3| >= 1: this point of the grid has no value */
         while (count < 7 + (r->check ? 3u : 0u)) values[count++] = NAN;
     } else {
         if (st != JLT_OK) return jlt_session_fail(st, "the quadrature");
@@ -190,7 +190,7 @@ static jlt_exit write_rows(FILE *file, request *r)
 {
     jlt_exit code = JLT_EXIT_DONE;
 
-    for (size_t k = 0; k < r->axis_count; k++) *r->targets[k] = NAN; /* it runs over the rows */
+    for (size_t k = 0; k < r->axis_count; k++) *r->targets[k] = NAN; /* omitted from the header, since it varies from row to row */
     jlt_csv_header(file, &(jlt_csv_settings){ .command = r->session.common.command, .descriptor = r->session.descriptor,
                                               .params = r->session.params });
     fputs("# start", file);
@@ -216,7 +216,7 @@ static jlt_exit draw(const request *r)
 
     if (jlt_plot_open(&plot, &r->session.common) != JLT_OK) return jlt_command_no_memory();
     jlt_plot_panels(&plot, 2, true);
-    *r->targets[0] = NAN; /* the one axis, which is no part of the caption */
+    *r->targets[0] = NAN; /* omitted from the caption, since it is on the axis of the plot */
     jlt_plot_block(&plot, "ROWS", r->session.common.drawn);
     jlt_plot_words(&plot, "Period and rotation number\n");
     jlt_session_caption(&plot, &r->session);

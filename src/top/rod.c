@@ -11,16 +11,15 @@ enum { NEWTON_MAX = 60 };
 
 static const double quadrature_accuracy = 2e-14;
 
-/* The energies of rotation and of the centre of mass, and Jellett's integral; and the table on a level of the latter, whose
- * equations these quadratures solve. */
+/* Integrals of the variant: the energies of the centre of mass and of rotation, and Jellett's integral. */
 static const char *const integrals[] = { "E1", "E2", "G", NULL };
 static const char variant[] = "rod";
 
 const char jlt_rod_table[] = "spherical_top_level";
 
-enum { LEVEL_STATES = 5 }; /* with s */
+enum { LEVEL_STATES = 5 }; /* including s */
 
-/* Whether the table on a level is the one that is known here. */
+/* Whether the table on a level of G has the expected states. */
 static bool has_level(void)
 {
     const jlt_descriptor *table = jlt_descriptor_find(jlt_rod_table, NULL, NULL, NULL);
@@ -32,16 +31,17 @@ static bool has_level(void)
     return jlt_top_way(jlt_rod_table)->state_count == LEVEL_STATES && table->param_count <= JLT_WAY_VALUES_MAX;
 }
 
-/* P at the distance d from the pole gamma3 = side. */
+/* P at distance d from the pole gamma3 = side. */
 static double force_at(const jlt_rod *rod, double side, double d)
 {
-    const double u = side * (1 - side * rod->start - d); /* from the start */
+    const double u = side * (1 - side * rod->start - d); /* gamma3 minus its value at the start */
 
     if (fabs(u) < (1 - fabs(rod->start)) / 2) return rod->force + u * (rod->slope + u * (rod->bend + u * 2 * rod->weight));
     return 2 * d * (2 - d) * (rod->E2 - side * rod->weight + side * rod->weight * d) - rod->barrier;
 }
 
-/* The root of P between the pole, where it is negative, and `inside`, where it is not: bisection to neighbouring numbers. */
+/* The distance from the pole of the root of P between the pole, where P is negative, and the distance `inside`, where it is not,
+ * by bisection down to neighbouring doubles. */
 static double turning_point(const jlt_rod *rod, double side, double inside)
 {
     double low = 0, high = inside;
@@ -54,7 +54,7 @@ static double turning_point(const jlt_rod *rod, double side, double inside)
     }
 }
 
-/* gamma3 and s^2 at u. */
+/* gamma3 and s^2 at the angle u. */
 static void tilt(const jlt_rod *rod, double *gamma3, double *s2, double u)
 {
     const double sine = sin(u / 2), cosine = cos(u / 2);
@@ -108,7 +108,7 @@ static void find_turning_points(jlt_rod *rod, const double *x)
     rod->force = (rod->inertia_pole * gamma3 * gamma3 + rod->inertia_equator * s * s) * rate * rate;
     rod->slope = 6 * weight * gamma3 * gamma3 - 4 * rod->E2 * gamma3 - 2 * weight;
     rod->bend = 6 * weight * gamma3 - 2 * rod->E2;
-    /* where P is largest */
+    /* the gamma3 at which P is largest */
     const double crest = -weight / (rod->E2 + sqrt(rod->E2 * rod->E2 + 3 * weight * weight));
     const double inside = force_at(rod, 1, 1 - crest) > 0 ? crest : gamma3;
 
@@ -117,7 +117,7 @@ static void find_turning_points(jlt_rod *rod, const double *x)
     rod->half = fmax(0, (2 - rod->below - rod->above) / 2);
 }
 
-/* E2 where one state alone is not 0, without gravity unless it is the tilt. */
+/* E2 if only `state` is 1 and the others are 0 at this gamma3; without gravity, unless `state` is gamma3. */
 static double rotation_energy(const jlt_top *top, unsigned state, double gamma3)
 {
     jlt_top weightless = *top;
@@ -129,7 +129,7 @@ static double rotation_energy(const jlt_top *top, unsigned state, double gamma3)
     return jlt_top_integral(&weightless, variant, "E2", x);
 }
 
-/* What the equations of the quadratures hold of the parameters: E2 and G are of the form that rod.h says. */
+/* Coefficients of the equations in rod.h, from values of the integrals E2 and G. */
 static void take_coefficients(jlt_rod *rod)
 {
     const double upright[JLT_TOP_STATES] = { [JLT_TOP_OMEGA_N] = 1 };
@@ -141,7 +141,7 @@ static void take_coefficients(jlt_rod *rod)
     rod->barrier = 2 * rotation_energy(&rod->top, JLT_TOP_OMEGA_N, 0) * rod->turning * rod->turning;
 }
 
-/* The orbit of rod->top through x. */
+/* Compute all quantities of the orbit of rod->top through x. */
 static jlt_status measure(jlt_rod *out, const double *x)
 {
     jlt_status st = JLT_OK;
@@ -163,7 +163,7 @@ static jlt_status measure(jlt_rod *out, const double *x)
     s2 = s * s;
     /* gamma3' = half sin u / pace, and gamma3 = mid - half cos u */
     u = atan2(s * x[JLT_TOP_OMEGA_TAU] * pace(&rod, gamma3, s2), (rod.below - rod.above) / 2 - gamma3);
-    rod.psi = atan2(v_tau, x[JLT_TOP_V_NU]); /* here; at the lower turning point below */
+    rod.psi = atan2(v_tau, x[JLT_TOP_V_NU]); /* at the start; converted to the lower turning point below */
     JLT_TRY(over(&rod, &rod.period, time_rate, acos(-1)));
     JLT_TRY(over(&rod, &rod.turn, turn_rate, acos(-1)));
     rod.period *= 2;
@@ -198,9 +198,9 @@ double jlt_rod_rotation(const jlt_rod *rod)
     return rod->turn / (2 * acos(-1));
 }
 
-/* u within the period at the time `wanted` after the lower turning point, |wanted| <= period/2: Newton's method, the time
- * counted from the turning point, so that no error builds up. The time grows with u: where a step leaves the bounds, or does not
- * halve what is left, as beside a pole where the pace is steep, the middle between them is taken. */
+/* The angle u at the time `wanted` after the lower turning point, |wanted| <= period/2, by Newton's method. Every time is
+ * integrated from the turning point, so errors do not accumulate. Time increases with u: a step that leaves the bounds, or does
+ * not halve the residual, as near a pole where the rate varies steeply, is replaced by bisection. */
 static jlt_status locate(jlt_rod *rod, double *u, double wanted)
 {
     jlt_status st = JLT_OK;
@@ -211,7 +211,7 @@ static jlt_status locate(jlt_rod *rod, double *u, double wanted)
         JLT_TRY(over(rod, &now, time_rate, at));
         JLT_TRY(time_rate(rod, &rate, at));
         const double change = (wanted - now) / rate;
-        if (fabs(change) <= 1e-9) { /* quadratic convergence: this change is the last that counts */
+        if (fabs(change) <= 1e-9) { /* by quadratic convergence, further changes are negligible */
             at += change;
             goto done;
         }
@@ -227,7 +227,7 @@ done:
     return st;
 }
 
-/* The top's states where the table on a level has y, shape (LEVEL_STATES,). */
+/* The top's state x that belongs to a state y, shape (LEVEL_STATES,), of the table on a level. */
 static void find_state(const jlt_rod *rod, double *x, const double *y)
 {
     const jlt_descriptor *table = jlt_descriptor_find(jlt_rod_table, NULL, NULL, NULL);

@@ -6,7 +6,7 @@
 #include "kernel/descriptor.h"
 #include "kernel/way.h"
 
-enum { LIFTED = JLT_TOP_STATES + 1 }; /* states with s */
+enum { LIFTED = JLT_TOP_STATES + 1 }; /* the states and s */
 
 static const char lifting[] = "regular";
 
@@ -70,10 +70,10 @@ bool jlt_top_is_known(const jlt_descriptor *model)
 
 double jlt_top_sine(double gamma3)
 {
-    return sqrt(fmax(0, (1 - gamma3) * (1 + gamma3))); /* an integrated gamma3 may pass 1 by a rounding error */
+    return sqrt(fmax(0, (1 - gamma3) * (1 + gamma3))); /* a gamma3 from integration may exceed 1 by rounding */
 }
 
-/* A field with s, as small as is known here; NULL when there is none. */
+/* The field of a variant in the time in which s is a state; NULL if it is missing, or of other states or sizes. */
 static const jlt_descriptor *find_field(const char *variant)
 {
     const jlt_descriptor *field = jlt_descriptor_find(JLT_DEFAULT_MODEL, variant, lifting, NULL);

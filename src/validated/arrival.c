@@ -22,7 +22,7 @@ void jlt_arrival_clear(jlt_arrival *self)
     for (unsigned i = 0; i < JLT_ARRIVAL_VALIDS_MAX; i++) arf_clear(self->least + i);
 }
 
-/* Steps shorter than this part of the way, 2^-22, mean that enclosures grow faster than the set can be carried. */
+/* Whether the step h, unless it is the last, exceeds 2^-22 of the whole time: shorter ones mean that enclosures grow too fast. */
 static bool gets_on(const arf_t h, const arf_t left, const arf_t instant)
 {
     arf_t least;
@@ -56,14 +56,14 @@ done:
     return st;
 }
 
-/* Rate of component i at the box last evaluated; 0 of a free parameter. */
+/* The rate of component i at the box last evaluated; 0 for a free parameter. */
 static void rate(arb_t out, const jlt_step *step, unsigned i)
 {
     if (i < jlt_step_formulas(step)->states) arb_set(out, jlt_step_output(step, i));
     else arb_zero(out);
 }
 
-/* y encloses all solutions from x over [-d, d] = span, d about twice what the crossing needs; tau, its time. */
+/* Enclose the crossing: its time tau, and in y all solutions from x over span = [-d, d], d about twice what the crossing needs. */
 static jlt_status cross(jlt_step *step, arb_ptr y, arb_t tau, arb_t span, arb_srcptr x, unsigned n, unsigned column,
                         const arb_t level, int direction)
 {
@@ -122,8 +122,8 @@ done:
     return st;
 }
 
-/* Over the box y last evaluated, the derivatives of the crossing's state, shape (dim, dim), and of its time, shape (1, dim), in the
- * state before. */
+/* Over the box y last evaluated, enclose the derivatives of the crossing's state, local, shape (dim, dim), and of its time, delay,
+ * shape (1, dim), by the state before. */
 static void differentiate(arb_mat_t local, arb_mat_t delay, const jlt_step *step, const arb_t tau, unsigned column)
 {
     const jlt_formulas *of = jlt_step_formulas(step);
@@ -148,7 +148,7 @@ static void differentiate(arb_mat_t local, arb_mat_t delay, const jlt_step *step
         }
         mag_max(norm, norm, row);
     }
-    /* V(tau) - 1 = tau Df V, with |V - 1| <= e^(norm |tau|) - 1 */
+    /* V(tau) - 1 = tau Df V, where |V - 1| <= e^(norm |tau|) - 1. */
     arb_get_mag(bound, tau);
     mag_mul(norm, norm, bound);
     mag_expm1(norm, norm);
@@ -181,7 +181,7 @@ static void differentiate(arb_mat_t local, arb_mat_t delay, const jlt_step *step
     mag_clear(bound);
 }
 
-/* What the set is around its middle, C r0 + Q r, mapped. out += slope*that, shape (rows of slope, 1). */
+/* out += slope*(C r0 + Q r), the image of the set's part around its middle, shape (rows of slope, 1). */
 static void add_rest(arb_mat_t out, const arb_mat_t slope, const jlt_set *set)
 {
     arb_mat_t product, column;
@@ -198,7 +198,7 @@ static void add_rest(arb_mat_t out, const arb_mat_t slope, const jlt_set *set)
     arb_mat_clear(column);
 }
 
-/* State and time of the middle's crossing, and what the derivatives make of the rest by the mean value theorem. */
+/* State and time of the crossing: those of the middle, and by the mean value theorem the derivatives times the rest of the set. */
 static jlt_status land(jlt_arrival *self, jlt_step *step, const jlt_set *set, const arb_mat_t local, const arb_mat_t delay,
                        unsigned column, const arb_t level, int direction)
 {

@@ -1,4 +1,4 @@
-/** Arb, wherever its headers lie: beside FLINT 2, or within FLINT 3. */
+/** Includes Arb's headers, which lie beside FLINT 2 or within FLINT 3. */
 #ifndef JLT_VALIDATED_BALLS_H
 #define JLT_VALIDATED_BALLS_H
 

@@ -4,6 +4,7 @@
 #include "kernel/descriptor.h"
 #include "validated/given_family.h"
 #include "validated/given_homoclinic.h"
+#include "validated/given_pole.h"
 #include "validated/said.h"
 #include "validated/shown.h"
 #include "validated/theorem.h"
@@ -29,7 +30,7 @@ static jlt_certificate_report say(jlt_certificate_verdict verdict, const char *p
 static const char still[] = "a leg of the orbit is not shown to take time: it may end where it begins (its instant is to lie near "
                             "the next crossing)";
 
-/* An orbit, proved in boxes that are rounded outwards. */
+/* Whether the orbit is proved to lie in the boxes as `given` writes them, which may differ by rounding from those of the proof. */
 static jlt_certificate_report judge_boxes(const json_t *legs, const jlt_given *given, arb_srcptr y)
 {
     return jlt_given_legs_hold(legs, &given->question, y)
@@ -66,7 +67,7 @@ static jlt_certificate_report fail(jlt_status status)
     return report;
 }
 
-/* Where a proof went along the orbit. */
+/* The failure of a proof that follows the orbit. */
 static jlt_certificate_report fail_along(jlt_status status)
 {
     return status != JLT_ERR_DOMAIN
@@ -109,7 +110,7 @@ static jlt_certificate_report judge_elliptic(const jlt_elliptic_result *result, 
     }
 }
 
-/* Of a cycle that is its own mirror image, that it is stable by a twist. */
+/* Prove that a cycle which is its own mirror image is elliptic and stable by a twist; add this to `shown`. */
 static jlt_certificate_report add_twist(json_t *shown, const jlt_given *given, jlt_cycle *cycle, const jlt_cycle_result *of,
                                         jlt_symmetry_type type)
 {
@@ -126,7 +127,7 @@ static jlt_certificate_report add_twist(json_t *shown, const jlt_given *given, j
     return report;
 }
 
-/* Of a cycle that is proved, that it is its own mirror image; added to what is shown. */
+/* Prove that a proved cycle is its own mirror image; add this to `shown`. For kind `elliptic`, prove stability as well. */
 static jlt_certificate_report add_symmetry(json_t *shown, const char *kind, const jlt_given *given, jlt_cycle *cycle,
                                            const jlt_cycle_result *of)
 {
@@ -146,13 +147,13 @@ static jlt_certificate_report add_symmetry(json_t *shown, const char *kind, cons
     return report;
 }
 
-/* What is shown of mirror images, and of curves from a saddle, compares states as numbers. */
+/* Whether a kind admits orbits that close only up to periods of states. The other kinds compare states as numbers. */
 static bool serves_turns(const char *kind)
 {
     return strcmp(kind, "cycle") == 0 || strcmp(kind, "obstruction") == 0 || strcmp(kind, "sink") == 0;
 }
 
-/* The cycle that a certificate of these kinds begins with. */
+/* Prove the cycle, and what else its kind of certificate says; returns a new object `shown`, NULL unless the report is GOOD. */
 static json_t *prove_cycle(jlt_certificate_report *report, const char *kind, const json_t *json, const jlt_given *given,
                            jlt_cycle *cycle)
 {
@@ -248,7 +249,30 @@ static json_t *prove_family(jlt_certificate_report *report, const json_t *json, 
     return shown;
 }
 
-/* What follows from `given`, as an object `shown`; NULL where the report is not GOOD. */
+static json_t *prove_pole(jlt_certificate_report *report, const json_t *json, const jlt_descriptor *d)
+{
+    jlt_given_pole given;
+    jlt_pole_result result;
+    json_t *shown = NULL;
+    jlt_status st;
+
+    *report = say(JLT_CERTIFICATE_MALFORMED, "");
+    if (jlt_given_pole_read(&given, json, d, false, report->problem)) {
+        jlt_pole_result_init(&result, d);
+        st = jlt_pole_prove(&result, &given.question, given.instant);
+        if (st == JLT_ERR_UNSUPPORTED)
+            *report = say(JLT_CERTIFICATE_MALFORMED, "time: the table has no such time that lifts a root");
+        else if (st != JLT_OK) *report = fail_along(st);
+        else if (result.verdict != JLT_POLE_PROVED) *report = say(JLT_CERTIFICATE_REFUSED, jlt_given_pole_problem(&result));
+        else if ((shown = jlt_given_pole_shown(&given, &result)) == NULL) *report = fail(JLT_ERR_NOMEM);
+        else *report = say(JLT_CERTIFICATE_GOOD, "");
+        jlt_pole_result_clear(&result);
+    }
+    jlt_given_pole_clear(&given);
+    return shown;
+}
+
+/* Prove what follows from `given`; returns a new object `shown`, NULL unless the report is GOOD. */
 static json_t *prove(jlt_certificate_report *report, const char *kind, const json_t *json, const jlt_descriptor *d)
 {
     jlt_given given;
@@ -257,6 +281,7 @@ static json_t *prove(jlt_certificate_report *report, const char *kind, const jso
     jlt_status st;
 
     if (strcmp(kind, "equilibria") == 0) return prove_family(report, json, d);
+    if (strcmp(kind, "pole") == 0) return prove_pole(report, json, d);
     *report = say(JLT_CERTIFICATE_MALFORMED, "");
     if (jlt_given_read(&given, json, d, report->problem) && jlt_given_read_legs(&given, json, report->problem)) {
         const bool serves = given.legs.turns == NULL || serves_turns(kind);
@@ -273,8 +298,8 @@ static json_t *prove(jlt_certificate_report *report, const char *kind, const jso
     return shown;
 }
 
-/* Where a root or a logarithm of the table may have no value, which equilibria are shown to have over their box, orbits are not
- * served: periods of states, integrals and reversors are those of a table that is defined all over its domain. */
+/* Whether every root and logarithm of the table is proved to have a value. Certificates of orbits require it, since proofs of
+ * periods, integrals and reversors assume it; those of equilibria prove it themselves, over their box. */
 static bool is_defined(jlt_certificate_report *report, jlt_certificate_verdict otherwise, const char *kind, const jlt_descriptor *d)
 {
     const jlt_claim *doubted = strcmp(kind, "equilibria") == 0 ? NULL : jlt_descriptor_doubted_field(d);
@@ -286,7 +311,7 @@ static bool is_defined(jlt_certificate_report *report, jlt_certificate_verdict o
     return false;
 }
 
-/* Of all members but `digest`. */
+/* SHA-256 of the certificate without `digest`. Returns false if memory is out. */
 static bool digest_of(char digest[65], json_t *certificate)
 {
     json_t *copy = json_copy(certificate);
@@ -302,7 +327,7 @@ static bool digest_of(char digest[65], json_t *certificate)
     return text != NULL;
 }
 
-/* What was proved, in numbers that would not say so. */
+/* The theorem is proved, but the numbers as written are too wide to imply it. */
 static jlt_certificate_report too_wide(const char *problem)
 {
     jlt_certificate_report report = say(JLT_CERTIFICATE_REFUSED, "");
@@ -365,7 +390,7 @@ void jlt_certificate_check(jlt_certificate_report *report, json_t *certificate, 
     if (!jlt_said_follows(said, proved))
         *report = say(JLT_CERTIFICATE_REFUSED, "what it says to be shown does not follow: the replay gives something else");
     else if ((problem = jlt_said_problem(kind, given, said)) != NULL) *report = say(JLT_CERTIFICATE_REFUSED, problem);
-    /* Words are made of what has the form of what was proved alone. */
+    /* The theorem's words are made only from members that have the form of what was proved. */
     else if ((words = jlt_theorem_words(kind, d, given, said)) == NULL) *report = fail(JLT_ERR_NOMEM);
     else if (!json_equal(words, json_object_get(certificate, "theorem")))
         *report = say(JLT_CERTIFICATE_REFUSED, "its theorem is not what its numbers say");

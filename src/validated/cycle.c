@@ -42,7 +42,7 @@ void jlt_cycle_destroy(jlt_cycle *cycle)
     free(cycle);
 }
 
-/* Elimination with full pivoting of the gradients' middles: the columns of the pivots are left out. */
+/* Eliminate the midpoints of the gradients with full pivoting; the states of the pivot columns are left out. */
 jlt_status jlt_cycle_choose(jlt_cycle *self, unsigned *kept, arb_srcptr y)
 {
     const unsigned m = self->question->level_count, n = self->unknowns;
@@ -78,17 +78,17 @@ jlt_status jlt_cycle_choose(jlt_cycle *self, unsigned *kept, arb_srcptr y)
     return JLT_OK;
 }
 
-/* The legs of a cycle: what their equations need, and what the evaluation last made tells of the orbit. */
+/* The multiple shooting problem, and the quantities of the orbit from its last evaluation. */
 typedef struct {
     jlt_cycle *cycle;
     const unsigned *kept;
     arb_ptr instants;
     unsigned legs;
-    bool adjusts;         /* instants follow the arrivals */
+    bool adjusts;         /* instants are set to the times of arrival */
     bool closes;          /* the legs meet */
-    bool goes_on;         /* each takes time */
+    bool goes_on;         /* each leg takes positive time */
     arb_t time, expansion;
-    arb_mat_t D;          /* of all legs, (kept, kept) */
+    arb_mat_t D;          /* derivative over all legs, (kept, kept) */
     arf_struct least[JLT_ARRIVAL_VALIDS_MAX];
 } shooting;
 
@@ -111,7 +111,7 @@ static void shooting_clear(shooting *self)
     for (unsigned i = 0; i < JLT_ARRIVAL_VALIDS_MAX; i++) arf_clear(self->least + i);
 }
 
-/* Add a leg to what is told of the orbit. */
+/* Add a leg to the quantities of the orbit. */
 static void follow(shooting *self, arb_srcptr y, arb_srcptr next)
 {
     const jlt_arrival *arrival = &self->cycle->arrival;
@@ -169,7 +169,7 @@ jlt_status jlt_cycle_refine(jlt_cycle *self, arb_ptr y, arb_ptr instants, unsign
     shooting_init(&orbit, self, instants, legs, kept);
     orbit.adjusts = true;
     problem = problem_of(&orbit);
-    /* the error of what comes out is about the square of the last correction, that of the instants the correction itself */
+    /* the error of the result is about the square of the last correction; that of the instants is the correction itself */
     st = jlt_krawczyk_refine(&problem, y, 2.6 * self->question->digits);
     shooting_clear(&orbit);
     return st;
@@ -229,8 +229,7 @@ void jlt_cycle_result_clear(jlt_cycle_result *result)
     for (unsigned i = 0; i < JLT_ARRIVAL_VALIDS_MAX; i++) arf_clear(result->least + i);
 }
 
-/* Whether a power of D is shown to shrink all vectors, so that all eigenvalues lie inside the unit circle: the first one that does
- * of those made by squaring. */
+/* Whether a power of D, by repeated squaring, is proved to shrink all vectors: all eigenvalues lie inside the unit circle. */
 static bool contracts(const arb_mat_t D, slong bits)
 {
     enum { SQUARINGS = 16 };
@@ -251,8 +250,8 @@ static bool contracts(const arb_mat_t D, slong bits)
     return found;
 }
 
-/* Roots of mu^2 - trace mu + determinant; Jury's conditions that both lie inside the unit circle; and |trace| > |1 + determinant|,
- * where 1 or -1 lies between them. */
+/* Solve mu^2 - trace mu + determinant = 0. Both roots lie inside the unit circle by Jury's conditions; there is a saddle if
+ * |trace| > |1 + determinant|, so that 1 or -1 lies between the roots, and determinant > 0. */
 static void solve(jlt_cycle_result *result, const arb_mat_t D, slong bits)
 {
     acb_t half, root;

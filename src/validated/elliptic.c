@@ -14,7 +14,7 @@ void jlt_elliptic_result_clear(jlt_elliptic_result *result)
     jlt_normal_form_clear(&result->form);
 }
 
-/* The map's linear part is that of the cycle, which its sets made: the same trace, and 1 as determinant. */
+/* Whether the linear part of the Taylor map is consistent with the cycle computed from sets: equal traces, determinant 1. */
 static bool agrees(arb_srcptr map, const arb_t trace, slong bits)
 {
     arb_t value;
@@ -30,7 +30,7 @@ static bool agrees(arb_srcptr map, const arb_t trace, slong bits)
     return same;
 }
 
-/* Zero is not within twice the radius either, with which certificates write a ball. */
+/* Whether zero is excluded even by a ball of twice the radius, as it is when the certificate has rounded the ball. */
 static bool excludes_zero(const arb_t a)
 {
     arb_t wide;

@@ -7,24 +7,24 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { DEPTH_MAX = 30, CORNERS_MAX = 10 }; /* halvings of a side; sides, of a box that is left, whose corners are looked at */
+enum { DEPTH_MAX = 30, CORNERS_MAX = 10 }; /* most halvings of a side; most sides of an undecided box whose corners are examined */
 
 typedef struct {
     ttc_id expression;
-    ttc_sign sign; /* what it is on the domain */
+    ttc_sign sign; /* on the domain */
 } condition;
 
 typedef struct {
     const jlt_family_question *q;
     jlt_family_result *result;
     jlt_over_box *over;
-    ttc_id trace, formula; /* by differentiation; of the table, or TTC_NONE */
-    jlt_range both;        /* where these two meet */
+    ttc_id trace, formula; /* by differentiation; from the table, or TTC_NONE */
+    jlt_range both;        /* intersection of the enclosures of these two */
     condition *conditions;
     size_t condition_count;
-    fmpq *low, *high;    /* the box in hand */
+    fmpq *low, *high;    /* the current box */
     unsigned char *depth;
-    bool seen[2];        /* at a point of the domain, a trace < 0, > 0: at `other` and `point` of the result */
+    bool seen[2];        /* a point of the domain with trace < 0, > 0 is known: `other`, `point` of the result */
 } search;
 
 typedef enum { OUT, NEGATIVE, OPEN, POSITIVE } look;
@@ -60,7 +60,8 @@ static void require(search *s, ttc_id expression, ttc_sign sign)
     if (sign != TTC_ANY_SIGN) s->conditions[s->condition_count++] = (condition){ expression, sign };
 }
 
-/* Signs, intervals, records `domain`, radicands of all roots, and what the field, they and the family divide by. */
+/* Collect the conditions of the domain: signs of parameters, intervals of states, records `domain`, radicands of roots and
+ * arguments of logarithms are positive, and no divisor of the field, of these, or of the family is zero. */
 static jlt_status gather_conditions(search *s)
 {
     const ttc_model *m = s->q->model;
@@ -116,7 +117,7 @@ static void set_box(search *s, const fmpq *low, const fmpq *high)
     for (unsigned i = 0; i < s->q->dim; i++) jlt_over_box_set(s->over, s->q->symbols[i], &low[i], &high[i]);
 }
 
-/* NULL: it may be undefined. */
+/* Returns NULL if the trace may be undefined. */
 static const jlt_range *enclose_trace(search *s)
 {
     const jlt_range *trace = jlt_over_box_enclose(s->over, s->trace), *formula = jlt_over_box_enclose(s->over, s->formula);
@@ -143,7 +144,7 @@ static look look_at_box(search *s)
     return sign_of(enclose_trace(s));
 }
 
-/* What a point refutes, if it is surely in the domain; else PROVED. */
+/* JLT_FAMILY_ZERO or JLT_FAMILY_CHANGES if the point is certainly in the domain and refutes the claim; else PROVED. */
 static jlt_family_verdict look_at_point(search *s, const fmpq *x)
 {
     const jlt_range *trace;
@@ -165,7 +166,7 @@ static jlt_family_verdict look_at_point(search *s, const fmpq *x)
     return s->seen[0] && s->seen[1] ? JLT_FAMILY_CHANGES : JLT_FAMILY_PROVED;
 }
 
-/* A box on which the trace has a sign. */
+/* Include a box on which the trace has a sign in the result. */
 static void record(search *s)
 {
     const ttc_model *m = s->q->model;
@@ -193,7 +194,7 @@ static void middle_of(fmpq *out, const fmpq *low, const fmpq *high, unsigned dim
     }
 }
 
-/* By how much the trace changes along side i with the others at their middles; infinity where it is not defined. */
+/* The change of the trace along side i, with the other sides at their midpoints; infinity if it may be undefined. */
 static void change_along(arf_t out, search *s, const fmpq *middle, unsigned i)
 {
     const jlt_range *trace;
@@ -205,7 +206,7 @@ static void change_along(arf_t out, search *s, const fmpq *middle, unsigned i)
     else arf_sub(out, trace->high, trace->low, s->q->bits, ARF_RND_DOWN);
 }
 
-/* The side to cut; dim where none is left that may be. */
+/* The side to cut; dim if none may be cut any more. */
 static unsigned choose(search *s, const fmpq *middle)
 {
     unsigned best = s->q->dim;
@@ -226,7 +227,7 @@ static unsigned choose(search *s, const fmpq *middle)
     return best;
 }
 
-/* Whether the trace vanishes in a box that cannot be cut further; else it is left. */
+/* For a box that cannot be cut further: refute the claim at one of its corners, else return JLT_FAMILY_LEFT. */
 static jlt_family_verdict look_at_corners(search *s, fmpq *x)
 {
     jlt_family_verdict verdict = JLT_FAMILY_PROVED;
@@ -282,7 +283,7 @@ static jlt_family_verdict explore(search *s)
     s->result->boxes++;
     if (box == OUT) goto done;
     if ((box == NEGATIVE && jlt_range_sign(all) > 0) || (box == POSITIVE && jlt_range_sign(all) < 0))
-        box = OPEN; /* a part may be outside the domain */
+        box = OPEN; /* part of the box may be outside the domain */
     if (box != OPEN) record(s);
     middle_of(middle, s->low, s->high, dim);
     if (box == OPEN || !s->seen[box == POSITIVE]) verdict = look_at_point(s, middle);

@@ -1,9 +1,9 @@
-/** What a validated integration evaluates of a table, as the compiler's straight-line programs: the field, its derivatives, the
- *  divergence, conditions under which the model holds, those of its domain, integrals with their gradients.
+/** The expressions that a validated integration evaluates, as the compiler's straight-line programs: the field, its derivatives,
+ *  its divergence, the conditions under which the model holds, the conditions of its domain, and integrals with their gradients.
  *
- *  They are made from the text that the descriptor carries, by the passes that make kernels in balls, and interpreted over whatever
- *  arithmetic is wanted. A free parameter is one that may have any value of a ball: it becomes a state whose rate is 0, so that
- *  what depends on it stays correlated. */
+ *  They are compiled from the table's text in the descriptor by the passes that make ball kernels, and can be interpreted in any
+ *  arithmetic. A free parameter is one whose value is an interval: it becomes a state of rate 0, which keeps correlations. In a time
+ *  tau that lifts roots, these roots are states behind the table's own, and the last state is the table's time t, of rate dt/dtau. */
 #ifndef JLT_VALIDATED_FORMULAS_H
 #define JLT_VALIDATED_FORMULAS_H
 
@@ -15,29 +15,37 @@
 enum { JLT_FORMULAS_FREE_MAX = 8, JLT_FORMULAS_LEVELS_MAX = 8 };
 
 typedef struct {
-    const jlt_descriptor *descriptor; /* general field, in its own time */
+    const jlt_descriptor *descriptor; /* a general field in its own time */
     ttc_model *model;
-    unsigned states, params;
-    unsigned free_count, free[JLT_FORMULAS_FREE_MAX]; /* parameters that are states as well, behind the states */
+    unsigned states, params;          /* states: lifted roots and t included, where there are any */
+    unsigned lifted_count;            /* 0 in the table's own time */
+    unsigned free_count, free[JLT_FORMULAS_FREE_MAX]; /* indices of the parameters that are appended to the states */
     unsigned dim;                                     /* states + free_count */
     unsigned valid_count, domain_count, level_count;
     ttc_program *motion;    /* f, (states,) */
-    ttc_program *variation; /* f, (states,); df/d(x, free), (states, dim); div f, (1,); valids, (valid_count,);
-                               what is positive in the domain, (domain_count,) */
+    ttc_program *variation; /* f, (states,); df/d(x, free), (states, dim); div f, (1,); the model's conditions, (valid_count,);
+                             * quantities that are positive in the domain, (domain_count,); radicands of the lifted roots,
+                             * (lifted_count,) */
     ttc_program *levels;    /* integrals, (level_count,); their gradients, (level_count, dim) */
 } jlt_formulas;
 
-/** Out: *formulas, NULL on failure; destroy with jlt_formulas_destroy. In: free, shape (free_count,), indices of parameters;
- *  levels, shape (level_count,), names of integrals. Errors: ARG, more than there is room for; UNSUPPORTED, no such integral, or a
- *  table that does not read; NOMEM. */
+/** Out: *formulas, NULL on failure; destroy it with jlt_formulas_destroy. In: free, shape (free_count,), indices of parameters;
+ *  levels, shape (level_count,), names of integrals. Errors: ARG, more than the limits above; UNSUPPORTED, no such integral, or
+ *  the table cannot be parsed; NOMEM. */
 JLT_CHECKED jlt_status jlt_formulas_create(jlt_formulas **formulas, const jlt_descriptor *descriptor, const unsigned *free,
                                            unsigned free_count, const char *const *levels, unsigned level_count);
+
+/** The same in the time of this name of the table, without free parameters and without integrals. Quantities that are positive in
+ *  the domain have lifted roots divided out, so that they are positive also where these roots are 0. Errors: as
+ *  jlt_formulas_create; UNSUPPORTED, there is no such time, or it lifts no root. */
+JLT_CHECKED jlt_status jlt_formulas_create_lifted(jlt_formulas **formulas, const jlt_descriptor *descriptor, const char *time);
 void jlt_formulas_destroy(jlt_formulas *formulas); /* legal on NULL */
 
-/* Which output of `variation` is what: */
-unsigned jlt_formulas_slope(const jlt_formulas *self, unsigned row, unsigned column); /* df_row by x_column, or a free parameter */
+/* Indices of outputs of `variation`: */
+unsigned jlt_formulas_slope(const jlt_formulas *self, unsigned row, unsigned column); /* d f_row/d state or free parameter */
 unsigned jlt_formulas_divergence(const jlt_formulas *self);
-unsigned jlt_formulas_valid(const jlt_formulas *self, unsigned index);  /* the quantity of the model's condition `index` */
-unsigned jlt_formulas_domain(const jlt_formulas *self, unsigned index); /* what is positive in the domain, number `index` */
+unsigned jlt_formulas_valid(const jlt_formulas *self, unsigned index);  /* condition number `index` of the model */
+unsigned jlt_formulas_domain(const jlt_formulas *self, unsigned index); /* quantity number `index` that is positive in the domain */
+unsigned jlt_formulas_radicand(const jlt_formulas *self, unsigned index); /* of lifted root number `index` */
 
 #endif

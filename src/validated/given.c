@@ -29,6 +29,11 @@ const jlt_descriptor *jlt_given_table(const json_t *given, const jlt_descriptor 
     return NULL;
 }
 
+bool jlt_given_read_value(arb_t out, const json_t *value, slong bits)
+{
+    return json_is_object(value) ? jlt_numerals_ball(out, value, bits) : jlt_numerals_read(out, json_string_value(value), bits);
+}
+
 static bool allows(const jlt_quantity *param, const arb_t value)
 {
     return param->sign == JLT_ANY_SIGN || (param->sign == JLT_POSITIVE && arb_is_positive(value))
@@ -36,22 +41,30 @@ static bool allows(const jlt_quantity *param, const arb_t value)
            || (param->sign == JLT_NONZERO && arb_is_nonzero(value));
 }
 
+bool jlt_given_read_params(arb_ptr params, const json_t *given, const jlt_descriptor *d, slong bits,
+                           char problem[JLT_GIVEN_PROBLEM_MAX])
+{
+    const json_t *values = json_object_get(given, "parameters");
+
+    if (!json_is_object(values) || json_object_size(values) != d->param_count)
+        return jlt_refuse(problem, "it must give all %u parameters of %s", d->param_count, d->model);
+    for (unsigned i = 0; i < d->param_count; i++) {
+        if (!jlt_given_read_value(params + i, json_object_get(values, d->params[i].name), bits))
+            return jlt_refuse(problem, "parameter %s: no number", d->params[i].name);
+        if (!allows(&d->params[i], params + i))
+            return jlt_refuse(problem, "parameter %s: the table does not allow this value", d->params[i].name);
+    }
+    return true;
+}
+
+/* Those that are intervals are free. */
 static bool read_params(jlt_given *self, const json_t *given, slong bits, char *problem)
 {
     const jlt_descriptor *d = self->question.descriptor;
-    const json_t *params = json_object_get(given, "parameters");
 
-    if (!json_is_object(params) || json_object_size(params) != d->param_count)
-        return jlt_refuse(problem, "it must give all %u parameters of %s", d->param_count, d->model);
+    if (!jlt_given_read_params(self->params, given, d, bits, problem)) return false;
     for (unsigned i = 0; i < d->param_count; i++) {
-        const json_t *value = json_object_get(params, d->params[i].name);
-        const bool is_ball = json_is_object(value);
-        if (!(is_ball ? jlt_numerals_ball(self->params + i, value, bits)
-                      : jlt_numerals_read(self->params + i, json_string_value(value), bits)))
-            return jlt_refuse(problem, "parameter %s: no number", d->params[i].name);
-        if (!allows(&d->params[i], self->params + i))
-            return jlt_refuse(problem, "parameter %s: the table does not allow this value", d->params[i].name);
-        if (!is_ball) continue;
+        if (!json_is_object(json_object_get(json_object_get(given, "parameters"), d->params[i].name))) continue;
         if (self->question.free_count == JLT_FORMULAS_FREE_MAX)
             return jlt_refuse(problem, "more than %d parameters are intervals", JLT_FORMULAS_FREE_MAX);
         self->question.free[self->question.free_count++] = i;
@@ -75,7 +88,7 @@ static bool read_section(jlt_given *self, const json_t *given, slong bits, char 
            || jlt_refuse(problem, "section: no value");
 }
 
-/* A descriptor lists integrals that are so everywhere: not `when` or `modulo` something alone. */
+/* Whether the descriptor lists an integral, as it does those that hold without `when` or `modulo`. */
 static bool is_listed(const jlt_descriptor *d, const char *integral)
 {
     for (unsigned i = 0; i < d->integral_count; i++)
@@ -83,7 +96,7 @@ static bool is_listed(const jlt_descriptor *d, const char *integral)
     return false;
 }
 
-/* Levels of integrals that are proved, whatever the parameters. */
+/* Read levels of integrals that are proved for all parameters. */
 static bool read_levels(jlt_given *self, const json_t *given, slong bits, char *problem)
 {
     const jlt_descriptor *d = self->question.descriptor;
@@ -99,8 +112,7 @@ static bool read_levels(jlt_given *self, const json_t *given, slong bits, char *
         if (claim == NULL || claim->verdict != JLT_PROVED || !is_listed(d, name))
             return jlt_refuse(problem, "levels: %s is no integral of %s that is proved without a condition", name, d->model);
         arb_ptr out = self->level_values + self->question.level_count;
-        if (!(json_is_object(value) ? jlt_numerals_ball(out, value, bits)
-                                    : jlt_numerals_read(out, json_string_value(value), bits)))
+        if (!jlt_given_read_value(out, value, bits))
             return jlt_refuse(problem, "levels: %s has no value", name);
         self->levels[self->question.level_count++] = claim->name;
     }
@@ -156,8 +168,8 @@ bool jlt_given_read_legs(jlt_given *self, const json_t *given, char problem[JLT_
     return true;
 }
 
-/* Boxes as wide as orbits spread, and half as much again, for what is not of first order; none is much less wide than the widest.
- * Those of all legs are alike, so that of an orbit that is its own mirror image their images are as well. */
+/* Set radii of boxes to 1.5 times the first-order spread of orbits, to allow for higher orders, but at least 5 % of the widest.
+ * The boxes of all legs have equal radii, so if an orbit is its own mirror image, the boxes are mapped to each other too. */
 static jlt_status widen(jlt_given *self, unsigned legs)
 {
     const slong width = (slong)self->question.descriptor->state_count - 1, n = width * (slong)legs;
@@ -180,7 +192,7 @@ done:
     return st;
 }
 
-/* Numbers that are no binary fractions are balls too, though not meant as such. */
+/* Whether parameters or levels are written as intervals. Numbers that are no binary fractions are balls too, but do not count. */
 static bool has_intervals(const jlt_given *self, json_t *given)
 {
     bool has = self->question.free_count > 0;
@@ -196,7 +208,7 @@ jlt_status jlt_given_make_legs(jlt_given *self, json_t *given, unsigned legs, co
 {
     const jlt_descriptor *d = self->question.descriptor;
     json_t *names = json_array();
-    jlt_cycle_question middle; /* where parameters and levels are intervals, at their middles */
+    jlt_cycle_question middle; /* the question with parameters and levels at their midpoints */
     arb_ptr params = _arb_vec_init(d->param_count + 1), levels = _arb_vec_init(JLT_FORMULAS_LEVELS_MAX);
     jlt_cycle *cycle = NULL;
     const bool spreads = !(radius > 0) && has_intervals(self, given);

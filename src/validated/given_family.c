@@ -34,7 +34,7 @@ static bool read_family(jlt_given_family *self, const char *name, char *problem)
     return true;
 }
 
-/* Whether the table allows both ends: a parameter's sign; a state's interval where its ends are numbers. */
+/* Whether the table allows the values from low to high: by a parameter's sign, or a state's interval where its ends are numbers. */
 static bool allows(const jlt_given_family *self, const ttc_symbol_entry *symbol, const fmpq_t low, const fmpq_t high)
 {
     const ttc_graph *graph = self->model->graph;
@@ -176,7 +176,7 @@ static double number_of(const fmpq *x)
     return out;
 }
 
-/* Coordinates that are ranges of the box, or all where none is. */
+/* Write a point, or if `to` is not NULL a box, by the coordinates with ranges in `given`; "its only point" if there is none. */
 static void write_point(FILE *out, const jlt_given_family *self, const fmpq *from, const fmpq *to)
 {
     const char *between = "";
@@ -192,7 +192,7 @@ static void write_point(FILE *out, const jlt_given_family *self, const fmpq *fro
 
 void jlt_given_family_problem(char problem[JLT_GIVEN_PROBLEM_MAX], const jlt_given_family *self, const jlt_family_result *result)
 {
-    FILE *out = fmemopen(problem, JLT_GIVEN_PROBLEM_MAX - 1, "w"); /* which ends what fills it with no 0 */
+    FILE *out = fmemopen(problem, JLT_GIVEN_PROBLEM_MAX - 1, "w"); /* fmemopen does not terminate a full buffer */
 
     problem[JLT_GIVEN_PROBLEM_MAX - 1] = '\0';
     if (out == NULL) return;

@@ -3,7 +3,7 @@
 #include "validated/numerals.h"
 #include "validated/theorem.h"
 
-/* All but the legs. */
+/* Initialize all members but the legs. */
 static void begin(jlt_given_homoclinic *self, const jlt_given *of, const jlt_reversor *reversor, int landing)
 {
     *self = (jlt_given_homoclinic){ .frame = _arb_vec_init(4) };
@@ -72,7 +72,7 @@ bool jlt_given_homoclinic_read(jlt_given_homoclinic *self, const jlt_given *of, 
     return good;
 }
 
-/* A bound of five digits, no less than the value. */
+/* The value, rounded up to five digits. */
 static json_t *upper(const arb_t value)
 {
     char text[32];
@@ -81,7 +81,7 @@ static json_t *upper(const arb_t value)
     return json_string(text);
 }
 
-/* The states that it flips, where the table has others too. */
+/* The states that the reversor flips, if the table has other reversors too; else NULL. */
 static json_t *name_of(const jlt_descriptor *d, const jlt_reversor *reversor)
 {
     return d->reversor_count > 1 ? jlt_theorem_flipped(d, reversor) : NULL;

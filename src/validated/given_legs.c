@@ -89,7 +89,7 @@ json_t *jlt_given_legs_decimal(const arb_t value, unsigned digits)
     return out;
 }
 
-/* Of three digits, and no less. */
+/* The radius, rounded up to three digits. */
 static json_t *own_radius(const arb_t value)
 {
     char text[32];

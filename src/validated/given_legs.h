@@ -1,4 +1,4 @@
-/** Legs of an orbit as certificates have them: see given.h. */
+/** Reads and writes the legs of an orbit in certificates: see given.h. */
 #ifndef JLT_VALIDATED_GIVEN_LEGS_H
 #define JLT_VALIDATED_GIVEN_LEGS_H
 
@@ -8,29 +8,29 @@
 #include <jansson.h>
 
 typedef struct {
-    unsigned count;        /* 0 before they are read or made */
+    unsigned count;        /* 0 before legs are read or made */
     arb_ptr box, instants; /* (count, states - 1); (count,), exact */
-    int *turns;            /* periods that states have grown by where each leg ends, (count, states); NULL: none */
-    arb_ptr grown;         /* what they have grown by, of the same shape, or NULL */
+    int *turns;            /* (count, states): number of periods that states have grown by at the end of each leg; NULL: none */
+    arb_ptr grown;         /* (count, states): the corresponding growth of states; NULL: none */
 } jlt_given_legs;
 
-/** Read them from an array. Ends with jlt_given_legs_clear in any case. False: it is not of this form; problem says why. */
+/** Read legs from an array. In any case the caller must call jlt_given_legs_clear. Returns false if it is not of this form, and
+ *  describes why in problem. */
 bool jlt_given_legs_read(jlt_given_legs *self, const jlt_cycle_question *question, const json_t *legs,
                          char problem[JLT_GIVEN_PROBLEM_MAX]);
 void jlt_given_legs_clear(jlt_given_legs *self, const jlt_cycle_question *question);
 
-/** Set up boxes of radius 0 and instants from points of the section, x, shape (count, states), and times, T, shape (count,). Ends
- *  with jlt_given_legs_clear. */
+/** Set boxes of radius 0 and instants from points on the section, x (count, states), and times, T (count,); clear afterwards. */
 void jlt_given_legs_guess(jlt_given_legs *self, const jlt_cycle_question *question, unsigned count, const double *x,
                           const double *T);
 
-/** Legs as in given.h; a new reference. radius: of all boxes, as text; NULL: their own, of three digits and no less. */
+/** Write legs as in given.h; a new reference. radius: of all boxes, as text; NULL: their own radii, rounded up to three digits. */
 json_t *jlt_given_legs_write(const jlt_given_legs *self, const jlt_cycle_question *question, const char *radius);
 
-/** Whether points, shape (legs, states - 1), surely lie in the boxes of an array of legs, each as it is written, unrounded. */
+/** Whether points y, shape (legs, states - 1), certainly lie in the boxes of an array of legs, exactly as these are written. */
 bool jlt_given_legs_hold(const json_t *legs, const jlt_cycle_question *question, arb_srcptr y);
 
-/** A number's middle as a decimal; a new reference. */
+/** The midpoint of a number as a decimal; a new reference. */
 json_t *jlt_given_legs_decimal(const arb_t value, unsigned digits);
 
 #endif

@@ -9,7 +9,7 @@
 
 enum { TURNS_MAX = 1000000 };
 
-/* The period of a state that the table proves to have one. */
+/* The period of a state, if the table proves it without a condition; else returns false. */
 static bool find_period(arb_t period, const ttc_model *model, const jlt_descriptor *d, unsigned state, slong bits)
 {
     const jlt_claim *claim = jlt_descriptor_claim(d, "periodic", d->states[state].name);
@@ -23,7 +23,7 @@ static bool find_period(arb_t period, const ttc_model *model, const jlt_descript
     return true;
 }
 
-/* Levels, and conditions of the model, that turns do not change. */
+/* Whether all levels and all conditions of the model are proved to be periodic. */
 static bool all_turn(const ttc_model *model, const jlt_cycle_question *question, char *problem)
 {
     const char *changed = NULL;

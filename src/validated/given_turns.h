@@ -1,21 +1,21 @@
-/** Periods by which states have grown where a leg of an orbit ends: "turns": {STATE: N, ...} of a leg of a certificate, whole
- *  numbers other than 0; states that are not named have not grown. See given.h. */
+/** Reads and writes the numbers of periods by which states have grown at the end of a leg: "turns": {STATE: N, ...} of a leg in a
+ *  certificate, with integers other than 0; states that are not named have not grown. See given.h. */
 #ifndef JLT_VALIDATED_GIVEN_TURNS_H
 #define JLT_VALIDATED_GIVEN_TURNS_H
 
 #include "validated/given_legs.h"
 
-/** Take counts of periods, shape (count, states), for the legs of self, and what states grow by, in balls. All 0: there are none.
- *  False: the table does not prove that these are periods, or a level or a condition of the model is not proved to be the same a
- *  period on; problem says why. Cost: the table is read, and a proof for each of those. */
+/** Set the numbers of periods, shape (count, states), for the legs of self, and the corresponding growth of states as balls; if
+ *  all are 0, there are no turns. Returns false, and describes why in problem, if the table does not prove these periods, or a
+ *  level or a condition of the model is not proved to be periodic with them. Cost: parsing the table, and these proofs. */
 bool jlt_given_turns_set(jlt_given_legs *self, const jlt_cycle_question *question, const int *counts,
                          char problem[JLT_GIVEN_PROBLEM_MAX]);
 
-/** The same from the array of legs, as many as self has. */
+/** The same, read from the array of legs, as many as self has. */
 bool jlt_given_turns_read(jlt_given_legs *self, const jlt_cycle_question *question, const json_t *legs,
                           char problem[JLT_GIVEN_PROBLEM_MAX]);
 
-/** Of one leg; a new reference, NULL where it has none. */
+/** The turns of one leg; a new reference, NULL if it has none. */
 json_t *jlt_given_turns_write(const jlt_given_legs *self, const jlt_cycle_question *question, unsigned leg);
 
 #endif

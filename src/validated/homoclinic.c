@@ -22,7 +22,7 @@ void jlt_homoclinic_result_clear(jlt_homoclinic_result *result)
     for (unsigned i = 0; i < JLT_ARRIVAL_VALIDS_MAX; i++) arf_clear(result->least + i);
 }
 
-/* The orbit begins on the piece of the manifold that the cone gives, not at the saddle. */
+/* Whether the orbit begins on the piece of the manifold within N, and not at the saddle. */
 static bool begins_in(const jlt_homoclinic_chain *chain, arb_srcptr around, arb_srcptr solution)
 {
     bool inside = chain->inside && !arb_contains_zero(chain->start);
@@ -31,8 +31,8 @@ static bool begins_in(const jlt_homoclinic_chain *chain, arb_srcptr around, arb_
     return inside;
 }
 
-/* The tangent at p, from DG dy = (0, ..., 0, 1). False where DG is not shown to be regular, or all but the flipped state may be at
- * rest. */
+/* The tangent at p, from DG dy = (0, ..., 0, 1). Returns false if DG may be singular, or all components of the tangent except the
+ * flipped state may be 0. */
 static bool find_tangent(jlt_homoclinic_result *result, const jlt_homoclinic_chain *chain)
 {
     const slong n = arb_mat_nrows(chain->DG), width = (slong)result->unknowns, bits = jlt_step_bits(chain->of->step);
@@ -55,7 +55,7 @@ static bool find_tangent(jlt_homoclinic_result *result, const jlt_homoclinic_cha
     return crosses;
 }
 
-/* Cone, orbit, tangent, with the saddle known. */
+/* With the saddle proved: the cone, the orbit, the tangent. */
 static jlt_status prove(jlt_homoclinic_chain *chain, jlt_homoclinic_result *result)
 {
     const jlt_homoclinic_question *question = chain->question;

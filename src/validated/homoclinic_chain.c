@@ -1,7 +1,7 @@
 #include "validated/homoclinic_chain.h"
 
-/* The state other than the section's that the reversor flips. False: there is not exactly one, it is not among the kept, or the
- *  section is not mapped to itself. */
+/* Find the state other than the section's that the reversor flips. Returns false if there is not exactly one, it is not kept, or
+ * the section is not mapped to itself. */
 static bool find_flipped(unsigned *state, const jlt_homoclinic_question *question)
 {
     const jlt_cycle_question *q = question->question;
@@ -50,14 +50,14 @@ void jlt_homoclinic_chain_clear(jlt_homoclinic_chain *self)
     for (unsigned i = 0; i < JLT_ARRIVAL_VALIDS_MAX; i++) arf_clear(self->least + i);
 }
 
-/* Which unknown a state is. */
+/* The index of the unknown that a state is. */
 static unsigned unknown_of(const jlt_homoclinic_chain *self, unsigned state)
 {
     return state < self->of->question->column ? state : state - 1;
 }
 
-/* Over N: q = q* + frame (u, s); w = w* + dw/dq (q - q*), with dw/dq over a box that this stays within, so that the level's graph
- * goes on all over N. False where it is not shown to. */
+/* Box y around N: q = q* + frame (u, s), w = w* + dw/dq (q - q*), with dw/dq over a box that contains this w in its interior, so
+ * that the level set is a graph over all of N. Returns false if that is not proved. */
 static bool surround(jlt_homoclinic_chain *self, arb_ptr y)
 {
     const jlt_homoclinic_question *q = self->question;
@@ -156,7 +156,7 @@ bool jlt_homoclinic_chain_is_cone(const jlt_homoclinic_chain *self, const arb_ma
     return is_cone;
 }
 
-/* x_0 on the graph: s - g(u) = 0. */
+/* The first equation, x_0 on the graph: s - g(u) = 0. */
 static void begin(jlt_homoclinic_chain *self, arb_mat_t G, arb_mat_t DG, arb_srcptr y)
 {
     const jlt_homoclinic_question *q = self->question;
@@ -197,7 +197,7 @@ static void watch(jlt_homoclinic_chain *self)
             arf_set(self->least + i, arrival->least + i);
 }
 
-/* From the last point to the symmetric one. */
+/* The last equations: levels, and 0 of the flipped state at the arrival from the last point. */
 static void land(jlt_homoclinic_chain *self, arb_mat_t G, arb_mat_t DG, slong row, slong from, arb_srcptr y)
 {
     const jlt_arrival *arrival = &self->of->arrival;

@@ -1,4 +1,4 @@
-/* Chooses frame, cone and radii for the proof of a homoclinic orbit, and refines the orbit. */
+/* Chooses frame, cone and radii for the proof of a homoclinic orbit, and refines a guess of the orbit. */
 #include "validated/homoclinic_chain.h"
 #include "validated/symmetry.h"
 
@@ -8,7 +8,7 @@ enum { CONES = 12 };
 
 static double middle(const arb_t value) { return arf_get_d(arb_midref(value), ARF_RND_NEAR); }
 
-/* Columns of length 1 near the eigenvectors of D, of the larger multiplier first. */
+/* Columns of length 1 close to the eigenvectors of D, that of the larger multiplier first. Returns false if D has no such frame. */
 static bool choose_frame(arb_ptr frame, const arb_mat_t D)
 {
     const double a = middle(arb_mat_entry(D, 0, 0)), b = middle(arb_mat_entry(D, 0, 1)), c = middle(arb_mat_entry(D, 1, 0)),
@@ -25,7 +25,7 @@ static bool choose_frame(arb_ptr frame, const arb_mat_t D)
     return true;
 }
 
-/* The saddle's derivative at the middle of its box. */
+/* The derivative D of the return map at the midpoint of the saddle's box. */
 static jlt_status look(jlt_cycle *of, arb_mat_t D, const jlt_homoclinic_question *q)
 {
     arb_ptr y = _arb_vec_init((slong)of->unknowns);
@@ -39,7 +39,8 @@ done:
     return st;
 }
 
-/* A slope for which the cone is one: what it must be above is seen from N itself, which grows with it. */
+/* Choose a slope for which the cone is mapped into its interior. The least such slope depends on A over N, which grows with the
+ * slope, so a few are tried. */
 static jlt_status choose_cone(jlt_homoclinic_chain *chain, jlt_homoclinic_question *q)
 {
     arb_ptr around = _arb_vec_init((slong)chain->of->unknowns);
@@ -72,7 +73,7 @@ done:
     return st;
 }
 
-/* Radii that the operator needs at the least, times 4; and what rounding makes of the middles. */
+/* Set the radii of the boxes to 4 times the least that Krawczyk's operator needs, plus the rounding of the midpoints. */
 static jlt_status choose_radii(jlt_homoclinic_chain *chain, jlt_homoclinic_question *q)
 {
     const jlt_krawczyk problem = jlt_homoclinic_chain_equations(chain);
@@ -102,7 +103,7 @@ done:
     return st;
 }
 
-/* Whether the reversor takes section, levels and saddle to themselves; else UNSUPPORTED. */
+/* Returns UNSUPPORTED unless the reversor is proved to map section, levels and saddle to themselves. */
 static jlt_status look_at_reversor(jlt_cycle *of, const jlt_cycle_result *saddle, const jlt_homoclinic_question *q)
 {
     bool symmetric = false;

@@ -8,13 +8,13 @@ struct jlt_jets {
     const jlt_formulas *of;
     const ttc_program *program;
     unsigned order, length; /* length of every series: order + 1 */
-    unsigned degree, terms; /* of polynomials, one of whose coefficients is a series each */
+    unsigned degree, terms; /* of the polynomials; each of their `terms` coefficients is a time series */
     size_t size;
-    bool *series;           /* (size,): depends on states */
-    size_t *partner;        /* (size,): of a cosine or sine, where the other one is */
-    arb_ptr values;         /* the states, (dim, terms, length); the program's values, (size, terms, length); partners */
-    size_t count;           /* of balls in values */
-    arb_ptr slopes;         /* (length,): w(p) a_p */
+    bool *series;           /* (size,): whether the value depends on states */
+    size_t *partner;        /* (size,): for a cosine, where the sine of its argument is, and the reverse; else 0 */
+    arb_ptr values;         /* states, (dim, terms, length); the program's values, (size, terms, length); then the partners */
+    size_t count;           /* number of balls in values */
+    arb_ptr slopes;         /* (length,): w(p) a_p, see slope() */
     arb_t scratch;
 };
 
@@ -23,7 +23,7 @@ static arb_ptr at(const jlt_jets *self, size_t value)
     return self->values + (self->of->dim + value) * self->terms * self->length;
 }
 
-/* Which state a value is, free parameters behind the states; SIZE_MAX: it is none. */
+/* The index of the state that a value is, free parameters being appended to the states; SIZE_MAX if it is none. */
 static size_t state_of(const jlt_jets *self, ttc_value value)
 {
     const ttc_instruction *i = ttc_program_at(self->program, value);
@@ -34,7 +34,7 @@ static size_t state_of(const jlt_jets *self, ttc_value value)
     return SIZE_MAX;
 }
 
-/* Where the series of a value is. */
+/* The series of a value. */
 static arb_ptr series_of(const jlt_jets *self, ttc_value value)
 {
     const size_t state = state_of(self, value);
@@ -99,17 +99,17 @@ void jlt_jets_destroy(jlt_jets *jets)
     free(jets);
 }
 
-/* A coefficient of t^k u^i v^j. */
+/* The index of the coefficient of t^k u^i v^j. */
 typedef struct {
-    unsigned k, i, j, term; /* term: its place among the polynomial's, by degree i + j */
+    unsigned k, i, j, term; /* term: index of u^i v^j in the polynomial, ordered by degree i + j */
 } place;
 
 static unsigned term_of(unsigned i, unsigned j) { return (i + j) * (i + j + 1) / 2 + j; }
 
-/* What a sum over products a_p b_(n-p) leaves out: p = 0, or p = n. */
+/* Terms to omit from a sum of products a_p b_(n-p): p = 0, or p = n. */
 enum { ALL = 0, NOT_FIRST = 1, NOT_LAST = 2 };
 
-/* out = start +- sum of a_p b_(n-p), p from 0 to n; start may be NULL, for 0, or out */
+/* out = start +- sum of a_p b_(n-p), p from 0 to n; start may be NULL, meaning 0, or out. */
 static void convolve(const jlt_jets *self, arb_t out, const arb_t start, bool minus, arb_srcptr a, arb_srcptr b, place n,
                      int without, slong bits)
 {
@@ -123,8 +123,8 @@ static void convolve(const jlt_jets *self, arb_t out, const arb_t start, bool mi
         }
 }
 
-/* out = (sum over p of w(p) a_p b_(n-p))/w(n), which is the coefficient of the integral of a' b: w is the order in t, and where n
- * is 0 in t, the degree. */
+/* out = (sum over p of w(p) a_p b_(n-p))/w(n), the coefficient of the integral of a' b. The weight w is the order in t; if n has
+ * order 0 in t, it is the degree in u and v. */
 static void slope(jlt_jets *self, arb_t out, arb_srcptr a, arb_srcptr b, place n, int without, slong bits)
 {
     arb_zero(out);
@@ -132,7 +132,7 @@ static void slope(jlt_jets *self, arb_t out, arb_srcptr a, arb_srcptr b, place n
         for (unsigned j = 0; j <= n.j; j++) {
             const unsigned term = term_of(i, j), first = n.k > 0 ? 1 : 0;
             const unsigned end = term == n.term && without & NOT_LAST ? n.k : n.k + 1;
-            if (n.k == 0 && term == 0) continue; /* its weight is 0, and b is not known yet */
+            if (n.k == 0 && term == 0) continue; /* the weight is 0, and b_n is not known yet */
             for (unsigned k = first; k < end; k++)
                 arb_mul_ui(self->slopes + k, a + term * self->length + k, n.k > 0 ? k : i + j, bits);
             if (first < end)
@@ -155,7 +155,7 @@ static void root(const jlt_jets *self, arb_ptr r, arb_srcptr a, place n, arb_t s
     arb_div(r + here, scratch, r, bits);
 }
 
-/* Coefficient n of the functions but the root. */
+/* Coefficient n of the functions other than the root. */
 static void function(jlt_jets *self, ttc_op op, arb_ptr r, arb_ptr other, arb_srcptr a, place n, slong bits)
 {
     const size_t here = n.term * self->length + n.k;
@@ -198,7 +198,7 @@ static void step(jlt_jets *self, ttc_value value, arb_srcptr params, place n, sl
     case TTC_OP_NEGATE: arb_neg(r + here, a + here); break;
     case TTC_OP_ADD: arb_add(r + here, a + here, b + here, bits); break;
     case TTC_OP_SUBTRACT: arb_sub(r + here, a + here, b + here, bits); break;
-    case TTC_OP_MULTIPLY: /* by a number: its series ends with order 0 */
+    case TTC_OP_MULTIPLY: /* a factor that does not depend on states has only the coefficient of order 0 */
         if (!self->series[i->a]) arb_mul(r + here, a, b + here, bits);
         else if (!self->series[i->b]) arb_mul(r + here, a + here, b, bits);
         else convolve(self, r + here, NULL, false, a, b, n, ALL, bits);
@@ -215,7 +215,7 @@ static void step(jlt_jets *self, ttc_value value, arb_srcptr params, place n, sl
     }
 }
 
-/* Coefficients of t^k of all values: those of numbers end with the first. */
+/* Compute the coefficients of t^k of all values; values that do not depend on states have only that of t^0. */
 static void run_order(jlt_jets *self, arb_srcptr params, unsigned k, slong bits)
 {
     for (size_t v = 0; v < self->size; v++) {

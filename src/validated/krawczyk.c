@@ -24,7 +24,7 @@ static jlt_status evaluate(const jlt_krawczyk *self, arb_mat_t G, arb_mat_t DG, 
     return self->equations(self->context, G, DG, y);
 }
 
-/* log2 of the largest entry. */
+/* log2 of the largest modulus of an entry. */
 static double size_of(const arb_mat_t column)
 {
     double size = -INFINITY;
@@ -71,7 +71,7 @@ done:
     return st;
 }
 
-/* y0, M and M G(y0) are those of the first box for all. */
+/* The operator; y0, M and M G(y0) are those of the first box for all boxes. */
 typedef struct {
     const jlt_krawczyk *of;
     arb_ptr middle, between;
@@ -88,7 +88,7 @@ static void operator_clear(operator *self)
     arb_mat_clear(self->unused);
 }
 
-/* At the middle of the box; M is the inverse near it. *regular: there is one. */
+/* Evaluate at the midpoint of the box; M is the inverse of DG there. *regular: it exists. */
 static jlt_status operator_init(operator *self, const jlt_krawczyk *of, bool *regular, arb_srcptr box)
 {
     const slong n = of->n;
@@ -117,7 +117,7 @@ static jlt_status operator_apply(operator *self, arb_ptr K, arb_srcptr y)
 
     arb_mat_init(rest, n, n);
     arb_mat_init(away, n, 1);
-    for (slong i = 0; i < n; i++) { /* the mean value is between the middle and y */
+    for (slong i = 0; i < n; i++) { /* the mean value theorem needs the hull of y and the midpoint */
         if (arb_contains(y + i, self->middle + i)) arb_set(self->between + i, y + i);
         else arb_union(self->between + i, y + i, self->middle + i, bits);
     }
@@ -144,7 +144,7 @@ static bool all_inside(arb_srcptr outer, arb_srcptr inner, slong n)
     return true;
 }
 
-/* log2 of the longest edge. */
+/* log2 of the largest radius. */
 static double width_of(arb_srcptr box, slong n)
 {
     double width = -INFINITY;
@@ -174,7 +174,7 @@ jlt_status jlt_krawczyk_prove(const jlt_krawczyk *self, jlt_krawczyk_verdict *ve
         for (slong i = 0; i < n; i++)
             if (!arb_intersection(K + i, K + i, solution + i, self->bits)) *verdict = JLT_KRAWCZYK_CONTRADICTED;
     }
-    for (slong i = 0; i < n; i++) /* what the caller reads off its functions is to be that at the solution */
+    for (slong i = 0; i < n; i++) /* evaluate at the solution what the caller reads from the context of the equations */
         if (!arb_equal(op.between + i, solution + i)) {
             st = evaluate(self, op.unused, op.DG, solution);
             break;

@@ -14,10 +14,10 @@ void jlt_normal_form_clear(jlt_normal_form *self)
     arb_clear(self->growth);
 }
 
-/* Where z^j conj(z)^k is, by the degree j + k. */
+/* The index of z^j conj(z)^k, ordered by the degree j + k. */
 static unsigned term_of(unsigned j, unsigned k) { return (j + k) * (j + k + 1) / 2 + k; }
 
-/* out = a (first z + second conj(z)), cut off */
+/* out = a (first z + second conj(z)), truncated at degree 3. */
 static void multiply(acb_ptr out, acb_srcptr a, const acb_t first, const acb_t second, slong bits)
 {
     _acb_vec_zero(out, TERMS);
@@ -28,7 +28,7 @@ static void multiply(acb_ptr out, acb_srcptr a, const acb_t first, const acb_t s
         }
 }
 
-/* h += weight_1 map_1 + weight_2 map_2 where u = (z + conj(z))/2, v = slope z + conj(slope z). */
+/* h += weight_1 map_1 + weight_2 map_2, with u = (z + conj(z))/2, v = slope z + conj(slope z) substituted. */
 static void substitute(acb_ptr h, arb_srcptr map, acb_srcptr weights, const acb_t slope, slong bits)
 {
     acb_ptr monomials = _acb_vec_init(TERMS * TERMS);
@@ -57,7 +57,7 @@ static void substitute(acb_ptr h, arb_srcptr map, acb_srcptr weights, const acb_
     acb_clear(factor);
 }
 
-/* slope = (lambda - a_11)/(2 a_12), of the eigenvector (1/2, slope); weights of z = weight_1 u + weight_2 v. */
+/* The eigenvector (1/2, slope), slope = (lambda - a_11)/(2 a_12), and the weights in z = weight_1 u + weight_2 v. */
 static void diagonalize(acb_t slope, acb_ptr weights, arb_srcptr map, const acb_t lambda, slong bits)
 {
     arb_t twice;
@@ -74,7 +74,7 @@ static void diagonalize(acb_t slope, acb_ptr weights, arb_srcptr map, const acb_
     arb_clear(twice);
 }
 
-/* d, see the header. */
+/* d by the formula in the header. */
 static void reduce(acb_t d, acb_srcptr h, const acb_t lambda, slong bits)
 {
     acb_t inverse, square, a, b;

@@ -4,7 +4,7 @@
 
 enum { EXPONENT_DIGITS_MAX = 6 };
 
-/* Behind at least one digit; NULL: there is none. */
+/* The text after at least one digit; NULL if there is none. */
 static const char *skip_digits(const char *text)
 {
     const size_t count = text == NULL ? 0 : strspn(text, "0123456789");
@@ -67,7 +67,7 @@ bool jlt_numerals_read(arb_t out, const char *text, slong bits)
     return good;
 }
 
-/* As written, each rounded outwards. */
+/* Read middle and radius as written, each rounded outwards. */
 static bool read_parts(arb_t middle, arb_t radius, const json_t *ball, slong bits)
 {
     return json_object_size(ball) == 2 && jlt_numerals_read(middle, json_string_value(json_object_get(ball, "middle")), bits)

@@ -1,9 +1,9 @@
-/** Exact numbers written as text, as certificates have them, and balls of them. One grammar serves all:
+/** Reads exact numbers written as text in certificates, and balls of them. One grammar serves all:
  *
  *      NUMBER = [-] DIGITS [. DIGITS] [(e|E) [+|-] DIGITS]   an exponent has at most six digits
  *             | [-] DIGITS / DIGITS                          the second not 0
  *
- *  Anything else is no number: no blanks, no "+" in front, no names such as "inf", no hexadecimal digits. */
+ *  Nothing else is a number: no blanks, no leading "+", no names such as "inf", no hexadecimal digits. */
 #ifndef JLT_VALIDATED_NUMERALS_H
 #define JLT_VALIDATED_NUMERALS_H
 
@@ -15,19 +15,19 @@
 
 enum { JLT_NUMERALS_LENGTH_MAX = 16384 };
 
-/** The number, rounded outwards to so many bits; false: it is none, or longer than is served, or the text is NULL. */
+/** Read a number, rounded outwards to `bits` bits. Returns false if the text is no number, too long, or NULL. */
 bool jlt_numerals_read(arb_t out, const char *text, slong bits);
 
-/** A number without point and exponent, exactly; false as above. */
+/** Read a number without point and exponent exactly. Returns false likewise. */
 bool jlt_numerals_fraction(fmpq_t out, const char *text);
 
-/** Whether it is {"middle": NUMBER, "radius": NUMBER}, with a radius that is not negative. */
+/** Whether this is {"middle": NUMBER, "radius": NUMBER} with a radius that is not negative. */
 bool jlt_numerals_is_ball(const json_t *ball);
 
-/** Such a ball, as the least one that surely holds it; false: it is none. */
+/** Read such a ball, rounded outwards. Returns false if it is none. */
 bool jlt_numerals_ball(arb_t out, const json_t *ball, slong bits);
 
-/** Whether all of the value surely lies in such a ball, exactly as it is written. */
+/** Whether all of `value` certainly lies in such a ball, exactly as it is written. */
 bool jlt_numerals_hold(const json_t *ball, const arb_t value, slong bits);
 
 #endif

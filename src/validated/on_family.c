@@ -31,7 +31,7 @@ static ttc_id put(const ttc_model *model, const ttc_bindings *bindings, ttc_id i
     return out;
 }
 
-/* States first: what stands in their place has the parameters' values put in with the rest. */
+/* States are substituted first, so that parameters are then substituted in their expressions too. */
 ttc_id jlt_on_family(const ttc_model *model, const ttc_claim *family, ttc_id id)
 {
     return put(model, &family->when, put(model, &family->bindings, id));

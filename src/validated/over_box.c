@@ -8,11 +8,11 @@ typedef enum { UNKNOWN, GOOD, BAD } knowledge;
 struct jlt_over_box {
     const ttc_model *model;
     slong bits;
-    jlt_range *values;    /* by symbol, these three */
+    jlt_range *values;    /* by symbol, like `given` and `bound` */
     unsigned char *given;
-    ttc_id *bound;        /* TTC_NONE: its own definition */
+    ttc_id *bound;        /* TTC_NONE: the symbol has its own definition */
     size_t size;
-    jlt_range *ranges;    /* by node, these two */
+    jlt_range *ranges;    /* by node, like `state` */
     unsigned char *state;
 };
 
@@ -146,7 +146,7 @@ static bool evaluate(jlt_over_box *self, ttc_id id)
     bool good = true;
 
     if (self->state[id] != UNKNOWN) return self->state[id] == GOOD;
-    self->state[id] = BAD; /* met again on the way down, it would stand for itself */
+    self->state[id] = BAD; /* a definition that contains itself has no value */
     switch (ttc_kind_of(graph, id)) {
     case TTC_NUMBER: set_coefficient(out, ttc_coefficient(graph, id), self->bits); break;
     case TTC_SYMBOL: good = evaluate_symbol(out, self, ttc_symbol_of(graph, id)); break;

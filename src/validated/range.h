@@ -1,7 +1,7 @@
-/** Interval arithmetic by ends, with Arb's floats and outward rounding. A ball of Arb around a wide range of positive numbers loses
- *  their sign in a product; ends keep it (R. E. Moore, Interval Analysis, 1966).
+/** Interval arithmetic with lower and upper ends, in Arb's floats with outward rounding. A ball around a wide range of positive
+ *  numbers loses the sign of their product; intervals by ends keep it (R. E. Moore, Interval Analysis, 1966).
  *
- *  Every result contains what the operation gives at all points of its operands. Results may be operands. */
+ *  Every result contains the values of the operation at all points of its operands. Results may alias operands. */
 #ifndef JLT_VALIDATED_RANGE_H
 #define JLT_VALIDATED_RANGE_H
 
@@ -21,20 +21,20 @@ void jlt_range_set_fractions(jlt_range *out, const fmpq_t low, const fmpq_t high
 
 void jlt_range_add(jlt_range *out, const jlt_range *a, const jlt_range *b, slong bits);
 void jlt_range_multiply(jlt_range *out, const jlt_range *a, const jlt_range *b, slong bits);
-void jlt_range_power(jlt_range *out, const jlt_range *a, unsigned exponent, slong bits); /* sharp: squares are not negative */
+void jlt_range_power(jlt_range *out, const jlt_range *a, unsigned exponent, slong bits); /* sharp: even powers are not negative */
 
-/** 1/a. False: a holds 0, and out is untouched. */
+/** 1/a. Returns false, and leaves out, if a contains 0. */
 bool jlt_range_invert(jlt_range *out, const jlt_range *a, slong bits);
 
-/** The square root. False: a holds a negative number, and out is untouched. */
+/** The square root. Returns false, and leaves out, if a contains a negative number. */
 bool jlt_range_root(jlt_range *out, const jlt_range *a, slong bits);
 
-/** A function of Arb over a ball around a. False: it is not shown to be finite everywhere there. */
+/** A function of Arb over a ball around a. Returns false if it is not proved to be finite there. */
 typedef void (*jlt_range_function)(arb_t out, const arb_t of, slong bits);
 bool jlt_range_apply(jlt_range *out, const jlt_range *a, jlt_range_function function, slong bits);
 
-/* -1, 1: all of it is; 0: it holds 0. */
+/* 1 or -1 if all of a is positive or negative; 0 if a contains 0. */
 int jlt_range_sign(const jlt_range *a);
-bool jlt_range_is_zero(const jlt_range *a); /* [0, 0] */
+bool jlt_range_is_zero(const jlt_range *a); /* whether a is [0, 0] */
 
 #endif

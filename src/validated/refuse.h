@@ -1,4 +1,4 @@
-/** What is wrong with a certificate, or with what one is asked of, in words. */
+/** Describes what is wrong with a certificate, or with a request for one, in words. */
 #ifndef JLT_VALIDATED_REFUSE_H
 #define JLT_VALIDATED_REFUSE_H
 
@@ -8,7 +8,7 @@
 
 enum { JLT_GIVEN_PROBLEM_MAX = 1024 };
 
-/** Write the words, formatted as by printf. Returns false. */
+/** Write a problem, formatted as by printf. Returns false. */
 JLT_PRINTF(2, 3) bool jlt_refuse(char problem[JLT_GIVEN_PROBLEM_MAX], const char *format, ...);
 
 #endif

@@ -22,7 +22,7 @@ void jlt_rough_clear(jlt_rough *self)
     jlt_jets_destroy(self->rough);
 }
 
-/* The series of coefficient i of all polynomials. */
+/* The time series of coefficient i, counted over all polynomials. */
 static arb_srcptr series(const jlt_rough *self, const jlt_jets *jets, unsigned i)
 {
     return jlt_jets_state(jets, i / self->terms) + i % self->terms * (self->accuracy.order + 1);
@@ -42,7 +42,7 @@ void jlt_rough_sum(arb_t out, arb_srcptr a, unsigned count, const arb_t last, co
     arb_clear(total);
 }
 
-/* log2 of the states' largest coefficient of this order. */
+/* log2 of the largest coefficient of this order over all states. */
 static double size_of(const jlt_rough *self, const jlt_jets *jets, unsigned order)
 {
     double size = -INFINITY;
@@ -73,7 +73,8 @@ void jlt_rough_choose(const jlt_rough *self, arf_t h)
     arf_clear(wanted);
 }
 
-/* The set over [0, h] to order K - 1, and with the remainder from y where that is known; false when it is not finite. */
+/* Enclose the solutions from the set over [0, h] to order K - 1, and with the remainder over y if with_remainder. Returns false if
+ * that is not finite. */
 static bool spread(const jlt_rough *self, arb_ptr z, const arb_t span, bool with_remainder)
 {
     const unsigned K = self->accuracy.order;

@@ -5,7 +5,7 @@
 #include <stdint.h>
 #include <string.h>
 
-/* Of these legs; all their other members are needed. */
+/* Whether these legs have no unknown members; that all known ones are present is checked when they are read. */
 static bool are_legs(const json_t *legs)
 {
     bool good = true;
@@ -24,6 +24,7 @@ bool jlt_said_is_form(const char *kind, const json_t *given)
 
     if (json_object_size(json_object_get(given, "table")) > 2) return false;
     if (strcmp(kind, "equilibria") == 0) return json_object_size(given) <= 5;
+    if (strcmp(kind, "pole") == 0) return json_object_size(given) <= 7;
     return json_object_size(given) <= (has_homoclinic ? 8 : 7) && json_object_size(json_object_get(given, "section")) <= 3
            && are_legs(json_object_get(given, "legs"))
            && (!has_homoclinic
@@ -31,7 +32,7 @@ bool jlt_said_is_form(const char *kind, const json_t *given)
                    && are_legs(json_object_get(homoclinic, "legs"))));
 }
 
-/* With room for all digits of a ball's middle. */
+/* A precision that suffices for all digits of a ball's middle. */
 static slong bits_of(const json_t *ball)
 {
     const char *middle = json_string_value(json_object_get(ball, "middle"));
@@ -61,7 +62,7 @@ static bool all_follow(const json_t *said, const json_t *proved)
 
     json_object_foreach((json_t *)(uintptr_t)said, name, part) {
         const json_t *other = json_object_get(proved, name);
-        /* conditions have the names of the table, which may be those of the parts of a ball */
+        /* conditions are named by the table, and their names may be those of the parts of a ball */
         good = good && other != NULL && (strcmp(name, "conditions") == 0 ? json_equal(part, other) : follows(part, other));
     }
     return good;
@@ -85,13 +86,13 @@ static bool follows(const json_t *said, const json_t *proved)
 
 bool jlt_said_follows(const json_t *said, const json_t *proved)
 {
-    /* of a family no number is a ball, and its point has names of the table */
+    /* for a family no number is a ball, and its point has names from the table */
     return json_object_get(proved, "point") != NULL ? json_equal(said, proved) : follows(said, proved);
 }
 
-/* ---- its own words ---- */
+/* ---- the words ---- */
 
-/* A number of `shown` by its name, as it is written. */
+/* Read a ball of `shown` by its name, as it is written. */
 static void read_number(arb_t out, const json_t *shown, const char *name)
 {
     const json_t *ball = json_object_get(shown, name);
@@ -99,7 +100,7 @@ static void read_number(arb_t out, const json_t *shown, const char *name)
     if (!jlt_numerals_ball(out, ball, bits_of(ball))) arb_indeterminate(out);
 }
 
-/* Where the ball lies to a whole number: -1 or 1, below or above all of it; 0: it may be that number. */
+/* The side of an integer on which a ball lies: 1 above, -1 below, 0 if it may contain the integer. */
 static int side(const json_t *shown, const char *name, slong of)
 {
     const slong bits = bits_of(json_object_get(shown, name)) + 64;
@@ -114,7 +115,7 @@ static int side(const json_t *shown, const char *name, slong of)
     return found;
 }
 
-/* Likewise of a multiplier to the unit circle. */
+/* The side of the unit circle on which a multiplier lies: 1 outside, -1 inside, 0 if undecided. */
 static int side_of_circle(const json_t *multiplier)
 {
     const slong bits = bits_of(json_object_get(multiplier, "re")) + bits_of(json_object_get(multiplier, "im"));
@@ -134,7 +135,7 @@ static int side_of_circle(const json_t *multiplier)
     return found;
 }
 
-/* How many multipliers lie surely on this side of the unit circle. */
+/* The number of multipliers that certainly lie on this side of the unit circle. */
 static size_t count_multipliers(const json_t *shown, int wanted)
 {
     const json_t *multipliers = json_object_get(shown, "multipliers");
@@ -144,7 +145,7 @@ static size_t count_multipliers(const json_t *shown, int wanted)
     return count;
 }
 
-/* A point of the orbit with a box around it is not said with more room than four of these boxes. */
+/* Whether the radii of a point of the orbit, as written, are at most four times those of its box. */
 static bool is_near(const json_t *point, const json_t *leg)
 {
     const json_t *box = json_object_get(leg, "box");
@@ -211,7 +212,7 @@ static const char *judge_elliptic(const json_t *shown)
     return side(json_object_get(shown, "twist"), "coefficient", 0) != 0 ? NULL : "the twist, as it is written, may be 0";
 }
 
-/* The tangent has the component 1 in what the reversor flips: another one is not 0 either. */
+/* The tangent has the component 1 in the state that the reversor flips; another component must differ from 0. */
 static const char *judge_homoclinic(const json_t *given, const json_t *shown)
 {
     const json_t *part = json_object_get(shown, "homoclinic"), *tangent = json_object_get(part, "tangent");
@@ -231,7 +232,11 @@ static const char *judge_homoclinic(const json_t *given, const json_t *shown)
 
 const char *jlt_said_problem(const char *kind, const json_t *given, const json_t *shown)
 {
-    const char *problem = strcmp(kind, "equilibria") == 0 ? NULL : judge_cycle(given, shown);
+    const char *problem;
+
+    if (strcmp(kind, "equilibria") == 0) return NULL;
+    if (strcmp(kind, "pole") == 0) return side(shown, "time", 0) > 0 ? NULL : "the time, as it is written, may be 0";
+    problem = judge_cycle(given, shown);
 
     if (problem != NULL) return problem;
     if (strcmp(kind, "obstruction") == 0 && side(shown, "determinant", 1) == 0)

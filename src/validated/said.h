@@ -1,22 +1,22 @@
-/** What a certificate says in numbers, against what was proved, and against its own words.
+/** Compares what a certificate says in numbers with what was proved, and its words with its numbers.
  *
- *  Its words repeat its numbers. So they are true where each number says no more than what was proved, and all that they conclude
- *  from a number follows from it as it is written, not from the tighter one that it stands for. */
+ *  The words of a certificate repeat its numbers. They are true if each number says no more than what was proved, and everything
+ *  that they conclude from a number follows from the number as it is written, not only from the tighter enclosure behind it. */
 #ifndef JLT_VALIDATED_SAID_H
 #define JLT_VALIDATED_SAID_H
 
 #include <jansson.h>
 #include <stdbool.h>
 
-/** Whether `given` and what certificates of this kind have in it have no members but those that are read. */
+/** Whether `given`, and its parts that are read for certificates of this kind, have no other members than those that are read. */
 bool jlt_said_is_form(const char *kind, const json_t *given);
 
-/** Whether `said` follows from `proved`, both as "shown" of certificates: they have the same form, each ball of `said` contains
- *  that of `proved`, all else is the same. */
+/** Whether `said` follows from `proved`, both members "shown" of certificates: they have the same form, each ball of `said`
+ *  contains that of `proved`, and everything else is equal. */
 bool jlt_said_follows(const json_t *said, const json_t *proved);
 
-/** Which words of a certificate of this kind its numbers do not bear out, as a sentence; NULL: they bear out all. In: given, and
- *  shown, which has the form of what was proved. */
+/** A sentence that names the words of a certificate of this kind that its numbers do not support; NULL if they support all. In:
+ *  given, and shown, which has the form of what was proved. */
 const char *jlt_said_problem(const char *kind, const json_t *given, const json_t *shown);
 
 #endif

@@ -55,7 +55,7 @@ void jlt_set_slope(arb_mat_t slope, const jlt_set *self)
     arb_mat_add(slope, slope, self->V, self->bits);
 }
 
-/* Of column j the length, times the longest radius in row j of what it is multiplied by; squared. */
+/* weight = (length of column j of the axes times largest radius in row j of the factors)^2. */
 static void weigh(arb_t weight, const arb_mat_t axes, const arb_mat_t factors, slong j, slong bits)
 {
     mag_t radius;
@@ -74,7 +74,7 @@ static void weigh(arb_t weight, const arb_mat_t axes, const arb_mat_t factors, s
     mag_clear(radius);
 }
 
-/* Subtract from column k its part along column j, of length 1. */
+/* Subtract from column k its component along column j, which has length 1. */
 static void remove_along(arb_mat_t axes, slong k, slong j, slong bits)
 {
     arb_t product;
@@ -110,8 +110,8 @@ static void swap_columns(arb_mat_t a, slong j, slong k)
     for (slong i = 0; i < arb_mat_nrows(a); i++) arb_swap(arb_mat_entry(a, i, j), arb_mat_entry(a, i, k));
 }
 
-/* Nearly orthogonal axes, exact, the first along the longest edge of A times the box; and an enclosure of their inverse. Where A is
- * singular to working precision, the axes of the coordinates. */
+/* Choose exact, nearly orthogonal axes, the first along the longest edge of A times the box, and enclose their inverse. If A is
+ * singular to working precision, take the coordinate axes. */
 static void choose_axes(arb_mat_t axes, arb_mat_t inverse, const arb_mat_t A, const arb_mat_t factors, slong bits)
 {
     const slong n = arb_mat_nrows(A);
@@ -140,7 +140,7 @@ static void choose_axes(arb_mat_t axes, arb_mat_t inverse, const arb_mat_t A, co
     _arb_vec_clear(weights, n);
 }
 
-/* New axes and rest, whose product encloses A*axes*rest + more. */
+/* New axes and rest whose product encloses A*axes*rest + more. */
 static void move_rest(arb_mat_t axes, arb_mat_t rest, const arb_mat_t A, const arb_mat_t more, slong bits)
 {
     const slong n = arb_mat_nrows(axes), columns = arb_mat_ncols(rest);
@@ -160,7 +160,7 @@ static void move_rest(arb_mat_t axes, arb_mat_t rest, const arb_mat_t A, const a
     arb_mat_clear(next);
 }
 
-/* whole is in middle + rest, middle exact. */
+/* Split `whole` into an exact midpoint and the rest around it. */
 static void split(arb_mat_t middle, arb_mat_t rest, const arb_mat_t whole, slong bits)
 {
     arb_mat_get_mid(middle, whole);

@@ -6,11 +6,10 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Of what is said, so that a replay by another version of Arb, or in another order of operations, is not refused for its last
- * bits. */
+/* Relative margin of bounds as written: a replay with another version of Arb, or order of operations, may differ in last bits. */
 static const double ROOM = 1e-5;
 
-/* With twice the radius. */
+/* The ball is written with twice its radius. */
 json_t *jlt_shown_ball(const arb_t ball, unsigned digits)
 {
     arb_t roomy;
@@ -21,7 +20,7 @@ json_t *jlt_shown_ball(const arb_t ball, unsigned digits)
     mag_mul_2exp_si(arb_radref(roomy), arb_radref(roomy), 1);
     char *text = arb_get_str(roomy, (slong)digits, ARB_STR_MORE), *between = strstr(text, " +/- "), *end = strchr(text, ']');
     arb_clear(roomy);
-    if (strncmp(text, "[+/- ", 5) == 0 && end != NULL) { /* no digit of the middle is right */
+    if (strncmp(text, "[+/- ", 5) == 0 && end != NULL) { /* no digit of the midpoint is correct */
         *end = '\0';
         out = json_pack("{s:s,s:s}", "middle", "0", "radius", text + 5);
     } else if (between == NULL || end == NULL) out = json_pack("{s:s,s:s}", "middle", text, "radius", "0");
@@ -43,8 +42,7 @@ json_t *jlt_shown_lower_bound(const arf_t bound)
     if (arf_is_nan(bound)) return json_string("-inf");
     value -= ROOM * fabs(value);
     arb_init(read);
-    for (unsigned i = 0; i < 12; i++) { /* five digits, lowered until they are below: at most a unit of the last, 1e-4 of the
-                                           value */
+    for (unsigned i = 0; i < 12; i++) { /* five digits, lowered until not above the bound: by at most 1e-4 of the value */
         snprintf(text, sizeof text, "%.5g", value);
         arb_set_str(read, text, 64);
         arb_get_ubound_arf(arb_midref(read), read, 64);
@@ -111,7 +109,7 @@ json_t *jlt_shown_conditions(const arf_struct *least, const jlt_descriptor *d)
     return conditions;
 }
 
-/* States but the section's by names: x has them alone, or all of them. */
+/* The states of a point, by names, without the section's: x has them alone, shape (states - 1,), or has_all, shape (states,). */
 static json_t *point_of(arb_srcptr x, bool has_all, const jlt_given *given)
 {
     const jlt_descriptor *d = given->question.descriptor;

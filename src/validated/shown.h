@@ -1,4 +1,4 @@
-/** What was proved, as certificates say it: balls as {"middle": DECIMAL, "radius": DECIMAL} that contain what was enclosed. */
+/** Writes what was proved for certificates: balls {"middle": DECIMAL, "radius": DECIMAL} that contain the enclosures. */
 #ifndef JLT_VALIDATED_SHOWN_H
 #define JLT_VALIDATED_SHOWN_H
 
@@ -6,29 +6,29 @@
 #include "validated/given.h"
 #include "validated/homoclinic.h"
 
-/** A new reference, NULL when memory is out. with_reversor: the theorem rests on the table's reversor too. */
+/** The object `shown` of a cycle; a new reference, NULL if memory is out. with_reversor: the theorem uses the reversor. */
 json_t *jlt_shown_cycle(const jlt_cycle_result *result, const jlt_given *given, bool with_reversor);
 
-/** {"reversor": STATES, "type": TEXT, "rotation": BALL}, the last where it is elliptic; STATES are the names of those that the
- *  reversor flips. A new reference, NULL when memory is out. */
+/** {"reversor": STATES, "type": TEXT, "rotation": BALL}, "rotation" only if the cycle is elliptic; STATES are the names of the
+ *  states that the reversor flips. A new reference, NULL if memory is out. */
 json_t *jlt_shown_symmetry(const jlt_symmetry_result *result, const jlt_given *given);
 
-/** {"coordinate": STATE, "coefficient": BALL, "growth": BALL}. A new reference, NULL when memory is out. */
+/** {"coordinate": STATE, "coefficient": BALL, "growth": BALL}. A new reference, NULL if memory is out. */
 json_t *jlt_shown_twist(const jlt_elliptic_result *result, const jlt_given *given);
 
-/** The same of the saddle, with "homoclinic": "start", the distance along the frame's first direction at which the orbit begins,
- *  "first", its point there, "point", the symmetric one, "tangent" of the unstable manifold there, "conditions" on the way. */
+/** The object `shown` of the saddle, with "homoclinic": "start", the distance along the frame's first direction at which the orbit
+ *  begins; "first", its point there; "point", the symmetric one; "tangent" of the unstable manifold there; "conditions". */
 json_t *jlt_shown_homoclinic(const jlt_homoclinic_result *result, const jlt_given *given);
 
-/** {"middle": DECIMAL, "radius": DECIMAL} around a ball of twice the radius, so that a replay need not give the same last bits; a
- *  new reference. */
+/** {"middle": DECIMAL, "radius": DECIMAL}, doubling the ball's radius so that a replay may differ in last bits; a new reference. */
 json_t *jlt_shown_ball(const arb_t ball, unsigned digits);
 
-/** A decimal of five digits below a bound, or at it, "-inf" for NaN; and above a bound likewise. A new reference. */
+/** A decimal of five digits that is at most the lower bound `bound`, "-inf" for NaN; and one that is at least the upper bound. A
+ *  new reference. */
 json_t *jlt_shown_lower_bound(const arf_t bound);
 json_t *jlt_shown_upper_bound(const arf_t bound);
 
-/** Lower bounds of the model's conditions by names, shape (valid_count,). */
+/** Lower bounds of the model's conditions, shape (valid_count,), as an object by their names. */
 json_t *jlt_shown_conditions(const arf_struct *least, const jlt_descriptor *descriptor);
 
 #endif

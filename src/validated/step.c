@@ -3,16 +3,18 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { PIECES = 16, FINEST = PIECES << 20, TRIES = 60 }; /* parts of a step over which conditions are looked at */
+enum { PIECES = 16, FINEST = PIECES << 20, TRIES = 60 }; /* parts of a step over which conditions are enclosed, at first and at
+                                                          * most; most lengths tried for a step */
 
 struct jlt_step {
     const jlt_formulas *of;
     jlt_rough_accuracy accuracy;
     arb_ptr params;
     jlt_rough around;
-    jlt_jets *point, *plain;                /* over the middle; order 0 */
-    arb_ptr x;                              /* (dim,): middle or set */
-    arb_ptr V, W;                           /* coefficients of the derivative over set and rough enclosure, (dim, dim, order + 1) */
+    jlt_jets *point, *plain;                /* jets over the midpoint; jets of order 0 */
+    arb_ptr x;                              /* (dim,): midpoint or hull of the set */
+    arb_ptr V, W;                           /* (dim, dim, order + 1): Taylor coefficients of the derivative over the set, and over
+                                             * the rough enclosure */
     arb_mat_t image, slope, derivative, rest;
 };
 
@@ -74,7 +76,7 @@ static arb_ptr entry(const jlt_step *self, arb_ptr V, unsigned i, unsigned l)
     return V + (i * self->of->dim + l) * (self->accuracy.order + 1);
 }
 
-/* V_(k+1) = (sum over j of Df_j V_(k-j))/(k+1), V_0 = 1, from the series of Df in `jets`. */
+/* Taylor coefficients of the derivative, V_(k+1) = (sum over j of Df_j V_(k-j))/(k+1), V_0 = 1, from the series of Df in `jets`. */
 static void vary(const jlt_step *self, arb_ptr V, const jlt_jets *jets, slong bits)
 {
     const unsigned n = self->of->dim;
@@ -95,8 +97,8 @@ static void vary(const jlt_step *self, arb_ptr V, const jlt_jets *jets, slong bi
             }
 }
 
-/* The derivative's remainder over a step of this length, W_K h^K times the derivative's rough enclosure. Returns log2 of its
- * largest entry. */
+/* Set self->rest to the derivative's remainder over a step of length h: W_K h^K times the derivative's rough enclosure. Returns
+ * log2 of its largest entry. */
 static double vary_rest(jlt_step *self, const arf_t h)
 {
     const unsigned n = self->of->dim, K = self->accuracy.order;
@@ -140,8 +142,8 @@ static double vary_rest(jlt_step *self, const arf_t h)
     return size;
 }
 
-/* Try lengths until one has a rough enclosure, and remainders not far above the tolerance: that of the derivative above three
- * quarters of its digits, as it multiplies sets that are small already. */
+/* Shorten h until the step has a rough enclosure, and remainders not far above the tolerance. The derivative's remainder need only
+ * reach three quarters of the digits, since it multiplies sets that are already small. Returns false if no length serves. */
 static bool validate(jlt_step *self, arf_t h)
 {
     const double K = self->accuracy.order, slack = 8, tolerance = (double)self->accuracy.tolerance;
@@ -161,7 +163,8 @@ static bool validate(jlt_step *self, arf_t h)
     return false;
 }
 
-/* Image of the middle; slope of the Taylor polynomial, by which differences go; derivative of the flow. */
+/* Compute the image of the midpoint; the slope, the derivative of the Taylor polynomial, by which differences are mapped; and the
+ * flow's derivative. */
 static void build(jlt_step *self, const arb_t h)
 {
     const unsigned n = self->of->dim, K = self->accuracy.order;
@@ -179,7 +182,7 @@ static void build(jlt_step *self, const arb_t h)
     arb_clear(zero);
 }
 
-/* The integral of the divergence over [0, h] is a state whose coefficient i + 1 is that of the divergence over i + 1. */
+/* Add the integral of the divergence over [0, h]: a series whose coefficient i + 1 is that of the divergence divided by i + 1. */
 static void expand(const jlt_step *self, arb_t expansion, const arb_t h)
 {
     const unsigned K = self->accuracy.order, output = jlt_formulas_divergence(self->of);
@@ -203,7 +206,7 @@ static void lower(arf_t least, const arb_t value, slong bits)
     arf_clear(bound);
 }
 
-/* An output over a part of the step. */
+/* Enclose an output over a part of the step. */
 static void over(const jlt_step *self, arb_t value, unsigned output, const arb_t span)
 {
     const unsigned K = self->accuracy.order - 1;
@@ -212,8 +215,8 @@ static void over(const jlt_step *self, arb_t value, unsigned output, const arb_t
                   self->accuracy.bits);
 }
 
-/* The same by the mean value theorem, which is sharper over short parts, above all where the output is least: with m the middle,
- * P(m) + P'(span)(span - m) + remainder. */
+/* The same by the mean value theorem, P(m) + P'(span)(span - m) + remainder with m the midpoint of span, which is sharper over
+ * short parts, above all near a minimum of the output. */
 static void over_by_slope(const jlt_step *self, arb_t value, unsigned output, const arb_t span)
 {
     const unsigned K = self->accuracy.order - 1;
@@ -239,7 +242,7 @@ static void over_by_slope(const jlt_step *self, arb_t value, unsigned output, co
     arb_clear(rest);
 }
 
-/* Part p of so many equal ones of [0, h]: (2p + 1 +- 1) h/(2 parts). */
+/* Part p of [0, h] divided into `parts` equal ones: (2p + 1 +- 1) h/(2 parts). */
 static void set_part(arb_t span, const arb_t h, unsigned p, unsigned parts, slong bits)
 {
     arb_set_ui(span, 2 * p + 1);
@@ -248,7 +251,7 @@ static void set_part(arb_t span, const arb_t h, unsigned p, unsigned parts, slon
     arb_div_ui(span, span, 2 * parts, bits);
 }
 
-/* Whether an output is positive over such a part, which is cut in halves as long as that is not seen. */
+/* Whether an output is proved positive over such a part, which is bisected while that is undecided. */
 static bool is_positive(const jlt_step *self, unsigned output, const arb_t h, unsigned p, unsigned parts)
 {
     bool positive, settled;
@@ -267,7 +270,7 @@ static bool is_positive(const jlt_step *self, unsigned output, const arb_t h, un
                    : is_positive(self, output, h, 2 * p, 2 * parts) && is_positive(self, output, h, 2 * p + 1, 2 * parts);
 }
 
-/* Conditions over [0, h], piece by piece. False where the set may leave the domain. */
+/* Lower `least` to the conditions' bounds over [0, h], piece by piece. Returns false if the set may leave the domain. */
 static bool watch(const jlt_step *self, arf_struct *least, const arb_t h)
 {
     const slong bits = self->accuracy.bits;

@@ -4,7 +4,7 @@
 
 #include <stdlib.h>
 
-/* What is known of a function f under R: f(Rx) = f(x), f(Rx) = -f(x); zero is both. */
+/* The parity of a function f under R: EVEN, f(Rx) = f(x); ODD, f(Rx) = -f(x); zero is both. */
 enum { NONE = 0, EVEN = 1, ODD = 2, BOTH = 3 };
 
 static unsigned char product(unsigned char a, unsigned char b)
@@ -14,7 +14,7 @@ static unsigned char product(unsigned char a, unsigned char b)
     return (unsigned char)((even ? EVEN : NONE) | (odd ? ODD : NONE));
 }
 
-/* of: parities of the values before. */
+/* The parity of one instruction's value; of: the parities of all values before it. */
 static unsigned char parity(const ttc_instruction *i, const unsigned char *of, const signed char *signs)
 {
     switch (i->op) {
@@ -53,13 +53,13 @@ bool jlt_symmetry_keeps(const jlt_cycle *of, const signed char *signs)
     return keeps;
 }
 
-/* A cycle's legs from its boxes: instants, windows around them, and the times that the cycle itself takes. */
+/* The legs of a cycle: its boxes, instants, windows around these, and the exact times of the legs. */
 typedef struct {
     arb_srcptr box, instants;
     arb_ptr times, windows;
 } passage;
 
-/* Whether the images in the order that k says lie in the boxes, and their times in the windows. */
+/* Whether the images R y_(k-j) lie in the boxes, and their times in the windows. */
 static bool is_image(const jlt_cycle *of, const jlt_cycle_result *cycle, unsigned k, const passage *legs_of,
                      const signed char *signs)
 {

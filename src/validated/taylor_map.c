@@ -9,12 +9,12 @@ typedef struct {
     jlt_cycle *of;
     const unsigned *kept;
     slong bits;
-    arb_ptr x; /* (dim, TERMS), free parameters behind the states */
+    arb_ptr x; /* (dim, TERMS): polynomials of the states, then the free parameters */
 } course;
 
 static unsigned first_of(unsigned degree) { return degree * (degree + 1) / 2; }
 
-/* out += a b, cut off. */
+/* out += a b, truncated at DEGREE. */
 static void add_product(arb_ptr out, arb_srcptr a, arb_srcptr b, slong bits)
 {
     for (unsigned d = 0; d <= DEGREE; d++)
@@ -24,7 +24,7 @@ static void add_product(arb_ptr out, arb_srcptr a, arb_srcptr b, slong bits)
                     arb_addmul(out + first_of(d + e) + j + l, a + first_of(d) + j, b + first_of(e) + l, bits);
 }
 
-/* The cycle's own point where u = v = 0. */
+/* Set the constant coefficients, u = v = 0, to the point y of the cycle. */
 static void fix(const course *self, arb_srcptr y)
 {
     const jlt_cycle_question *q = self->of->question;
@@ -35,7 +35,7 @@ static void fix(const course *self, arb_srcptr y)
         arb_set(self->x + (self->of->formulas->states + i) * TERMS, q->params + q->free[i]);
 }
 
-/* F_w^-1 at y; left: which states w are. */
+/* F_w^-1 at y; left: the states w. Returns false if F_w may be singular. */
 static bool invert_levels(const course *self, arb_mat_t inverse, unsigned *left, arb_srcptr y)
 {
     const unsigned m = self->of->question->level_count;
@@ -58,7 +58,7 @@ static bool invert_levels(const course *self, arb_mat_t inverse, unsigned *left,
     return regular;
 }
 
-/* Starts on the levels: a coefficient of w is what makes that of F vanish, where the ones of less degree are known. */
+/* Set the starts on the levels: the coefficients of w of one degree make those of F vanish, given those of lower degree. */
 static jlt_status begin(const course *self, arb_srcptr y)
 {
     const jlt_cycle_question *q = self->of->question;
@@ -88,7 +88,7 @@ done:
     return st;
 }
 
-/* out = sum over k of c_k s^k, of one state */
+/* out = sum over k of c_k s^k, for one state. */
 static void compose(arb_ptr out, const jlt_transport *transport, unsigned state, arb_srcptr powers, slong bits)
 {
     arb_ptr c = _arb_vec_init(TERMS);
@@ -109,11 +109,12 @@ static void make_powers(arb_ptr powers, slong bits)
     }
 }
 
-/* From the time of the cycle's crossing to that of each start. */
+/* Move x from the time of the cycle's crossing to the crossing of each start. */
 static void cross(const course *self, jlt_transport *transport)
 {
     const unsigned column = self->of->question->column;
-    arb_ptr powers = _arb_vec_init((DEGREE + 1) * TERMS), miss = _arb_vec_init(TERMS); /* of s, from 1 on */
+    arb_ptr powers = _arb_vec_init((DEGREE + 1) * TERMS), miss = _arb_vec_init(TERMS); /* powers of s, from s^0 on; miss: what the
+                                                                                        * section's state misses its level by */
     arb_t change;
 
     arb_init(change);
@@ -150,7 +151,7 @@ jlt_status jlt_taylor_map_compute(jlt_cycle *of, arb_ptr map, const jlt_cycle_re
         JLT_TRY(jlt_transport_carry(transport, self.x, of->arrival.time));
         fix(&self, cycle->solution + (i + 1) % cycle->legs * n);
         cross(&self, transport);
-        _arb_vec_zero(self.x + q->column * TERMS + 1, TERMS - 1); /* on the section exactly */
+        _arb_vec_zero(self.x + q->column * TERMS + 1, TERMS - 1); /* the section's state is constant */
     }
     for (unsigned k = 0; k < 2; k++) _arb_vec_set(map + k * TERMS, self.x + kept[k] * TERMS, TERMS);
 done:

@@ -1,12 +1,12 @@
-/** Taylor polynomial of degree 3 of a cycle's return map on the levels, in two coordinates, coefficients enclosed.
+/** Encloses the Taylor polynomial of degree 3 of a cycle's return map on the levels, in two coordinates.
  *
- *  From the cycle's first point y_0 on the section the kept states are q = y_q + (u, v), the others follow from the levels as
+ *  At the cycle's first point y_0 on the section the kept states are q = y_q + (u, v); the others follow from the levels as
  *  polynomials, degree by degree. The flow carries these polynomials (transport.h) for the time that the cycle takes to its next
- *  point. From there, with c_k the Taylor coefficients in time, the crossing is at a time s(u, v) after it that vanishes at 0
+ *  point. From there, with c_k the Taylor coefficients in time, a start crosses after a further time s(u, v) that vanishes at 0
  *  and solves
  *      sum over k of c_k(u, v) s^k = level
- *  in the section's state, degree by degree again. Constant coefficients are those of the cycle, so that errors are not passed
- *  on from leg to leg by them. */
+ *  for the section's state, again degree by degree. Constant coefficients are taken from the cycle at every leg, so that their
+ *  errors are not passed on. */
 #ifndef JLT_VALIDATED_TAYLOR_MAP_H
 #define JLT_VALIDATED_TAYLOR_MAP_H
 
@@ -14,9 +14,8 @@
 
 enum { JLT_TAYLOR_MAP_DEGREE = 3, JLT_TAYLOR_MAP_TERMS = 10 };
 
-/** Out: map, shape (2, terms), of the kept states, in the order of jets.h. In: cycle, PROVED, with two multipliers, from these
- *  instants; kept, shape (2,). Errors: as jlt_arrival_compute, jlt_transport_carry; DOMAIN, the levels do not determine the
- *  others. */
+/** Out: map, shape (2, terms), of the kept states, in the order of jets.h. In: cycle, PROVED from these instants, with two
+ *  multipliers; kept, shape (2,). Errors: as jlt_arrival_compute, jlt_transport_carry; DOMAIN, levels do not give the others. */
 JLT_CHECKED jlt_status jlt_taylor_map_compute(jlt_cycle *of, arb_ptr map, const jlt_cycle_result *cycle, arb_srcptr instants,
                                               const unsigned *kept);
 

@@ -1,6 +1,7 @@
 #include "validated/theorem.h"
 
 #include "validated/theorem_family.h"
+#include "validated/theorem_pole.h"
 #include "validated/theorem_symmetry.h"
 #include "validated/theorem_text.h"
 #include "validated/theorem_turns.h"
@@ -77,7 +78,7 @@ static void write_setting(FILE *out, const jlt_descriptor *d, const json_t *give
               "balls that hold for all of them.", out);
 }
 
-/* The sum of the legs' instants, as it stands in doubles. */
+/* The sum of the legs' instants, in doubles. */
 static double way(const json_t *legs)
 {
     double sum = 0;
@@ -195,12 +196,16 @@ typedef enum {
     FAMILY_TRACE,
     FAMILY_CONDITIONS,
     FAMILY_MEASURE,
+    POLE,
+    POLE_END,
+    POLE_LIMITS,
+    POLE_CONDITIONS,
     SYMMETRIC,
     TWIST,
     END
 } sentence;
 
-/* What each kind says, in this order. */
+/* The sentences of each kind, in their order. */
 static const struct {
     const char *kind;
     sentence sentences[10];
@@ -210,6 +215,7 @@ static const struct {
     { "equilibria", { FAMILY, FAMILY_TRACE, FAMILY_CONDITIONS, FAMILY_MEASURE, END } },
     { "homoclinic", { SETTING, ORBIT, MULTIPLIERS, CONDITIONS, SADDLE, HOMOCLINIC, TRANSVERSAL, WAY, HORSESHOE, END } },
     { "obstruction", { SETTING, ORBIT, MULTIPLIERS, CONDITIONS, EXPANDS, END } },
+    { "pole", { POLE, POLE_END, POLE_LIMITS, POLE_CONDITIONS, END } },
     { "symmetric", { SETTING, ORBIT, MULTIPLIERS, CONDITIONS, SYMMETRIC, END } },
     { "sink", { SETTING, ORBIT, MULTIPLIERS, CONDITIONS, ATTRACTS, IMAGE, SINK_MEASURE, END } },
 };
@@ -221,7 +227,7 @@ bool jlt_theorem_is_kind(const char *kind)
     return false;
 }
 
-/* Where the table has more than one reversor, which. */
+/* Names the reversor if `given` does. */
 static void write_saddle(FILE *out, const subject *s)
 {
     const json_t *flipped = json_object_get(json_object_get(s->given, "homoclinic"), "reversor");
@@ -322,6 +328,10 @@ static void write_sentence(FILE *out, const subject *s, sentence which)
     case FAMILY_TRACE: jlt_theorem_family_trace(out, s->shown); break;
     case FAMILY_CONDITIONS: write_conditions(out, s->descriptor, json_object_get(s->shown, "conditions"), "at each of them"); break;
     case FAMILY_MEASURE: jlt_theorem_family_measure(out); break;
+    case POLE: jlt_theorem_pole_setting(out, s->descriptor, s->given); break;
+    case POLE_END: jlt_theorem_pole_end(out, s->descriptor, s->given, s->shown); break;
+    case POLE_LIMITS: jlt_theorem_pole_limits(out, s->shown); break;
+    case POLE_CONDITIONS: write_conditions(out, s->descriptor, json_object_get(s->shown, "conditions"), "all the way"); break;
     case SYMMETRIC: jlt_theorem_symmetry_write(out, s->given, json_object_get(s->shown, "symmetry")); break;
     case TWIST: jlt_theorem_symmetry_write_twist(out, json_object_get(s->shown, "twist")); break;
     case END: break;

@@ -1,4 +1,4 @@
-/** What a certificate about a family of equilibria says in words: a sentence each. */
+/** Writes the sentences of a certificate about a family of equilibria, one per function. */
 #ifndef JLT_VALIDATED_THEOREM_FAMILY_H
 #define JLT_VALIDATED_THEOREM_FAMILY_H
 

@@ -1,4 +1,4 @@
-/** What a certificate says of a symmetric orbit, in words. */
+/** Writes the sentences of a certificate about a symmetric orbit. */
 #ifndef JLT_VALIDATED_THEOREM_SYMMETRY_H
 #define JLT_VALIDATED_THEOREM_SYMMETRY_H
 

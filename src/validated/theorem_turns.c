@@ -38,7 +38,7 @@ bool jlt_theorem_turns_any(const json_t *legs, const jlt_descriptor *descriptor)
     return count_turning(legs, descriptor) > 0;
 }
 
-/* As the table has it: "2*pi". */
+/* Write the period of a state as in the table, such as "2*pi". */
 static void write_period(FILE *out, const ttc_model *model, unsigned state)
 {
     const ttc_symbol_entry *entry = model == NULL ? NULL : &model->symbols[model->states[state]];
@@ -54,7 +54,7 @@ static void write_period(FILE *out, const ttc_model *model, unsigned state)
     }
 }
 
-/* Between the parts of a list of so many. */
+/* The separator before part number `part` of a list with `count` parts. */
 static const char *before(unsigned part, unsigned count)
 {
     return part == 0 ? "" : part + 1 < count ? ", " : " and ";

@@ -32,7 +32,7 @@ void jlt_transport_destroy(jlt_transport *transport)
     free(transport);
 }
 
-/* Try lengths until one has a rough enclosure, and a remainder not far above the tolerance. */
+/* Shorten h until the step has a rough enclosure, and a remainder not far above the tolerance. Returns false if none serves. */
 static bool validate(jlt_rough *around, arf_t h)
 {
     const double slack = 8, tolerance = (double)around->accuracy.tolerance;
@@ -50,7 +50,7 @@ static bool validate(jlt_rough *around, arf_t h)
     return false;
 }
 
-/* The state after a length within the step that was enclosed last. */
+/* Replace x by the state after `length`, at most the step that was enclosed last. */
 static void move(const jlt_transport *self, arb_ptr x, const arb_t length)
 {
     const jlt_rough *around = &self->around;
@@ -62,7 +62,7 @@ static void move(const jlt_transport *self, arb_ptr x, const arb_t length)
                           jlt_jets_state(around->rough, i) + term * (K + 1) + K, length, around->accuracy.bits);
 }
 
-/* The length of the next step: h, and as a ball; what is left after it is not short. */
+/* Choose the next step h <= most. A step that would leave less than its own length is shortened to half of what is left. */
 static void choose(jlt_transport *self, arf_t h, const arf_t most, const arb_t left)
 {
     arf_t half;

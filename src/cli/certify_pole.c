@@ -1,0 +1,117 @@
+#include "cli/certify_pole.h"
+
+#include "cli/certify_given.h"
+#include "kernel/descriptor.h"
+#include "read/model.h"
+#include "validated/given_pole.h"
+
+#include <string.h>
+
+/* All states as typed. */
+static jlt_exit put_box(json_t *box, const jlt_certify_pole_options *o, const jlt_descriptor *d)
+{
+    jlt_assign_list start = { 0 };
+    jlt_exit code = jlt_assign_parse(&start, o->start, "--start");
+    size_t index;
+
+    for (size_t i = 0; code == JLT_EXIT_DONE && i < start.count; i++)
+        if (!jlt_descriptor_state(d, start.items[i].name, &index))
+            code = jlt_command_fail(JLT_EXIT_INPUT, "--start: %s has no state '%s'", d->model, start.items[i].name);
+    for (unsigned i = 0; code == JLT_EXIT_DONE && i < d->state_count; i++) {
+        const char *name = d->states[i].name, *typed = jlt_assign_fraction(&start, name);
+        code = typed == NULL ? jlt_command_fail(JLT_EXIT_INPUT, "--start: give every state of %s; %s has no value", d->model, name)
+                             : jlt_certify_put(box, name, name, strdup(typed), o->spread);
+    }
+    jlt_assign_clear(&start);
+    return code;
+}
+
+static jlt_exit put_params(json_t *params, const jlt_certify_pole_options *o, const jlt_assign_list *set, const jlt_descriptor *d)
+{
+    jlt_exit code = JLT_EXIT_DONE;
+    size_t index;
+
+    for (size_t i = 0; code == JLT_EXIT_DONE && i < set->count; i++)
+        if (!jlt_descriptor_param(d, set->items[i].name, &index))
+            code = jlt_command_fail(JLT_EXIT_INPUT, "--set: %s has no parameter '%s'", d->model, set->items[i].name);
+    for (unsigned i = 0; code == JLT_EXIT_DONE && i < d->param_count; i++) {
+        const char *name = d->params[i].name, *typed = jlt_assign_fraction(set, name);
+        code = jlt_certify_put(params, name, name, typed != NULL ? strdup(typed) : jlt_certify_default(d->table, name), o->spread);
+    }
+    return code;
+}
+
+/* How the proof goes to this instant, which is set where it is 0; or why it does not, in words. */
+static bool settles(json_t *given, double *instant, const jlt_descriptor *d, char problem[JLT_GIVEN_PROBLEM_MAX])
+{
+    jlt_given_pole question;
+    jlt_pole_result result;
+    bool found = jlt_given_pole_read(&question, given, d, true, problem);
+
+    jlt_pole_result_init(&result, d);
+    if (found) {
+        const jlt_status st = jlt_pole_prove(&result, &question.question, question.instant);
+        found = st == JLT_OK && result.verdict == JLT_POLE_PROVED;
+        if (!found) jlt_refuse(problem, "%s", st == JLT_OK ? jlt_given_pole_problem(&result) : jlt_status_text(st));
+        *instant = arf_get_d(question.instant, ARF_RND_UP);
+    }
+    jlt_pole_result_clear(&result);
+    jlt_given_pole_clear(&question);
+    return found;
+}
+
+/* An instant at which the motions settle: four times as late as the first one, where limits are told more closely, if they do so
+ * there. */
+static bool find_instant(json_t *given, const jlt_descriptor *d, char problem[JLT_GIVEN_PROBLEM_MAX])
+{
+    static const double factors[] = { 4, 2, 1.001 };
+    double first = 0, instant;
+    char text[32];
+
+    json_object_del(given, "instant");
+    if (!settles(given, &first, d, problem)) return false;
+    for (unsigned i = 0; i < sizeof factors / sizeof *factors; i++) {
+        snprintf(text, sizeof text, "%.3e", factors[i] * first);
+        json_object_set_new(given, "instant", json_string(text));
+        if (settles(given, &instant, d, problem)) return true;
+    }
+    return false;
+}
+
+/* At the first pole, in the first time, that will do. */
+static jlt_exit find_end(json_t *given, const jlt_descriptor *d)
+{
+    char problem[JLT_GIVEN_PROBLEM_MAX] = "";
+    ttc_model *model = ttc_model_again(d->table, d->model);
+    bool found = false;
+
+    for (unsigned i = 0; !found && i < d->pole_count; i++)
+        for (size_t k = 0; !found && model != NULL && k < model->time_count; k++) {
+            if (model->times[k].lifted_count == 0) continue;
+            json_object_set_new(given, "pole", json_string(d->states[d->poles[i].state].name));
+            json_object_set_new(given, "time", json_string(model->times[k].name));
+            found = find_instant(given, d, problem);
+        }
+    ttc_model_destroy(model);
+    if (found) return JLT_EXIT_DONE;
+    if (d->pole_count == 0) return jlt_command_fail(JLT_EXIT_INPUT, "%s has no record `pole`", d->model);
+    return jlt_command_fail(JLT_EXIT_FAILED, "not proved: %s", problem);
+}
+
+jlt_exit jlt_certify_pole(json_t **given, const jlt_certify_pole_options *o, const jlt_assign_list *set, const jlt_descriptor *d)
+{
+    json_t *params = json_object(), *box = json_object();
+    jlt_exit code;
+
+    *given = json_pack("{s:{s:s,s:s},s:o,s:o,s:i}", "table", "name", d->model, "sha256", d->sha256, "parameters", params, "box", box,
+                       "digits", (int)o->digits);
+    if (*given == NULL) return jlt_command_no_memory();
+    code = put_box(box, o, d);
+    if (code == JLT_EXIT_DONE) code = put_params(params, o, set, d);
+    if (code == JLT_EXIT_DONE) code = jlt_certify_check_spread(o->spread, params, box, "a state");
+    if (code == JLT_EXIT_DONE) code = find_end(*given, d);
+    if (code == JLT_EXIT_DONE) return code;
+    json_decref(*given);
+    *given = NULL;
+    return code;
+}

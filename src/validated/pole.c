@@ -1,0 +1,159 @@
+#include "validated/pole.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+enum { STEPS_MAX = 1000 };
+
+void jlt_pole_result_init(jlt_pole_result *self, const jlt_descriptor *d)
+{
+    *self = (jlt_pole_result){ .states = d->state_count, .valid_count = d->valid_count };
+    self->vanishes = calloc(d->state_count + 1, sizeof *self->vanishes);
+    self->limit = _arb_vec_init(d->state_count);
+    self->least = calloc(d->valid_count + 1, sizeof *self->least);
+    for (unsigned i = 0; self->least != NULL && i < d->valid_count; i++) arf_init(self->least + i);
+    arb_init(self->time);
+}
+
+void jlt_pole_result_clear(jlt_pole_result *self)
+{
+    for (unsigned i = 0; self->least != NULL && i < self->valid_count; i++) arf_clear(self->least + i);
+    free(self->least);
+    free(self->vanishes);
+    _arb_vec_clear(self->limit, self->states);
+    arb_clear(self->time);
+}
+
+/* The box with its lifted roots, at t = 0. False: they have no value all over it, or it may reach out of the domain. */
+static bool begin(arb_ptr x, jlt_step *step, arb_srcptr box)
+{
+    const jlt_formulas *of = jlt_step_formulas(step);
+    const unsigned first = of->states - 1 - of->lifted_count;
+    bool good = true;
+
+    _arb_vec_set(x, box, first);
+    for (unsigned i = 0; i < of->lifted_count; i++) arb_one(x + first + i);
+    arb_zero(x + of->states - 1);
+    for (unsigned i = 0; good && i < of->lifted_count; i++) { /* one may be in the radicand of the next */
+        jlt_step_evaluate(step, x);
+        arb_srcptr radicand = jlt_step_output(step, jlt_formulas_radicand(of, i));
+        good = arb_is_positive(radicand);
+        arb_sqrt(x + first + i, radicand, jlt_step_bits(step));
+    }
+    jlt_step_evaluate(step, x);
+    return good && jlt_step_holds(step);
+}
+
+/* An end of an interval, of which the table has a number and the descriptor the nearest double. */
+static void set_end(arb_t out, double end)
+{
+    arb_set_d(out, end);
+    if (end != floor(end)) mag_set_d(arb_radref(out), ldexp(fabs(end), -52));
+}
+
+static bool is_at(const arb_t limit, double number)
+{
+    bool at;
+    arb_t end;
+
+    if (!isfinite(number)) return false;
+    arb_init(end);
+    set_end(end, number);
+    at = arb_overlaps(limit, end);
+    arb_clear(end);
+    return at;
+}
+
+/* Where lifted roots are zero the table is not defined, though what else its domain asks for holds: a state is at an end of its
+ * interval where such a root vanishes. It is the pole's where no other one comes near an end; and this tells which end. */
+static bool tell_end(jlt_pole_result *result, const jlt_pole_question *question)
+{
+    const jlt_quantity *states = question->descriptor->states;
+    bool is_high = false, is_told = false;
+
+    for (unsigned i = 0; i < result->states; i++) {
+        const bool low = is_at(result->limit + i, states[i].low), high = is_at(result->limit + i, states[i].high);
+        if (i != question->state && (low || high)) return false;
+        if (i != question->state) continue;
+        is_high = high;
+        is_told = low != high;
+    }
+    result->is_high = is_high;
+    set_end(result->limit + question->state, is_high ? states[question->state].high : states[question->state].low);
+    return is_told;
+}
+
+static jlt_pole_verdict conclude(jlt_pole_result *result, const jlt_pole_question *question, const jlt_settle_result *settled,
+                                 const jlt_formulas *of)
+{
+    for (unsigned i = 0; i < result->states; i++) {
+        result->vanishes[i] = settled->vanishes[i];
+        arb_set(result->limit + i, settled->limit + i);
+    }
+    arb_set(result->time, settled->limit + of->states - 1);
+    for (unsigned i = 0; i < of->valid_count; i++)
+        if (arf_is_nan(settled->least + i) || arf_cmp(settled->least + i, result->least + i) < 0)
+            arf_set(result->least + i, settled->least + i);
+    return tell_end(result, question) ? JLT_POLE_PROVED : JLT_POLE_EITHER;
+}
+
+/* Carry the set to the instant, or, where that is 0, as far as it takes to settle. */
+static jlt_status fly(jlt_pole_result *result, jlt_settle_result *settled, bool *is_settled, jlt_step *step, jlt_set *set,
+                      arb_ptr x, arf_t instant)
+{
+    const bool searches = arf_is_zero(instant);
+    jlt_status st = JLT_OK;
+    arf_t left, h;
+    arb_t expansion;
+
+    arf_init(left);
+    arf_init(h);
+    arb_init(expansion);
+    arf_set(left, instant);
+    *is_settled = false;
+    for (unsigned i = 0; i < STEPS_MAX && !*is_settled && (searches || arf_sgn(left) > 0); i++) {
+        if (searches) arf_one(h);
+        else arf_set(h, left);
+        JLT_TRY(jlt_step_advance(step, set, h, expansion, result->least));
+        if (searches) arf_add(instant, instant, h, ARF_PREC_EXACT, ARF_RND_DOWN);
+        else arf_sub(left, left, h, ARF_PREC_EXACT, ARF_RND_DOWN);
+        jlt_set_hull(x, set);
+        if (searches || arf_is_zero(left)) *is_settled = jlt_settle(settled, step, x);
+    }
+done:
+    arf_clear(left);
+    arf_clear(h);
+    arb_clear(expansion);
+    return st;
+}
+
+jlt_status jlt_pole_prove(jlt_pole_result *result, const jlt_pole_question *question, arf_t instant)
+{
+    jlt_formulas *of = NULL;
+    jlt_step *step = NULL;
+    jlt_settle_result settled = { 0 };
+    jlt_set set;
+    arb_ptr x = NULL;
+    bool is_settled;
+    jlt_status st;
+
+    JLT_TRY(jlt_formulas_create_lifted(&of, question->descriptor, question->time));
+    JLT_TRY(jlt_step_create(&step, of, question->params, jlt_step_accuracy_for(question->digits)));
+    x = _arb_vec_init((slong)of->dim);
+    jlt_settle_result_init(&settled, of);
+    for (unsigned i = 0; i < of->valid_count; i++) arf_pos_inf(result->least + i);
+    result->verdict = JLT_POLE_OUTSIDE;
+    if (!begin(x, step, question->box)) goto done;
+    jlt_set_init(&set, x, of->dim, jlt_step_bits(step));
+    st = fly(result, &settled, &is_settled, step, &set, x, instant);
+    jlt_set_clear(&set);
+    if (st == JLT_OK) result->verdict = is_settled ? conclude(result, question, &settled, of) : JLT_POLE_OPEN;
+done:
+    if (x != NULL) {
+        _arb_vec_clear(x, (slong)of->dim);
+        jlt_settle_result_clear(&settled, of);
+    }
+    jlt_step_destroy(step);
+    jlt_formulas_destroy(of);
+    return st;
+}

@@ -1,0 +1,257 @@
+#include "validated/settle.h"
+
+#include <stdlib.h>
+
+enum { ATTEMPTS = 8 };
+
+void jlt_settle_result_init(jlt_settle_result *self, const jlt_formulas *of)
+{
+    self->vanishes = calloc(of->dim, sizeof *self->vanishes);
+    self->limit = _arb_vec_init((slong)of->dim);
+    self->least = calloc(of->valid_count + 1, sizeof *self->least);
+    for (unsigned i = 0; self->least != NULL && i < of->valid_count; i++) arf_init(self->least + i);
+}
+
+void jlt_settle_result_clear(jlt_settle_result *self, const jlt_formulas *of)
+{
+    for (unsigned i = 0; self->least != NULL && i < of->valid_count; i++) arf_clear(self->least + i);
+    free(self->least);
+    free(self->vanishes);
+    _arb_vec_clear(self->limit, (slong)of->dim);
+}
+
+typedef struct {
+    jlt_step *step;
+    arb_srcptr x;
+    const bool *vanishes;
+    unsigned dim, root, count; /* the first lifted root; how many states vanish */
+    unsigned *which;           /* (count,): these */
+    slong bits;
+    arb_ptr box, room;         /* (dim,): B; how far q may go */
+    arb_mat_t decay, weights;  /* (count, count), bounds of M among p; (count, 1), w */
+    arb_t size, rate;          /* |p(0)|; a */
+} settling;
+
+/* An upper bound, as an exact number. */
+static void bound(arb_t out, const arb_t value, bool has_sign, slong bits)
+{
+    if (has_sign) arb_get_ubound_arf(arb_midref(out), value, bits);
+    else {
+        mag_t size;
+        mag_init(size);
+        arb_get_mag(size, value);
+        arf_set_mag(arb_midref(out), size);
+        mag_clear(size);
+    }
+    mag_zero(arb_radref(out));
+}
+
+static arb_srcptr slope(const settling *self, unsigned row, unsigned column)
+{
+    return jlt_step_output(self->step, jlt_formulas_slope(jlt_step_formulas(self->step), row, column));
+}
+
+/* Whether all is at rest where p = 0 and q is in its box. */
+static bool rests(settling *self)
+{
+    bool still = true;
+
+    for (unsigned i = 0; i < self->dim; i++) {
+        arb_set(self->box + i, self->x + i);
+        if (self->vanishes[i]) arb_zero(self->box + i);
+        else arb_add_error(self->box + i, self->room + i);
+    }
+    jlt_step_evaluate(self->step, self->box);
+    for (unsigned i = 0; still && i < self->dim; i++) still = arb_is_zero(jlt_step_output(self->step, i));
+    return still;
+}
+
+/* B, of this many times the weights; evaluated, with bounds of M among p. */
+static void surround(settling *self)
+{
+    arb_t reach;
+
+    arb_init(reach);
+    for (unsigned i = 0, k = 0; i < self->dim; i++) {
+        arb_ptr side = self->box + i;
+        arb_set(side, self->x + i);
+        if (!self->vanishes[i]) {
+            arb_add_error(side, self->room + i);
+            continue;
+        }
+        arb_mul(reach, self->size, arb_mat_entry(self->weights, k++, 0), self->bits);
+        arb_zero(side);
+        if (i < self->root) arb_add_error(side, reach);
+        else arb_union(side, side, reach, self->bits);
+    }
+    arb_clear(reach);
+    jlt_step_evaluate(self->step, self->box);
+    for (unsigned i = 0; i < self->count; i++)
+        for (unsigned j = 0; j < self->count; j++)
+            bound(arb_mat_entry(self->decay, i, j), slope(self, self->which[i], self->which[j]), i == j, self->bits);
+}
+
+/* Weights with decay w = -1, all > 0; and |p(0)| by them. False: there are none. */
+static bool weigh(settling *self)
+{
+    arb_mat_t ones;
+    arb_t part;
+    bool good;
+
+    arb_mat_init(ones, self->count, 1);
+    arb_init(part);
+    for (unsigned i = 0; i < self->count; i++) arb_set_si(arb_mat_entry(ones, i, 0), -1);
+    good = arb_mat_solve(self->weights, self->decay, ones, self->bits);
+    arb_zero(self->size);
+    for (unsigned i = 0; good && i < self->count; i++) {
+        arb_ptr w = arb_mat_entry(self->weights, i, 0);
+        arb_get_mid_arb(w, w);
+        good = arb_is_positive(w);
+        arb_div(part, self->x + self->which[i], w, self->bits);
+        bound(part, part, false, self->bits);
+        if (arb_gt(part, self->size)) arb_set(self->size, part);
+    }
+    arb_mat_clear(ones);
+    arb_clear(part);
+    return good;
+}
+
+/* Whether |p| decays over B, and at which rate at least. */
+static bool decays(settling *self)
+{
+    bool first = true, good = true;
+    arb_mat_t image;
+    arb_t rate;
+
+    arb_mat_init(image, self->count, 1);
+    arb_init(rate);
+    arb_mat_mul(image, self->decay, self->weights, self->bits);
+    for (unsigned i = 0; i < self->count; i++) {
+        arb_div(rate, arb_mat_entry(image, i, 0), arb_mat_entry(self->weights, i, 0), self->bits);
+        arb_neg(rate, rate);
+        arb_get_lbound_arf(arb_midref(rate), rate, self->bits);
+        mag_zero(arb_radref(rate));
+        good = good && arb_is_positive(rate);
+        if (first || arb_lt(rate, self->rate)) arb_set(self->rate, rate);
+        first = false;
+    }
+    arb_mat_clear(image);
+    arb_clear(rate);
+    return good;
+}
+
+/* How far the state goes, by B as it was last evaluated. */
+static void drift(arb_t out, const settling *self, unsigned state)
+{
+    arb_t part;
+
+    arb_init(part);
+    arb_zero(out);
+    for (unsigned k = 0; k < self->count; k++) {
+        bound(part, slope(self, state, self->which[k]), false, self->bits);
+        arb_addmul(out, part, arb_mat_entry(self->weights, k, 0), self->bits);
+    }
+    arb_mul(out, out, self->size, self->bits);
+    arb_div(out, out, self->rate, self->bits);
+    bound(out, out, false, self->bits);
+    arb_clear(part);
+}
+
+/* Whether q has room; where it has not, it is given twice what it needs. */
+static bool has_room(settling *self)
+{
+    bool enough = true;
+    arb_t need;
+
+    arb_init(need);
+    for (unsigned i = 0; i < self->dim; i++) {
+        if (self->vanishes[i]) continue;
+        drift(need, self, i);
+        if (arb_le(need, self->room + i)) continue;
+        enough = false;
+        arb_mul_2exp_si(self->room + i, need, 1);
+    }
+    arb_clear(need);
+    return enough;
+}
+
+static void write(jlt_settle_result *result, const settling *self)
+{
+    arb_t way;
+
+    arb_init(way);
+    for (unsigned i = 0; i < self->dim; i++) {
+        result->vanishes[i] = self->vanishes[i];
+        arb_zero(result->limit + i);
+        if (self->vanishes[i]) continue;
+        drift(way, self, i);
+        arb_set(result->limit + i, self->x + i);
+        arb_add_error(result->limit + i, way);
+    }
+    for (unsigned i = 0; i < jlt_step_formulas(self->step)->valid_count; i++) arf_pos_inf(result->least + i);
+    jlt_step_conditions(self->step, result->least);
+    arb_clear(way);
+}
+
+/* With these states as p. */
+static bool settles(jlt_settle_result *result, settling *self)
+{
+    bool settled = false;
+
+    self->count = 0;
+    for (unsigned i = 0; i < self->dim; i++) {
+        arb_zero(self->room + i);
+        if (self->vanishes[i]) self->which[self->count++] = i;
+    }
+    if (!rests(self)) return false;
+    arb_mat_init(self->decay, self->count, self->count);
+    arb_mat_init(self->weights, self->count, 1);
+    for (unsigned i = 0; i < self->count; i++) bound(arb_mat_entry(self->weights, i, 0), self->x + self->which[i], false, self->bits);
+    arb_one(self->size);
+    for (unsigned attempt = 0; attempt < ATTEMPTS; attempt++) {
+        surround(self);
+        if (attempt > 0 && jlt_step_holds(self->step) && decays(self) && has_room(self)) {
+            write(result, self);
+            settled = rests(self);
+            break;
+        }
+        if (!weigh(self)) break;
+    }
+    arb_mat_clear(self->decay);
+    arb_mat_clear(self->weights);
+    return settled;
+}
+
+bool jlt_settle(jlt_settle_result *result, jlt_step *step, arb_srcptr x)
+{
+    const jlt_formulas *of = jlt_step_formulas(step);
+    const unsigned n = of->dim, root = of->states - 1 - of->lifted_count; /* then the lifted roots, then the clock */
+    bool *vanishes = calloc(n, sizeof *vanishes);
+    settling self = { .step = step, .x = x, .vanishes = vanishes, .dim = n, .root = root, .bits = jlt_step_bits(step),
+                      .which = calloc(n, sizeof *self.which), .box = _arb_vec_init(n), .room = _arb_vec_init(n) };
+    bool settled = false;
+
+    arb_init(self.size);
+    arb_init(self.rate);
+    if (vanishes != NULL && self.which != NULL && result->vanishes != NULL && result->least != NULL && of->lifted_count > 0) {
+        for (unsigned i = root; i + 1 < of->states; i++) vanishes[i] = true;
+        settled = settles(result, &self);
+        for (unsigned i = 0; !settled && i < root; i++) {
+            vanishes[i] = true;
+            settled = settles(result, &self);
+            for (unsigned k = i + 1; !settled && k < root; k++) {
+                vanishes[k] = true;
+                settled = settles(result, &self);
+                vanishes[k] = false;
+            }
+            vanishes[i] = false;
+        }
+    }
+    arb_clear(self.size);
+    arb_clear(self.rate);
+    _arb_vec_clear(self.box, n);
+    _arb_vec_clear(self.room, n);
+    free(self.which);
+    free(vanishes);
+    return settled;
+}

@@ -1,0 +1,124 @@
+#!/usr/bin/env bash
+# Motions that end at a pole: certificates of the folder are made again bit for bit, and replayed; integration from corners of their
+# boxes and from inside ends where they say, and when. Tables whose motion is known have it in what is enclosed. Certificates that
+# say something else are refused, and so are boxes that are not shown to end.
+set -euo pipefail
+cd "$JLT_SOURCE_DIR"
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+export XDG_CACHE_HOME=$scratch/cache
+status=0
+
+expect() { # STATUS TEXT COMMAND...
+    local want=$1 text=$2 got=0
+    shift 2
+    "$@" > "$scratch/out" 2>&1 || got=$?
+    [ $got -eq "$want" ] && grep -qF -- "$text" "$scratch/out" && return 0
+    echo "$*: status $got, wanted $want and '$text':"
+    cat "$scratch/out"
+    status=1
+}
+
+sed -n '/^start=/,/^around/p; /certify pole/p' tools/certificates/make > "$scratch/make"
+folder=$scratch bash "$scratch/make"
+for name in turn_over turn_over_box; do
+    cmp tools/certificates/$name.json "$scratch/$name.json" || status=1
+    expect 0 'ends at the pole gamma3 = 1 ' jellett check tools/certificates/$name.json
+done
+
+# Starts by STATE=VALUE,..., parameters behind them: all corners of states, then some from inside.
+cat > "$scratch/starts.py" << 'END'
+import itertools, json, random, sys
+from fractions import Fraction as F
+given = json.load(open(sys.argv[1]))["given"]
+side = lambda v, u: F(v) if isinstance(v, str) else F(v["middle"]) + u * F(v["radius"])
+random.seed(1)
+inside = [[random.uniform(-1, 1) for _ in given["box"]] for _ in range(16)]
+for corner in [*itertools.product((-1, 1), repeat=len(given["box"])), *inside]:
+    put = lambda part, units: ",".join("%s=%.17g" % (name, side(v, F(u))) for (name, v), u in zip(part.items(), units))
+    print(put(given["box"], corner), put(given["parameters"], [random.choice((-1, 1)) for _ in given["parameters"]]))
+END
+cat > "$scratch/compare.py" << 'END'
+import json, sys
+shown = json.load(open(sys.argv[1]))["shown"]
+rows = [line.rstrip("\n").split(",") for line in sys.stdin if line[0] != "#"]
+names, least, row = rows[0], min(float(r[rows[0].index("contact_force")]) for r in rows[1:]), dict(zip(rows[0], rows[-1]))
+assert row["fate"] == "pole+" and row["gamma3"] == shown["end"], row
+assert abs(float(row["omega_n"])) < 1e-9 and shown["vanish"] == ["omega_n"], row
+for name, ball in [("t", shown["time"]), *shown["limit"].items()]:
+    assert abs(float(row[name]) - float(ball["middle"])) <= float(ball["radius"]), (name, row, ball)
+assert least >= float(shown["conditions"]["contact"]), least
+END
+for name in turn_over turn_over_box; do
+    while read -r start params; do
+        jellett simulate --set "$params" --start "$start" --until 4 --every 0.05 2> /dev/null |
+            python3 "$scratch/compare.py" tools/certificates/$name.json || { echo "$name: $start $params"; status=1; }
+    done < <(python3 "$scratch/starts.py" tools/certificates/$name.json)
+done
+
+# x = 1 - cos(t) from x = 1, and its mirror image: both come to an end of x at pi/2, where y = t.
+for sign in + -; do
+    cat > "$scratch/slide.tt" << END
+model slide
+title "x = 1 - cos(t)"
+source "made for a test"
+state x in (-1/10, 19/10)
+state y
+root r = sqrt((x + 1/10)*(19/10 - x))
+eq x = $sign r
+eq y = + 1
+pole x "the slide ends"
+time regular : r lifting r
+END
+    end=$([ $sign = + ] && echo 19/10 || echo -1/10)
+    expect 0 "ends at the pole x = $end (the slide ends)" jellett certify pole "$scratch/slide.tt" --start x=9/10,y=0 -o /dev/stdout
+    python3 - "$scratch/out" << 'END' || status=1
+import json, math, sys
+shown = json.load(open(sys.argv[1]))["shown"]
+for ball in shown["time"], shown["limit"]["y"]:
+    assert abs(float(ball["middle"]) - math.pi/2) <= float(ball["radius"]) < 1e-2, shown
+assert shown["vanish"] == []
+END
+done
+
+# NAME STATEMENT: a copy of turn_over changed by a statement of Python on its question g and what is shown, s, with a good digest.
+change() {
+    python3 - tools/certificates/turn_over.json "$scratch/$1.json" "$2" << 'END'
+import hashlib, json, sys
+source, target, statement = sys.argv[1:]
+c = json.load(open(source))
+g, s = c["given"], c["shown"]
+exec(statement)
+c.pop("digest")
+c["digest"] = hashlib.sha256(json.dumps(c, sort_keys=True, separators=(",", ":")).encode()).hexdigest()
+json.dump(c, open(target, "w"), indent=1)
+END
+}
+refuse() { change "$1" "$3"; expect "$4" "$2" jellett check "$scratch/$1.json"; }
+refuse end 'does not follow' 's["end"] = "-1"' 1
+refuse vanish 'does not follow' 's["vanish"].append("v_nu"); del s["limit"]["v_nu"]' 1
+refuse limit 'does not follow' 's["limit"]["v_nu"]["radius"] = "0.01"' 1
+refuse moved 'does not follow' 's["time"]["middle"] = "2.07"' 1
+refuse wide 'may be 0' 's["time"]["radius"] = "3"' 1
+refuse contact 'does not follow' 's["conditions"]["contact"] = "0.4"' 1
+refuse words 'its theorem is not what its numbers say' 'c["theorem"][1] = c["theorem"][1].replace("Every", "No")' 1
+refuse early 'not shown to come to rest' 'g["instant"] = "1"' 1
+refuse never 'instant: a number > 0' 'g["instant"] = "-1"' 3
+refuse state 'has no pole' 'g["pole"] = "v_nu"' 3
+refuse time 'no such time' 'g["time"] = "own"' 3
+refuse outside 'not shown to lie in the domain' 'g["box"]["gamma3"] = "1"' 1
+refuse missing 'it must give all 5 states' 'del g["box"]["omega3"]' 3
+refuse sign 'does not allow this value' 'g["parameters"]["m"] = "-1"' 3
+refuse member 'members that a certificate of its kind has not' 'g["turns"] = 1' 3
+
+expect 1 'not proved: the states of the box' jellett certify pole --start gamma3=-0.9,v_nu=0,omega_tau=0,omega_n=0,omega3=0 \
+    --spread gamma3=0.2
+expect 1 'not proved' jellett certify pole --set I3=0 --start gamma3=-0.9,v_nu=1,omega_tau=1,omega_n=1,omega3=1 --digits 10
+expect 3 'lorenz has no record `pole`' jellett certify pole lorenz --start x=1,y=1,z=1
+expect 3 'omega_tau has no value' jellett certify pole --start gamma3=-0.62,v_nu=0.5
+expect 3 "--start: spherical_top has no state 'z'" jellett certify pole --start z=1
+expect 3 "there is neither a parameter nor a state 'z' here" jellett certify pole \
+    --start gamma3=-0.9,v_nu=0,omega_tau=0,omega_n=0,omega3=0 --spread z=1
+expect 2 'say where the motions begin' jellett certify pole
+expect 2 '--section is an option of orbits on sections, not of pole' jellett certify pole --section x=0 --start gamma3=0
+exit $status
