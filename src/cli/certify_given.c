@@ -170,11 +170,14 @@ static jlt_exit of_plane(json_t *params, json_t *levels, const jlt_descriptor *d
 {
     jlt_exit code = JLT_EXIT_DONE;
 
-    for (unsigned i = 0; code == JLT_EXIT_DONE && i < d->param_count; i++)
-        code = jlt_certify_put(params, d->params[i].name, d->params[i].name, value_of(d->params[i].name, options, &d->table, 1), spread);
-    for (size_t i = 0; code == JLT_EXIT_DONE && i < options->level.count; i++)
-        code = jlt_certify_put(levels, options->level.items[i].name, options->level.items[i].name, strdup(options->level.items[i].fraction),
-                   spread);
+    for (unsigned i = 0; code == JLT_EXIT_DONE && i < d->param_count; i++) {
+        const char *name = d->params[i].name;
+        code = jlt_certify_put(params, name, name, value_of(name, options, &d->table, 1), spread);
+    }
+    for (size_t i = 0; code == JLT_EXIT_DONE && i < options->level.count; i++) {
+        const char *name = options->level.items[i].name;
+        code = jlt_certify_put(levels, name, name, strdup(options->level.items[i].fraction), spread);
+    }
     return code;
 }
 

@@ -103,8 +103,8 @@ jlt_exit jlt_certify_pole(json_t **given, const jlt_certify_pole_options *o, con
     json_t *params = json_object(), *box = json_object();
     jlt_exit code;
 
-    *given = json_pack("{s:{s:s,s:s},s:o,s:o,s:i}", "table", "name", d->model, "sha256", d->sha256, "parameters", params, "box", box,
-                       "digits", (int)o->digits);
+    *given = json_pack("{s:{s:s,s:s},s:o,s:o,s:i}", "table", "name", d->model, "sha256", d->sha256, "parameters", params,
+                       "box", box, "digits", (int)o->digits);
     if (*given == NULL) return jlt_command_no_memory();
     code = put_box(box, o, d);
     if (code == JLT_EXIT_DONE) code = put_params(params, o, set, d);

@@ -12,8 +12,8 @@ typedef struct {
     size_t digits;
 } jlt_certify_pole_options;
 
-/** The question of validated/given_pole.h, with the pole and the instant at which the motions are found to settle. Out: *given, a new
- *  reference, NULL on failure. */
+/** The question of validated/given_pole.h, with the pole and the instant at which the motions are found to settle. Out: *given, a
+ *  new reference, NULL on failure. */
 jlt_exit jlt_certify_pole(json_t **given, const jlt_certify_pole_options *options, const jlt_assign_list *set,
                           const jlt_descriptor *descriptor);
 

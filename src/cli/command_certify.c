@@ -41,7 +41,8 @@ static const struct argp_option option_table[] = {
     { "family", FAMILY, "NAME", 0, "Of equilibria, where the table has more than one", 1 },
     { "box", BOX, "NAME=LOW:HIGH|VALUE,...", 0, "Ranges of parameters, and of all states that the family leaves free", 1 },
     { "limit", LIMIT, "N", 0, "Parts to cut the box of a family into, at most; default 100000", 1 },
-    { "spread", SPREAD, "NAME=RADIUS,...", 0, "Let parameters and levels, and states of a pole's start, have any value within this distance of theirs", 1 },
+    { "spread", SPREAD, "NAME=RADIUS,...", 0,
+      "Let parameters and levels, and states of a pole's start, have any value within this distance of theirs", 1 },
     { 0 },
 };
 
@@ -150,14 +151,15 @@ static const struct argp parser = {
     "the table claims, in a whole box of parameters and states, the trace of the linearization has one sign, so that no invariant "
     "measure has a continuous positive density near any of them; the box is cut in halves as far as needed. pole: all motions "
     "that begin in a box of states end at one end of a state's interval, which the table claims to be a pole, after a finite time "
-    "that is enclosed: a spherical top turns over, or comes down. Values typed and defaults of tables are taken exactly. Orbits are found in doubles first. Of a forced system, or around an angle, one closes "
-    "up to periods that the table proves (`periodic`), and is the only one that does by their numbers: these are served as cycle, "
-    "obstruction and sink.\n\n"
+    "that is enclosed: a spherical top turns over, or comes down. Values typed and defaults of tables are taken exactly. Orbits "
+    "are found in doubles first. Of a forced system, or around an angle, one closes up to periods that the table proves "
+    "(`periodic`), and is the only one that does by their numbers: these are served as cycle, obstruction and sink.\n\n"
     "  jellett certify equilibria --family spin \\\n"
     "    --box I1=0.2:1,I3=0.2:1,gamma3=0.05:0.9,v_nu=0.1:2,omega3=-3:3\n"
     "  jellett certify sink --set I1=0.591,I3=0.494,a3=0.548 \\\n"
     "    --level E=2.15,G=0.161 --start eta=2.84,gamma3=-0.959\n"
-    "  jellett certify pole --start gamma3=-0.78,v_nu=0.8,omega_tau=2.5,omega_n=-1,omega3=-2.7 \\\n"
+    "  jellett certify pole \\\n"
+    "    --start gamma3=-0.78,v_nu=0.8,omega_tau=2.5,omega_n=-1,omega3=-2.7 \\\n"
     "    --spread gamma3=5e-4,v_nu=5e-4,omega_tau=5e-4,omega_n=5e-4,omega3=5e-4",
     children, NULL, NULL,
 };

@@ -39,8 +39,8 @@ const jlt_descriptor *jlt_given_table(const json_t *given, const jlt_descriptor 
 /** Read a NUMBER or a ball. Returns false if the value is neither. */
 bool jlt_given_read_value(arb_t out, const json_t *value, slong bits);
 
-/** Read "parameters" into params, shape (param_count,). Returns false if they are not those of the table, or have values that it does
- *  not allow, and describes why in problem. */
+/** Read "parameters" into params, shape (param_count,). Returns false if they are not those of the table, or have values that it
+ *  does not allow, and describes why in problem. */
 bool jlt_given_read_params(arb_ptr params, const json_t *given, const jlt_descriptor *descriptor, slong bits,
                            char problem[JLT_GIVEN_PROBLEM_MAX]);
 

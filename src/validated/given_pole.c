@@ -101,16 +101,16 @@ json_t *jlt_given_pole_shown(const jlt_given_pole *self, const jlt_pole_result *
         if (result->vanishes[i]) json_array_append_new(vanish, json_string(d->states[i].name));
         else json_object_set_new(limit, d->states[i].name, jlt_shown_ball(result->limit + i, digits));
     }
-    return json_pack("{s:o,s:o,s:o,s:o,s:o,s:[o]}", "end", end_of(d, self->question.state, result->is_high), "vanish", vanish, "limit", limit, "time",
-                     jlt_shown_ball(result->time, digits), "conditions", jlt_shown_conditions(result->least, d), "claims",
-                     json_sprintf("pole %s", pole->name));
+    return json_pack("{s:o,s:o,s:o,s:o,s:o,s:[o]}", "end", end_of(d, self->question.state, result->is_high), "vanish", vanish,
+                     "limit", limit, "time", jlt_shown_ball(result->time, digits), "conditions",
+                     jlt_shown_conditions(result->least, d), "claims", json_sprintf("pole %s", pole->name));
 }
 
 const char *jlt_given_pole_problem(const jlt_pole_result *result)
 {
     static const char *const reasons[] = {
-        [JLT_POLE_OPEN] = "the motions are not shown to come to rest at a pole from the instant on (try smaller radii, more digits, "
-                          "or other starts)",
+        [JLT_POLE_OPEN] = "the motions are not shown to come to rest at a pole from the instant on (try smaller radii, more "
+                          "digits, or other starts)",
         [JLT_POLE_OUTSIDE] = "the states of the box are not shown to lie in the domain of the table",
         [JLT_POLE_EITHER] = "the motions come to rest, but are not shown to do so at one end of the pole's interval (try smaller "
                             "radii)",

@@ -26,8 +26,8 @@ typedef struct {
     arf_t instant;              /* 0: it is not given yet */
 } jlt_given_pole;
 
-/** Read it. Ends with jlt_given_pole_clear in any case. False: it is not of this form, or outside what the table allows, or the pole is
- *  not proved; problem says why. "instant" may be absent where `asks`: it is looked for. */
+/** Read it. Ends with jlt_given_pole_clear in any case. False: it is not of this form, or outside what the table allows, or the
+ *  pole is not proved; problem says why. "instant" may be absent where `asks`: it is looked for. */
 bool jlt_given_pole_read(jlt_given_pole *self, const json_t *given, const jlt_descriptor *descriptor, bool asks,
                          char problem[JLT_GIVEN_PROBLEM_MAX]);
 void jlt_given_pole_clear(jlt_given_pole *self);

@@ -1,9 +1,10 @@
 /** All motions from a box that end at a pole: they come to an end of a state's interval, in a finite time.
  *
- *  The record `pole` claims what such an end is: in a time tau that lifts a root r, dt/dtau is r times what does not vanish there, and
- *  the state's end and r = 0 are kept, so that motions come there as tau goes to infinity alone. That some do is shown here: the box
- *  is carried to an instant tau, from where it settles on a plane of equilibria with r = 0 (settle.h). On it the state is at an end
- *  of its interval, since the root is positive wherever the table is defined. t, carried as one more state, has a limit too. */
+ *  The record `pole` claims what such an end is: in a time tau that lifts a root r, dt/dtau is r times what does not vanish there,
+ *  and the state's end and r = 0 are kept, so that motions come there as tau goes to infinity alone. That some do is shown here:
+ *  the box is carried to an instant tau, from where it settles on a plane of equilibria with r = 0 (settle.h). On it the state is
+ *  at an end of its interval, since the root is positive wherever the table is defined. t, carried as one more state, has a limit
+ *  too. */
 #ifndef JLT_VALIDATED_POLE_H
 #define JLT_VALIDATED_POLE_H
 

@@ -206,7 +206,8 @@ static bool settles(jlt_settle_result *result, settling *self)
     if (!rests(self)) return false;
     arb_mat_init(self->decay, self->count, self->count);
     arb_mat_init(self->weights, self->count, 1);
-    for (unsigned i = 0; i < self->count; i++) bound(arb_mat_entry(self->weights, i, 0), self->x + self->which[i], false, self->bits);
+    for (unsigned i = 0; i < self->count; i++)
+        bound(arb_mat_entry(self->weights, i, 0), self->x + self->which[i], false, self->bits);
     arb_one(self->size);
     for (unsigned attempt = 0; attempt < ATTEMPTS; attempt++) {
         surround(self);

@@ -26,7 +26,8 @@ void jlt_theorem_pole_end(FILE *out, const jlt_descriptor *d, const json_t *give
 {
     const char *pole = jlt_theorem_text_of(given, "pole"), *meaning = meaning_of(d, pole);
 
-    fprintf(out, "Every motion that begins at one of these states ends at the pole %s = %s", pole, jlt_theorem_text_of(shown, "end"));
+    fprintf(out, "Every motion that begins at one of these states ends at the pole %s = %s", pole,
+            jlt_theorem_text_of(shown, "end"));
     if (meaning[0] != '\0') fprintf(out, " (%s)", meaning);
     fputs(": it comes there, and not before, after a finite time ", out);
     jlt_theorem_text_ball(out, json_object_get(shown, "time"));
