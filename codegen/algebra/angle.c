@@ -1,11 +1,11 @@
-/* An angle is compared with a basis coefficient by coefficient, over a common denominator. */
+/* Relations of angles are found by comparing numerators over a common denominator, coefficient by coefficient. */
 #include "algebra/angle.h"
 
 #include <flint/fmpq_mat.h>
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 
-/* denominator = least common multiple of it and that of a */
+/* denominator = least common multiple of itself and the denominator of a */
 static void include_denominator(ttc_ring *ring, fmpz_mpoly_t denominator, const ttc_ratio *a)
 {
     fmpz_mpoly_t common, rest;
@@ -20,8 +20,8 @@ static void include_denominator(ttc_ring *ring, fmpz_mpoly_t denominator, const 
     fmpz_mpoly_clear(common, ring->context);
 }
 
-/* One equation a term: its coefficient in the sum of the columns is that in the last column. Terms that several columns
- * have give the same equation again. */
+/* One equation for each term of each column: the weighted sum of its coefficients in the other columns is that in the last one.
+ * Terms that occur in several columns repeat an equation. */
 static void fill_equations(ttc_ring *ring, fmpq_mat_t equations, fmpz_mpoly_t *columns, size_t count, ulong *exponents)
 {
     slong row = 0;
@@ -40,7 +40,7 @@ static void fill_equations(ttc_ring *ring, fmpq_mat_t equations, fmpz_mpoly_t *c
     fmpz_clear(coefficient);
 }
 
-/* The solution of equations whose columns but the last are independent. */
+/* Solve equations whose columns, except the last, are independent. Returns false if there is no solution. */
 static bool solve(fmpq *weights, fmpq_mat_t equations, size_t count)
 {
     if (fmpq_mat_rref(equations, equations) > (slong)count) return false;
@@ -105,7 +105,8 @@ ttc_angle_relation ttc_angle_relate(ttc_ring *ring, long *multiples, const ttc_r
     return relation;
 }
 
-/* One pass in the order given; *fraction is where the first untried fraction of others stands, or count. */
+/* One pass in the order given. *fraction is the position, in this order, of the first angle that is a fraction of chosen ones and
+ * was not tried as the first; count if there is none. */
 static size_t choose_in_order(ttc_ring *ring, size_t *chosen, const ttc_ratio *angles, const size_t *order, size_t count,
                               const bool *tried, size_t *fraction)
 {

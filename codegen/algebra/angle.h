@@ -1,4 +1,4 @@
-/** Linear relations over the rationals between angles, or exponents, found exactly; and the addition theorems. */
+/** Exact linear relations over the rationals between angles, or between exponents; and the addition theorems. */
 #ifndef TTC_ANGLE_H
 #define TTC_ANGLE_H
 
@@ -7,23 +7,23 @@
 enum { TTC_ANGLE_LIMIT = 128, TTC_ANGLE_MULTIPLE_LIMIT = 64 };
 
 typedef enum {
-    TTC_ANGLE_WHOLE,    /* a sum of whole multiples of the basis */
-    TTC_ANGLE_FRACTION, /* a sum of rational multiples of the basis, not all whole */
+    TTC_ANGLE_WHOLE,    /* a linear combination of the basis with integer weights */
+    TTC_ANGLE_FRACTION, /* a linear combination with rational weights, not all integers */
     TTC_ANGLE_FREE      /* linearly independent of the basis, so that its cosine and sine are independent too */
 } ttc_angle_relation;
 
-/** How `angle` follows from `basis`, shape (count,), which is linearly independent over the rationals.
- *  Out: multiples, shape (count,), when WHOLE. Multiples over TTC_ANGLE_MULTIPLE_LIMIT are the ring's failure TOO_LARGE. */
+/** Find the relation of `angle` to `basis`, shape (count,), which is linearly independent over the rationals.
+ *  Out: multiples, shape (count,), the weights if WHOLE. One above TTC_ANGLE_MULTIPLE_LIMIT makes the ring fail with TOO_LARGE. */
 ttc_angle_relation ttc_angle_relate(ttc_ring *ring, long *multiples, const ttc_ratio *angle, const ttc_ratio *basis,
                                     size_t count);
 
-/** The same with rational weights, shape (count,); false when there are none. */
+/** Find rational weights, shape (count,), of `angle` as a linear combination of the basis. Returns false if there are none. */
 bool ttc_angle_weigh(ttc_ring *ring, fmpq *weights, const ttc_ratio *angle, const ttc_ratio *basis, size_t count);
 
-/** Choose a basis: as few of the angles as possible, such that all others are sums of whole multiples of them. Angles are tried in
- *  their order, then again with one put first that is a fraction of others; where there is no such basis, fractions remain.
- *  The first `fixed` ones, which are independent, are always chosen.
- *  Out: chosen, shape (count,): positions, as many as returned. count is at most TTC_ANGLE_LIMIT. */
+/** Choose a basis over the rationals among the angles such that, where possible, the others are integer combinations of it. It is
+ *  built in the order given; if that leaves an angle that is a fraction, it is built again with that angle right after the fixed
+ *  ones, once for each angle. The first `fixed` angles, which must be independent, are always chosen.
+ *  Out: chosen, shape (count,): indices into angles, as many as returned. count is at most TTC_ANGLE_LIMIT. */
 size_t ttc_angle_choose(ttc_ring *ring, size_t *chosen, const ttc_ratio *angles, size_t count, size_t fixed);
 
 /** (cosine + i sine) *= (c + i s)^multiple, for the cosine and sine c, s of one angle. */

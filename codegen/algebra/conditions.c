@@ -61,7 +61,7 @@ static unsigned opposite(unsigned signs)
            | (signs & TTC_CAN_BE_NEGATIVE ? (unsigned)TTC_CAN_BE_POSITIVE : 0u);
 }
 
-static unsigned product(unsigned a, unsigned b)
+unsigned ttc_conditions_signs_of_product(unsigned a, unsigned b)
 {
     unsigned signs = (a | b) & TTC_CAN_BE_ZERO;
     if (b & TTC_CAN_BE_POSITIVE) signs |= a & ~(unsigned)TTC_CAN_BE_ZERO;
@@ -69,8 +69,8 @@ static unsigned product(unsigned a, unsigned b)
     return signs;
 }
 
-/* A sum of terms none of which is negative is not negative, and positive with any that is. */
-static unsigned sum(unsigned a, unsigned b)
+/* A sum of two terms that are not negative is not negative, and it is positive if one of them is. */
+unsigned ttc_conditions_signs_of_sum(unsigned a, unsigned b)
 {
     if (a == TTC_CAN_BE_ZERO) return b;
     if (b == TTC_CAN_BE_ZERO) return a;
@@ -80,7 +80,7 @@ static unsigned sum(unsigned a, unsigned b)
     return TTC_CAN_BE_ANY;
 }
 
-static unsigned power(unsigned signs, ulong exponent)
+unsigned ttc_conditions_signs_of_power(unsigned signs, unsigned long exponent)
 {
     if (exponent % 2 == 1) return signs;
     return (signs & TTC_CAN_BE_ZERO) | (signs & ~(unsigned)TTC_CAN_BE_ZERO ? (unsigned)TTC_CAN_BE_POSITIVE : 0u);
@@ -96,15 +96,16 @@ unsigned ttc_conditions_signs(const ttc_conditions *c, const fmpz_mpoly_t polyno
         unsigned term = fmpz_sgn(coefficient) > 0 ? TTC_CAN_BE_POSITIVE : TTC_CAN_BE_NEGATIVE;
         for (slong v = 0; v < (slong)c->ring->variable_count; v++) {
             ulong exponent = fmpz_mpoly_get_term_var_exp_ui(polynomial, i, v, c->ring->context);
-            if (exponent > 0) term = product(term, power(signs_of_variable(c, v), exponent));
+            const unsigned factor = ttc_conditions_signs_of_power(signs_of_variable(c, v), exponent);
+            if (exponent > 0) term = ttc_conditions_signs_of_product(term, factor);
         }
-        signs = sum(signs, term);
+        signs = ttc_conditions_signs_of_sum(signs, term);
     }
     fmpz_clear(coefficient);
     return signs;
 }
 
-/* Whether the list says so already, and no less. What it says is not changed: it may be removed again down to any mark. */
+/* Returns true if a condition of the list implies this one. None is strengthened, as the list may be rewound to any mark. */
 static bool has(const ttc_conditions *c, const fmpz_mpoly_t polynomial, ttc_relation relation, bool of_quotient,
                 bool is_denominator)
 {
@@ -159,7 +160,7 @@ static void add(ttc_conditions *c, const ttc_ratio *ratio, ttc_relation relation
     fmpz_mpoly_set(polynomial, ratio->numerator, c->ring->context);
     unsigned below = ttc_conditions_signs(c, ratio->denominator);
     if (relation == TTC_IS_POSITIVE || relation == TTC_IS_NONNEGATIVE) {
-        /* By the sign of the denominator where that is evident, for the sake of the degree. */
+        /* Multiplying by the denominator is avoided where its sign is evident, to keep the degree low. */
         if (below == TTC_CAN_BE_NEGATIVE) negative = !negative;
         else if (below != TTC_CAN_BE_POSITIVE)
             fmpz_mpoly_mul(polynomial, polynomial, ratio->denominator, c->ring->context);
@@ -182,7 +183,7 @@ static bool depends(const ttc_ring *ring, const fmpz_mpoly_struct *polynomial, s
     return fmpz_mpoly_degree_si(polynomial, variable, ring->context) > 0;
 }
 
-/* The generators that stand in a condition, or in the square of one that does. */
+/* Find the generators that occur in a condition, or in the square of one that is used. */
 static void find_used(bool used[TTC_GENERATOR_LIMIT], const ttc_conditions *c)
 {
     const ttc_ring *ring = c->ring;
@@ -215,7 +216,9 @@ bool ttc_conditions_at_denominator(ttc_conditions *out, const ttc_conditions *c,
     for (size_t i = 0; i < c->count; i++) {
         const ttc_condition *item = &c->items[i];
         if (item->is_denominator && found++ == index) append(out, item->polynomial, TTC_IS_ZERO, false, false);
-        else if (!item->of_quotient && !item->is_denominator) append(out, item->polynomial, item->relation, false, false);
+        else if (!item->of_quotient) append(out, item->polynomial, item->relation, false, false);
+        else if (item->relation == TTC_IS_POSITIVE || item->relation == TTC_IS_NONNEGATIVE) /* A/B = v: A B = v B^2 everywhere */
+            append(out, item->polynomial, TTC_IS_NONNEGATIVE, false, false);
     }
     for (size_t i = 0; i < ring->generator_count && found <= index; i++) {
         const fmpz_mpoly_struct *denominator = ring->generators[i].square.denominator;

@@ -1,8 +1,8 @@
-/** Polynomial conditions on the real points of a ring: what a domain is, and what is asked of it.
+/** Lists of polynomial conditions on the real points of a ring, which describe a domain and questions about it.
  *
- *  Beside the conditions that are listed, a point obeys the ring: a root is positive, its square is its radicand, and cosines
- *  and sines are those of their angle. A condition that follows from the signs of its terms is not kept; one that contradicts
- *  them makes the whole list contradictory, without any search. */
+ *  Beside the listed conditions, a point obeys the relations of the ring: a root is positive, its square is its radicand, and
+ *  cosines and sines are those of their angle. A condition that follows from the signs of its terms is not stored; one that
+ *  contradicts them marks the whole list as contradictory. */
 #ifndef TTC_CONDITIONS_H
 #define TTC_CONDITIONS_H
 
@@ -13,8 +13,8 @@ typedef enum { TTC_IS_POSITIVE, TTC_IS_NONNEGATIVE, TTC_IS_NONZERO, TTC_IS_ZERO 
 typedef struct {
     fmpz_mpoly_t polynomial;
     ttc_relation relation;
-    bool of_quotient;    /* says nothing where the denominator of the ratio that it came from vanishes */
-    bool is_denominator; /* not zero, for no other reason than that a ratio was written so */
+    bool of_quotient;    /* comes from a ratio, and says nothing where the ratio's denominator vanishes */
+    bool is_denominator; /* NONZERO of such a denominator, added only because the ratio is written as a quotient */
 } ttc_condition;
 
 typedef struct {
@@ -22,31 +22,35 @@ typedef struct {
     ttc_ring *ring;
     ttc_condition *items;
     size_t count;
-    bool contradictory; /* no point, evidently */
-    bool at_denominator; /* where a denominator vanishes: of roots whose square may be divided by zero only the sign is known */
-    bool failed;        /* memory is out; the list is of no use */
+    bool contradictory; /* the signs of terms show that no point meets the conditions */
+    bool at_denominator; /* by ttc_conditions_at_denominator: of a root whose square may be divided by zero only the sign counts */
+    bool failed;        /* memory is out; the list is incomplete */
 } ttc_conditions;
 
 void ttc_conditions_init(ttc_conditions *conditions, ttc_valuation *valuation);
 void ttc_conditions_clear(ttc_conditions *conditions);
 
-/* Add that a ratio stands in a relation to zero, and that its denominator is not zero. A value may exist where the denominator
- * of its normal form vanishes: that no point was found then says nothing of those, see ttc_conditions_at_denominator. */
+/* Require that ratio > 0, >= 0, != 0 or = 0, and that its denominator is not zero. The expression may have a value where the
+ * denominator of its normal form vanishes: finding no point does not exclude points there, see ttc_conditions_at_denominator. */
 void ttc_conditions_add(ttc_conditions *conditions, const ttc_ratio *ratio, ttc_relation relation);
 
-/* The same for the opposite of a ratio. */
+/* ttc_conditions_add for -ratio. */
 void ttc_conditions_add_negative(ttc_conditions *conditions, const ttc_ratio *ratio, ttc_relation relation);
 
-/** The conditions that hold where denominator number `index` vanishes, of a condition or of the square of a root, as far as they
- *  are known there. False: there is no such denominator. out: to be cleared. */
+/** Make the list of conditions for points at which denominator number `index` vanishes: that it is zero, and those conditions that
+ *  do not come from quotients. Denominators are those of conditions, then those of squares of roots that are used. Returns false if
+ *  there is no such denominator. out is to be cleared in either case. */
 bool ttc_conditions_at_denominator(ttc_conditions *out, const ttc_conditions *conditions, size_t index);
 
-/* The present length of the list, and back to it: conditions that were added to ask a question are removed again. */
+/* The length of the list; and removal of the conditions after that length, which were added to ask a question. */
 size_t ttc_conditions_mark(const ttc_conditions *conditions);
 void ttc_conditions_rewind(ttc_conditions *conditions, size_t mark, bool contradictory);
 
-/** The signs that a polynomial may have as far as the signs of its variables tell: bits of ttc_sign_set. */
+/** The signs that a polynomial can have, by the signs of its variables alone: bits of ttc_sign_set. */
 typedef enum { TTC_CAN_BE_NEGATIVE = 1, TTC_CAN_BE_ZERO = 2, TTC_CAN_BE_POSITIVE = 4, TTC_CAN_BE_ANY = 7 } ttc_sign_set;
+unsigned ttc_conditions_signs_of_product(unsigned a, unsigned b);
+unsigned ttc_conditions_signs_of_sum(unsigned a, unsigned b);
+unsigned ttc_conditions_signs_of_power(unsigned signs, unsigned long exponent);
 unsigned ttc_conditions_signs(const ttc_conditions *conditions, const fmpz_mpoly_t polynomial);
 
 #endif

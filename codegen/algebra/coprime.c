@@ -27,7 +27,8 @@ static void make_positive(ttc_ring *ring, fmpz_mpoly_t a)
     fmpz_clear(leading);
 }
 
-/* a and b, with common factor c, become a/c, b/c, c; all have less in common than before. Depth: a step takes out a factor. */
+/* Insert a polynomial. If a and an element b have a common factor c, they are replaced by a/c, b/c and c, inserted in turn. Each
+ * level of the recursion removes a factor, which bounds its depth. */
 static void insert(ttc_coprime *base, const fmpz_mpoly_t element)
 {
     ttc_ring *ring = base->ring;
@@ -53,7 +54,7 @@ static void insert(ttc_coprime *base, const fmpz_mpoly_t element)
         insert(base, other);
         insert(base, common);
         fmpz_mpoly_clear(other, ring->context);
-        i = SIZE_MAX; /* the base has changed: from its start again */
+        i = SIZE_MAX; /* the base has changed, so start again with element 0 */
     }
     if (ring->status == TTC_RING_OK && !fmpz_mpoly_is_one(a, ring->context)) {
         if (base->count == TTC_COPRIME_LIMIT) {

@@ -1,5 +1,4 @@
-/** Total derivatives along a model's motion, as exact ratios and as expressions. The prover has these to itself: kernels are
- *  made from other code. */
+/** Derivatives of a model's expressions, for the prover alone: kernels are made by other code, which proofs must not rest on. */
 #ifndef TTC_DERIVE_H
 #define TTC_DERIVE_H
 
@@ -10,7 +9,7 @@
  *  Returns TTC_NONE on failure; ttc_graph_error() then says why. */
 ttc_id ttc_derive_along(const ttc_model *model, ttc_id id, const ttc_id *direction);
 
-ttc_id ttc_derive_field(const ttc_model *model, ttc_id id);                   /* along the field: the rate of id */
-ttc_id ttc_derive_state(const ttc_model *model, ttc_id id, size_t state);     /* the partial derivative */
+ttc_id ttc_derive_field(const ttc_model *model, ttc_id id);                   /* d(id)/dt along the equations */
+ttc_id ttc_derive_state(const ttc_model *model, ttc_id id, size_t state);     /* partial derivative by state number `state` */
 
 #endif

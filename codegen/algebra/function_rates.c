@@ -1,7 +1,7 @@
-/* Rates of change of cosines, sines, exponentials and logarithms, from the rates of their arguments. */
+/* Rates of change of cosines, exponentials and logarithms, from the rates of their arguments. */
 #include "algebra/valuation_state.h"
 
-/* d cos(a) = -sin(a) da, d exp(a) = exp(a) da, d log(a) = da/a. The sine follows from the cosine, as a root of 1 - cos^2. */
+/* d cos(a) = -sin(a) da, d exp(a) = exp(a) da, d log(a) = da/a. Sines, roots of 1 - cos^2, are left to ttc_ratio_derive. */
 static void function_rate(ttc_valuation *valuation, ttc_ratio *out, uint32_t symbol, const ttc_ratio *rates)
 {
     const ttc_model *model = ttc_valuation_model(valuation);
@@ -21,7 +21,7 @@ static void function_rate(ttc_valuation *valuation, ttc_ratio *out, uint32_t sym
     ttc_ratio_clear(ring, &of);
 }
 
-/* What a bound symbol stands for may use functions that nothing has asked for yet. */
+/* Evaluate all bound symbols, as their expressions may use functions that have no value yet. */
 static void evaluate_bound(ttc_valuation *valuation)
 {
     ttc_ratio value;

@@ -3,11 +3,11 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-/* What decides: how many variables of each trust a polynomial uses, squares of generators included. */
+/* The variables that a polynomial uses, also in squares of generators. */
 typedef struct {
-    size_t count[TTC_TRUST_MASK + 1];
-    bool doubtful; /* one of them is no number */
-    bool nested;   /* one of them stands in the square of a generator */
+    size_t count[TTC_TRUST_MASK + 1]; /* number of variables of each trust */
+    bool doubtful; /* a variable is neither free nor a number */
+    bool nested;   /* a variable that is not free occurs in squares of generators alone */
     bool generators;
 } usage;
 
@@ -24,7 +24,7 @@ static void mark(const ttc_ring *ring, unsigned char *used, const fmpz_mpoly_t p
         if (fmpz_mpoly_degree_si(polynomial, v, ring->context) > 0) used[v] = 1;
 }
 
-/* The square of a generator holds earlier ones, so the last one goes first. */
+/* Fill in a usage, from the last generator to the first, as squares contain only earlier ones. Returns false when memory is out. */
 static bool survey(usage *u, const ttc_ring *ring, const fmpz_mpoly_t polynomial)
 {
     unsigned char *used = calloc(ring->variable_count + 1, 1), *direct = calloc(ring->variable_count + 1, 1);
@@ -58,7 +58,7 @@ static bool decides(const usage *u)
     return u->count[TTC_TRUST_SINGLE] == 0 || (u->count[TTC_TRUST_SINGLE] == 1 && u->count[TTC_TRUST_ALGEBRAIC] == 0);
 }
 
-/* The coefficient, in numbers, of the term's monomial in free variables. */
+/* The coefficient, a polynomial in variables that are not free, of this term's monomial in the free variables. */
 static void coefficient_of(const ttc_ring *ring, fmpz_mpoly_t coefficient, const fmpz_mpoly_t polynomial, slong term,
                            slong *variables, ulong *exponents)
 {
@@ -71,7 +71,7 @@ static void coefficient_of(const ttc_ring *ring, fmpz_mpoly_t coefficient, const
     fmpz_mpoly_get_coeff_vars_ui(coefficient, polynomial, variables, exponents, count, ring->context);
 }
 
-/* A product of numbers none of which is zero, or a linear form in pi and logarithms, see independence.h. */
+/* Returns true for a product of numbers, none of which is zero, or a linear form in pi and logarithms: neither is zero. */
 static bool is_simple(const ttc_ring *ring, const usage *u, const fmpz_mpoly_t coefficient)
 {
     if (u->count[TTC_TRUST_NONE] > 0) return false;
@@ -79,7 +79,8 @@ static bool is_simple(const ttc_ring *ring, const usage *u, const fmpz_mpoly_t c
            || (u->count[TTC_TRUST_ALGEBRAIC] == 0 && fmpz_mpoly_total_degree_si(coefficient, ring->context) <= 1);
 }
 
-/* Free variables are independent over the numbers, so that one coefficient that is not zero is enough. */
+/* Returns true if some coefficient of the polynomial, taken as one in the free variables, is known to be nonzero: free variables
+ * are independent over the complex numbers, so that the polynomial is nonzero then. */
 static bool has_settled_coefficient(const ttc_ring *ring, const fmpz_mpoly_t polynomial)
 {
     slong *variables = calloc(ring->variable_count + 1, sizeof *variables);

@@ -34,7 +34,7 @@ void ttc_ratio_set_variable(ttc_ring *ring, ttc_ratio *out, slong variable)
 
 static slong bits_of(const fmpz_mpoly_t a) { return labs(fmpz_mpoly_max_bits(a)); }
 
-/* The product of two polynomials stays within the limits. Asked before it is formed. */
+/* Returns true if the product of two polynomials, which is not computed, is within the limits; else the ring fails. */
 static bool fits(ttc_ring *ring, const fmpz_mpoly_t a, const fmpz_mpoly_t b)
 {
     slong limit = TTC_PRODUCT_LIMIT;
@@ -47,7 +47,7 @@ static bool fits(ttc_ring *ring, const fmpz_mpoly_t a, const fmpz_mpoly_t b)
     return ring->status == TTC_RING_OK;
 }
 
-/* The same of a power: a polynomial of n terms has at most binomial(n + k - 1, k) in its k-th power. */
+/* The same for a power. The k-th power of a polynomial of n terms has at most binomial(n + k - 1, k) terms. */
 static bool power_fits(ttc_ring *ring, const fmpz_mpoly_t a, ulong exponent)
 {
     double terms = 1, length = (double)fmpz_mpoly_length(a, ring->context);
@@ -59,7 +59,7 @@ static bool power_fits(ttc_ring *ring, const fmpz_mpoly_t a, ulong exponent)
     return ring->status == TTC_RING_OK;
 }
 
-/* num = sum c_k r^k with r^2 = p/q becomes (even + odd r) / q^half. */
+/* Reduce the degree in a generator r, r^2 = p/q, below 2: sum c_k r^k becomes (even + odd r) / q^half, half = degree/2. */
 static void reduce_generator(ttc_ring *ring, fmpz_mpoly_t numerator, fmpz_mpoly_t denominator,
                              const ttc_generator *generator)
 {
@@ -96,7 +96,7 @@ static void reduce_generator(ttc_ring *ring, fmpz_mpoly_t numerator, fmpz_mpoly_
     fmpz_mpoly_univar_clear(parts, ring->context);
 }
 
-/* A square may hold earlier generators, so the last one goes first. */
+/* Squares may contain earlier generators, so that the last generator is reduced first. */
 static void reduce(ttc_ring *ring, fmpz_mpoly_t numerator, fmpz_mpoly_t denominator)
 {
     for (size_t i = ring->generator_count; i-- > 0;)
@@ -223,7 +223,7 @@ static bool rationalize(ttc_ring *ring, fmpz_mpoly_t top, fmpz_mpoly_t bottom, c
     return true;
 }
 
-/* top / bottom, both reduced, as a ratio; the generators of the bottom go, last one first. */
+/* top / bottom, both reduced, as a ratio. Generators are removed from the bottom, beginning with the last. */
 static void quotient(ttc_ring *ring, ttc_ratio *out, fmpz_mpoly_t top, fmpz_mpoly_t bottom)
 {
     fmpz_mpoly_t extra;

@@ -1,14 +1,14 @@
-/** Exact rational functions: the field Q(variables)(generators), where each generator is a square root.
+/** Exact arithmetic in the field Q(variables)(generators), where each generator is a square root.
  *
- *  A ratio is numerator / denominator over Z[variables, generators]: coprime, the denominator free of generators with
+ *  A ratio is numerator / denominator over Z[variables, generators]: coprime, the denominator free of generators and with
  *  positive leading coefficient, the numerator of degree at most one in each generator. As the generators are kept
  *  independent (no product of some of them is rational), this form is unique, and a ratio is zero exactly when its
  *  numerator is. Nothing is ever rounded or sampled.
  *
- *  Variables that stand for exponentials, logarithms and pi may be related where nobody knows, see algebra/independence.h.
+ *  Variables that stand for exponentials, logarithms and pi may satisfy unknown relations, see algebra/independence.h.
  *
- *  Errors are sticky: the first failure stays in `status`, later results mean nothing, and whoever draws a conclusion
- *  asks for it first. FLINT ends the program when memory is out. */
+ *  Errors are sticky: the first failure stays in `status`, and later results are meaningless, so that callers check the
+ *  status before they use a result. FLINT ends the program when memory is out. */
 #ifndef TTC_RATIO_H
 #define TTC_RATIO_H
 
@@ -24,6 +24,7 @@ typedef enum {
     TTC_RING_ROOT_OF_ZERO,     /* roots are positive by declaration */
     TTC_RING_ROOT_OF_NEGATIVE,
     TTC_RING_CIRCULAR,
+    TTC_RING_ANGLE_ALONE, /* a state that is an angle, of which a map gives no more than cosine and sine */
     TTC_RING_ANGLE,
     TTC_RING_ANGLE_FRACTION,
     TTC_RING_EXPONENT,
@@ -51,33 +52,34 @@ typedef struct {
 typedef struct {
     slong variable;
     ttc_ratio square; /* in variables and earlier generators */
-    bool positive;    /* a root: never zero. Otherwise an algebraic function of either sign. */
+    bool positive;    /* the positive root, which is never zero; otherwise the root may have either sign or be zero */
 } ttc_generator;
 
 typedef struct {
     fmpz_mpoly_ctx_t context;
     size_t variable_count, next_spare; /* variables from next_spare on are not yet in use */
-    const char **names;                /* borrowed */
-    void *solver;                      /* see solver.h; NULL until it is asked, and then: */
-    void (*release)(void *solver);
-    const bool *positive;              /* by variable; borrowed */
+    const char **names;                /* by variable; borrowed */
+    void *solver;                      /* owned by solver.c; NULL until it is first used */
+    void (*release)(void *solver);     /* frees it */
+    const bool *positive;              /* by variable, true if it is never negative; borrowed */
     ttc_generator generators[TTC_GENERATOR_LIMIT];
     size_t generator_count;
-    unsigned char *trust;              /* by variable: why it is independent of the others, a ttc_trust */
-    /* A root whose radicand turns out to be a square q^2 is q or -q. Where the sign cannot be told, bit number
-     * choice_count of `choices` decides, and the count goes up: whoever proves, proves every choice. */
+    unsigned char *trust;              /* by variable, a ttc_trust: what is known of its independence of the others */
+    /* A root whose radicand is a square q^2 in the field is q or -q. If the sign is not evident, bit number choice_count
+     * of `choices` determines it, and the count is incremented: a proof must cover every value of these bits. */
     unsigned choices, choice_count;
     ttc_ring_status status;
     fmpq_t minus_one;
 } ttc_ring;
 
-/* names and positive: shape (variable_count,), must outlive the ring; spares follow from first_spare on. */
+/* names and positive: shape (variable_count,), must outlive the ring. Variables from first_spare on are spare ones, for generators
+ * that have no variable of their own. Returns NULL when memory is out. */
 ttc_ring *ttc_ring_create(size_t variable_count, size_t first_spare, const char **names, const bool *positive);
 void ttc_ring_destroy(ttc_ring *ring); /* legal on NULL */
-bool ttc_ring_is_generator(const ttc_ring *ring, slong variable); /* whether it is one that was adjoined */
-void ttc_ring_fail(ttc_ring *ring, ttc_ring_status status);
+bool ttc_ring_is_generator(const ttc_ring *ring, slong variable); /* true if the variable is that of a generator */
+void ttc_ring_fail(ttc_ring *ring, ttc_ring_status status); /* sets the status unless the ring has failed before */
 const char *ttc_ring_status_text(ttc_ring_status status); /* a phrase; never NULL */
-/* A failure that says that what was evaluated has no value, rather than that it could not be computed. */
+/* Returns true for a failure which means that the expression has no value, rather than that it could not be computed. */
 bool ttc_ring_has_no_value(ttc_ring_status status);
 
 void ttc_ratio_init(ttc_ring *ring, ttc_ratio *a);
@@ -97,23 +99,23 @@ void ttc_ratio_power(ttc_ring *ring, ttc_ratio *out, const ttc_ratio *a, long ex
 void ttc_ratio_scale(ttc_ring *ring, ttc_ratio *out, const ttc_ratio *a, const fmpq_t factor);
 void ttc_ratio_add_product(ttc_ring *ring, ttc_ratio *sum, const ttc_ratio *a, const ttc_ratio *b); /* sum += a*b */
 
-/* True for zero, and where it is not settled whether a is zero: the ring has then failed. */
+/* Returns true if a is zero; also if it is not known whether it is, and the ring then fails with NOT_SETTLED. */
 bool ttc_ratio_is_zero(ttc_ring *ring, const ttc_ratio *a);
-bool ttc_ratio_equal(const ttc_ring *ring, const ttc_ratio *a, const ttc_ratio *b); /* in form */
+bool ttc_ratio_equal(const ttc_ring *ring, const ttc_ratio *a, const ttc_ratio *b); /* compares normal forms */
 bool ttc_ratio_uses(const ttc_ring *ring, const ttc_ratio *a, slong variable);
-int ttc_ratio_sign(const ttc_ring *ring, const ttc_ratio *a); /* 1, -1 where evident from the terms; else 0 */
+/* By the signs of all terms: 1 if never negative, -1 if never positive, 0 if neither is evident. */
+int ttc_ratio_sign(const ttc_ring *ring, const ttc_ratio *a);
 char *ttc_ratio_text(const ttc_ring *ring, const ttc_ratio *a); /* for free(); NULL when memory is out */
 
-/** Numerator of the norm down to Q(variables): zero exactly where some conjugate of a is zero. */
+/** Numerator of the norm of a over Q(variables): zero exactly where some conjugate of a is zero. */
 void ttc_ratio_norm(ttc_ring *ring, fmpz_mpoly_t norm, const ttc_ratio *a);
 
-/** A square root of `radicand`, positive or (positive = false) any. Expressed through what the ring has when the radicand is
- *  a square in its field, which is decided exactly, nested roots included; otherwise `variable` (or a spare one when negative)
- *  becomes a generator. */
+/** A square root of `radicand`: the positive one, or one of either sign if positive = false. If the radicand is a square in the
+ *  field, which is decided exactly, out is in the field; otherwise `variable`, a spare one if < 0, becomes a generator. */
 void ttc_ring_root(ttc_ring *ring, ttc_ratio *out, const ttc_ratio *radicand, slong variable, bool positive);
 
-/** Derivative of a along a direction. slopes: shape (variable_count,), the rate of each variable; those of generators are
- *  ignored, as they follow from their squares: r' = (r^2)'/(2r). */
+/** Derivative of a along a direction. slopes, shape (variable_count,): the rate of each variable; those of generators are ignored
+ *  and computed from their squares: r' = (r^2)'/(2r). */
 void ttc_ratio_derive(ttc_ring *ring, ttc_ratio *out, const ttc_ratio *a, const ttc_ratio *slopes);
 
 #endif

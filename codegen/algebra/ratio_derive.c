@@ -1,4 +1,4 @@
-/* The derivative of a ratio along slopes of the variables, through roots and other generators of the field. */
+/* The derivative of a ratio along a direction in the variables, with the generators of the field by the chain rule. */
 #include "algebra/ratio.h"
 
 /* sum += d(polynomial)/d(variable) * slope */

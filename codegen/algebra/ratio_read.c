@@ -1,4 +1,4 @@
-/* Questions about a ratio: which variables it uses, its sign, its text. */
+/* Properties of a ratio: the variables it uses, its evident sign, its text. */
 #include "algebra/ratio.h"
 
 #include <stdio.h>
@@ -19,7 +19,7 @@ static bool is_positive(const ttc_ring *ring, slong variable)
     return positive;
 }
 
-/* The common sign of all terms: coefficients alike, and odd powers only of positive variables. */
+/* The common sign of all terms if coefficients show it, and odd powers are of positive variables only; otherwise 0. */
 static int sign_of(const ttc_ring *ring, const fmpz_mpoly_t polynomial)
 {
     int sign = 0;

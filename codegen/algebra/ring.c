@@ -1,4 +1,4 @@
-/* The ring of ratios: its variables, room for its elements, and how it fails. */
+/* The ring of ratios: creation of the ring and of its elements, and its failures. */
 #include "algebra/ratio.h"
 
 #include <stdlib.h>
@@ -72,6 +72,9 @@ const char *ttc_ring_status_text(ttc_ring_status status)
     case TTC_RING_ROOT_OF_ZERO: return "a root, positive by declaration, vanishes under the conditions of this claim";
     case TTC_RING_ROOT_OF_NEGATIVE: return "a radicand is negative under the conditions of this claim";
     case TTC_RING_CIRCULAR: return "the conditions of this claim define a name by itself";
+    case TTC_RING_ANGLE_ALONE:
+        return "a state that is given by an atan2 is used by itself (expected its cosine and sine alone; where it is a state of "
+               "this table, that state in place of the atan2)";
     case TTC_RING_ANGLE: return "an angle is mapped to one that is no sum of angles that the model names";
     case TTC_RING_ANGLE_FRACTION:
         return "an angle is a fraction of others (expected an angle record for their common part, of which all are multiples)";

@@ -1,4 +1,4 @@
-/* Square roots in the ring of a ratio, whose generators stay independent modulo squares. */
+/* Square roots of ratios. A root outside the field becomes a generator, so that generators are independent modulo squares. */
 #include "algebra/ratio.h"
 
 #include <flint/fmpz_vec.h>
@@ -6,8 +6,8 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-/* False when a is no square. Its root is squared again, as FLINT 2.9 takes x y for the square of a monomial without exponents
- * where both begin a word of many variables. */
+/* root = sqrt(a). Returns false if a is no square. The result is checked, because FLINT 2.9 reports a root of x y where the packed
+ * exponents of both variables begin a word. */
 static bool polynomial_root(ttc_ring *ring, fmpz_mpoly_t root, const fmpz_mpoly_t a)
 {
     fmpz_mpoly_t square;
@@ -19,7 +19,7 @@ static bool polynomial_root(ttc_ring *ring, fmpz_mpoly_t root, const fmpz_mpoly_
     return equal;
 }
 
-/* root = sqrt(a) in Q(variables); false when a is no square there. */
+/* root = sqrt(a) in Q(variables). Returns false if a is no square there. */
 static bool rational_root(ttc_ring *ring, ttc_ratio *root, const ttc_ratio *a)
 {
     fmpz_mpoly_t product;
@@ -55,8 +55,8 @@ static void split(ttc_ring *ring, ttc_ratio *p, ttc_ratio *q, const ttc_ratio *a
     ttc_ratio_clear(ring, &part);
 }
 
-/* At 64 points, each modulo a prime of its own: the bits of those where a, in Q(variables), is no square, as no square is. False
- * where it is zero or has no value at one, or uses one of the first `level` generators. */
+/* Evaluate a in Q(variables) at 64 points, each modulo a prime of its own: bit i is set if the value at point i is no square, which
+ * shows that a is none. Returns false if a value is zero or undefined, or if a uses one of the first `level` generators. */
 static bool square_class(ttc_ring *ring, size_t level, uint64_t *bits, const ttc_ratio *a)
 {
     for (size_t i = 0; i < level; i++)
@@ -85,8 +85,9 @@ static bool square_class(ttc_ring *ring, size_t level, uint64_t *bits, const ttc
     return known;
 }
 
-/* As field_root, where a and the squares of the generators are in Q(variables): then a is a square where its product with some of
- * these is one in Q(variables), and classes tell which. False where classes do not tell. */
+/* field_root if a and the squares of the generators are in Q(variables): a is a square if its product with some of these squares is
+ * one in Q(variables), and linear algebra over the bits of square_class shows which ones these can be. *found is the result of
+ * field_root. Returns false if the bits do not decide. */
 static bool root_by_classes(ttc_ring *ring, size_t level, bool *found, ttc_ratio *root, const ttc_ratio *a)
 {
     uint64_t classes[TTC_GENERATOR_LIMIT + 1];
@@ -96,7 +97,7 @@ static bool root_by_classes(ttc_ring *ring, size_t level, bool *found, ttc_ratio
         if (!square_class(ring, level, classes + i, i < level ? &ring->generators[i].square : a)) return false;
         products[i] = 1u << i;
         for (size_t k = 0; k < i; k++) {
-            if (!(classes[i] & classes[k] & -classes[k])) continue; /* not the lowest bit of the other */
+            if (!(classes[i] & classes[k] & -classes[k])) continue; /* the lowest bit of row k is its pivot */
             classes[i] ^= classes[k];
             products[i] ^= products[k];
         }
@@ -122,7 +123,7 @@ static bool root_by_classes(ttc_ring *ring, size_t level, bool *found, ttc_ratio
 
 static bool field_root(ttc_ring *ring, size_t level, ttc_ratio *root, const ttc_ratio *a);
 
-/* root = x + q/(2x) r where x^2 = (p + sign n)/2 is a square below. */
+/* root = x + q/(2x) r if x^2 = (p + sign n)/2 is a square in the field of the generators before r. */
 static bool mixed_root(ttc_ring *ring, size_t level, ttc_ratio *root, const ttc_ratio *p, const ttc_ratio *q,
                        const ttc_ratio *n, int sign)
 {
@@ -150,9 +151,9 @@ static bool mixed_root(ttc_ring *ring, size_t level, ttc_ratio *root, const ttc_
     return found;
 }
 
-/** A square root of a in the field of the first `level` generators, of either sign; false when a is no square there.
- *  With r^2 = d the last generator, p + q r = (x + y r)^2 means p^2 - q^2 d = n^2 and x^2 = (p + n)/2 or (p - n)/2; for
- *  q = 0, p or p/d is a square below. root may be a. */
+/** A square root of a, of either sign, in the field of the first `level` generators. Returns false if a is no square there.
+ *  With r^2 = d for the last generator, p + q r = (x + y r)^2 means p^2 - q^2 d = n^2 and x^2 = (p + n)/2 or (p - n)/2; for
+ *  q = 0, p or p/d is a square in the field of the generators before it. root may be a. */
 static bool field_root(ttc_ring *ring, size_t level, ttc_ratio *root, const ttc_ratio *a)
 {
     if (ring->status != TTC_RING_OK) return false;
@@ -187,7 +188,7 @@ static bool field_root(ttc_ring *ring, size_t level, ttc_ratio *root, const ttc_
     return found;
 }
 
-/* The sign of a, where it or its product with some of the positive generators is evident; else 0. */
+/* The sign of a, if it is evident for a or for its product with some positive generators; otherwise 0. */
 static int evident_sign(ttc_ring *ring, const ttc_ratio *a)
 {
     int sign = 0;
@@ -210,7 +211,8 @@ static int evident_sign(ttc_ring *ring, const ttc_ratio *a)
     return sign;
 }
 
-/* A root that the field has already: the positive one, or the one that the choices say. */
+/* A root that is an element of the field: the positive one, or, if signs are not evident, the one that ring->choices selects.
+ * Returns false if the radicand is no square. */
 static bool known_root(ttc_ring *ring, ttc_ratio *out, const ttc_ratio *radicand, bool positive)
 {
     ttc_ratio root;
@@ -227,14 +229,14 @@ static bool known_root(ttc_ring *ring, ttc_ratio *out, const ttc_ratio *radicand
     return found;
 }
 
-/* What is evidently negative, or the opposite of a square, has no real root. */
+/* Fail for a radicand that is zero, evidently negative, or the opposite of a square. */
 static void check_radicand(ttc_ring *ring, const ttc_ratio *radicand)
 {
     ttc_ratio negative, root;
     ttc_ratio_init(ring, &negative);
     ttc_ratio_init(ring, &root);
     ttc_ratio_scale(ring, &negative, radicand, ring->minus_one);
-    /* A quotient whose square it is says nothing where its denominator vanishes. */
+    /* The root of the opposite must not be a quotient, which says nothing where its denominator vanishes. */
     if (ttc_ratio_is_zero(ring, radicand)) ttc_ring_fail(ring, TTC_RING_ROOT_OF_ZERO);
     else if (ttc_ratio_sign(ring, radicand) < 0
              || (field_root(ring, ring->generator_count, &root, &negative)

@@ -1,4 +1,4 @@
-/* Searches for a real point that meets conditions by trying small rational numbers. */
+/* Search for a real point that meets conditions: small rational numbers first, then the solver. */
 #include "algebra/search.h"
 
 #include "algebra/solver.h"
@@ -13,7 +13,7 @@ static uint64_t mix(uint64_t x)
     return x ^ (x >> 31);
 }
 
-/* A positive number: simple ones first, wide ones later. */
+/* A positive rational number: simple ones in early attempts, any in later ones. */
 static void magnitude(fmpq_t out, unsigned attempt, uint64_t random)
 {
     static const unsigned char top[] = { 1, 2, 1, 3, 1, 3, 2, 5, 1, 7, 4, 11, 1, 10, 1, 100 };
@@ -107,7 +107,7 @@ ttc_search_result ttc_search_point(ttc_witness *point, const ttc_conditions *con
     if (conditions->contradictory) return TTC_POINT_IMPOSSIBLE;
     if (conditions->failed) return TTC_POINT_NOT_DECIDED;
     if (try_numbers(point, conditions, 0, EARLY_ATTEMPTS)) return TTC_POINT_FOUND;
-    choose(point, 0); /* what the conditions do not speak of keeps a plain value */
+    choose(point, 0); /* simple values for variables that no condition uses, which the solver leaves as they are */
     ttc_solver_answer answer = ttc_solver_ask(point, conditions);
     if (answer == TTC_SOLVER_NO_POINT) return TTC_POINT_EXCLUDED;
     if (answer == TTC_SOLVER_POINT && meets_all(point, conditions)) return TTC_POINT_FOUND;

@@ -4,7 +4,7 @@
 #include <string.h>
 #include <z3.h>
 
-/* Beyond these a question is not put: nonlinear arithmetic is doubly exponential. */
+/* Larger questions are not asked, as the cost of nonlinear arithmetic is doubly exponential. */
 enum { TERM_LIMIT = 4000, DEGREE_LIMIT = 40, VARIABLE_LIMIT = 40 };
 #define WORK_LIMIT 4000000u /* in the solver's units, some ten seconds at most */
 
@@ -97,7 +97,7 @@ static void state_sign(question *q, const ttc_generator *generator)
     fmpz_mpoly_clear(variable, q->point->ring->context);
 }
 
-/* g^2 = square, g > 0 for a root; only of generators in use, until no more come into use. */
+/* State g^2 = square, and g > 0 for a positive root, for all generators that are used; stating one may use others. */
 static void state_generators(question *q, const ttc_conditions *conditions)
 {
     const ttc_ring *ring = q->point->ring;
@@ -151,7 +151,7 @@ static void state_pi(question *q, Z3_ast pi)
     Z3_solver_assert(q->z3, q->solver, Z3_mk_lt(q->z3, pi, Z3_mk_numeral(q->z3, "355/113", q->real)));
 }
 
-/* What the conditions and the generators use has the signs and numbered ends of its record. */
+/* State the bounds of all variables that are used: signs of parameters and functions, and ends of intervals if they give a sign. */
 static void state_signs(question *q)
 {
     const ttc_ring *ring = q->point->ring;
@@ -245,8 +245,7 @@ static ttc_solver_answer ask(question *q, const ttc_conditions *conditions)
 
 static void release(void *solver) { Z3_del_context(solver); }
 
-/* One for all questions about a ring, and for no other: what it answers hangs on nothing but these. It stays with the ring, since
- * to make one takes longer than most answers. */
+/* One context for each ring: answers depend on questions about this ring alone. Creating one takes longer than most answers. */
 static Z3_context context_of(ttc_ring *ring)
 {
     if (ring->solver == NULL) {
@@ -271,7 +270,7 @@ ttc_solver_answer ttc_solver_ask(ttc_witness *point, const ttc_conditions *condi
     Z3_params params = Z3_mk_params(q.z3);
     Z3_params_inc_ref(q.z3, params);
     Z3_params_set_uint(q.z3, params, Z3_mk_string_symbol(q.z3, "rlimit"), WORK_LIMIT);
-    /* Else it takes SIGINT for its own while it works, and nobody hears of it. */
+    /* Otherwise Z3 catches SIGINT while it works, and the program does not receive it. */
     Z3_params_set_bool(q.z3, params, Z3_mk_string_symbol(q.z3, "ctrl_c"), false);
     Z3_solver_set_params(q.z3, q.solver, params);
     ttc_solver_answer answer = ask(&q, conditions);

@@ -1,12 +1,12 @@
-/* What is known of the functions of an angle or exponent, which follows from others modulo constants. */
+/* Classification of the functions of an angle or exponent by its linear relation to others modulo constants. */
 #include "algebra/angle.h"
 #include "algebra/independence.h"
 
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 
-/* slopes, shape (variable_count,): a power of the parameter of its own for each variable that is no number, so that a
- * derivative along them is zero only where all partial derivatives are. */
+/* slopes, shape (variable_count,): a different power of the parameter for each free variable, and 0 for the others, so that a
+ * derivative along them is zero only if all partial derivatives by free variables are. */
 static void set_slopes(ttc_ring *ring, ttc_ratio *slopes, slong parameter)
 {
     for (slong v = 0; v < (slong)ring->variable_count; v++) {

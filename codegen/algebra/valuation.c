@@ -19,6 +19,8 @@ slong ttc_valuation_variable(const ttc_valuation *v, uint32_t symbol) { return v
 
 bool ttc_valuation_has_value(const ttc_valuation *v, uint32_t symbol) { return v->known[symbol] == TTC_VALUE_KNOWN; }
 
+bool ttc_valuation_has_met(const ttc_valuation *v, ttc_id id) { return id < v->memo_size && v->seen[id]; }
+
 bool ttc_valuation_is_bound(const ttc_valuation *v, uint32_t symbol)
 {
     return v->bound[symbol] != TTC_NONE || v->square[symbol] != TTC_NONE;
@@ -29,6 +31,12 @@ size_t ttc_valuation_symbol(const ttc_valuation *v, slong variable)
     for (size_t i = 0; i < v->symbol_count; i++)
         if (v->variable[i] == variable) return i;
     return SIZE_MAX;
+}
+
+ttc_valuation *ttc_valuation_plain(ttc_valuation *v)
+{
+    while (v->base != NULL) v = v->base;
+    return v;
 }
 
 static void defined_value(ttc_valuation *v, ttc_ratio *out, uint32_t symbol)
@@ -52,7 +60,7 @@ static void defined_value(ttc_valuation *v, ttc_ratio *out, uint32_t symbol)
     } else if (v->variable[symbol] >= 0) {
         ttc_ratio_set_variable(v->ring, out, v->variable[symbol]);
     } else {
-        ttc_ring_fail(v->ring, TTC_RING_CIRCULAR);
+        ttc_ring_fail(v->ring, TTC_RING_ANGLE_ALONE);
     }
 }
 
@@ -120,8 +128,7 @@ static bool reserve_memo(ttc_valuation *v)
     return true;
 }
 
-/* Long sums in halves, as what two ratios have in common is looked for at every addition, and takes longer the more terms they
- * have. */
+/* out += the parts of a sum from `first` to `end`. Long sums are added in halves, as gcds cost more for ratios of many terms. */
 static void add_parts(ttc_valuation *v, ttc_ratio *out, ttc_id id, size_t first, size_t end)
 {
     ttc_ratio value;
@@ -168,7 +175,7 @@ void ttc_evaluate(ttc_valuation *v, ttc_ratio *out, ttc_id id)
         else ttc_ratio_set_rational(v->ring, &value, ttc_coefficient(graph, id));
         if (kind == TTC_SUM) add_parts(v, &value, id, 0, ttc_part_count(graph, id));
         else if (kind != TTC_SYMBOL) multiply_parts(v, &value, id);
-        /* What has failed leaves nothing behind: others may be evaluated without it. */
+        /* A failed value is not stored, since callers may reset the status and go on with other expressions. */
         if (v->ring->status != TTC_RING_OK) {
             ttc_ratio_clear(v->ring, &value);
             return;

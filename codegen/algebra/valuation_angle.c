@@ -1,5 +1,5 @@
-/* Angles of a valuation: a basis of those that are linearly independent over the rationals, and the others as sums of whole
- * multiples of it. Where the table uses pi, the quarter turn is one more angle, whose cosine is 0 and sine 1. */
+/* Angles of a valuation: a basis that is linearly independent over the rationals, and the others as integer combinations of it. If
+ * the table uses pi, the quarter turn pi/2 is one more angle of the basis, with cosine 0 and sine 1. */
 #include "algebra/angle.h"
 #include "algebra/valuation_state.h"
 
@@ -31,7 +31,7 @@ static void set_quarter_turn(ttc_valuation *v, ttc_ratio *out)
     fmpq_clear(half);
 }
 
-/* How an angle follows from the basis, and from the quarter turn: the last multiple. */
+/* The relation of an angle to the basis and, by the last multiple, the quarter turn. multiples: shape (basis_count + 1,). */
 static ttc_angle_relation relate(ttc_valuation *v, long *multiples, const ttc_ratio *angle)
 {
     ttc_angle_relation relation = TTC_ANGLE_FREE;
@@ -54,7 +54,7 @@ static ttc_angle_relation relate(ttc_valuation *v, long *multiples, const ttc_ra
     return relation;
 }
 
-/* The cosine joins the basis; what is known of it is known of the sine. */
+/* Add a cosine to the basis, and classify it; its sine is a generator over it. */
 static void join(ttc_valuation *v, uint32_t cosine, const ttc_ratio *angle)
 {
     v->ring->trust[v->variable[cosine]] = (unsigned char)ttc_valuation_trust(v, angle, v->basis, v->basis_count);
@@ -63,8 +63,8 @@ static void join(ttc_valuation *v, uint32_t cosine, const ttc_ratio *angle)
 
 static bool is_angle(ttc_symbol_kind kind) { return kind == TTC_COSINE || kind == TTC_SINE; }
 
-/* The table's angles, without those of cosines and sines of others, which join the basis when they are met. Their number
- * is bounded because that of comparisons is its cube. */
+/* The table's angles that contain no cosines and sines themselves; the others join the basis when they are evaluated. Their number
+ * is bounded, since the cost of comparing them is cubic. */
 static size_t plain_angles(ttc_valuation *v, uint32_t *cosines)
 {
     const ttc_model *model = v->model;
@@ -84,10 +84,10 @@ static size_t plain_angles(ttc_valuation *v, uint32_t *cosines)
     return count;
 }
 
-/* As ttc_angle_choose, beside the quarter turn where there is one, which is tried after the fixed angles. */
+/* ttc_angle_choose with the quarter turn, if the table uses pi, as one more fixed angle, which is not among those returned. */
 static size_t choose(ttc_valuation *v, size_t *chosen, const ttc_ratio *angles, size_t count, size_t fixed)
 {
-    ttc_ratio all[TTC_ANGLE_LIMIT], turn; /* the others are borrowed */
+    ttc_ratio all[TTC_ANGLE_LIMIT], turn; /* entries of `all` are shallow copies */
     size_t found = 0;
     if (!has_pi(v)) return ttc_angle_choose(v->ring, chosen, angles, count, fixed);
     ttc_ratio_init(v->ring, &turn);
@@ -113,7 +113,7 @@ static void find_basis(ttc_valuation *v)
         ttc_ratio_init(v->ring, angles + i);
         ttc_evaluate(v, angles + i, v->model->symbols[cosines[i]].definition);
     }
-    /* An angle that is in the basis by now is part of what a state is bound to; it has its variable, and keeps it. */
+    /* Angles in the basis at this point were used by the expression of a bound state; they are fixed, and keep their variables. */
     for (size_t i = 0; i < count; i++) {
         if (!in_basis(v, cosines[i])) continue;
         const uint32_t cosine = cosines[fixed];
@@ -133,7 +133,7 @@ static void find_basis(ttc_valuation *v)
     free(cosines);
 }
 
-/* cos or sin of a sum of multiples of the basis */
+/* cos or sin of the sum of these multiples of the basis and, the last one, of the quarter turn */
 static void sum_of_angles(ttc_valuation *v, ttc_ratio *out, const long *multiples, size_t count, bool is_sine)
 {
     ttc_ratio cosine, sine, c, s;
@@ -157,7 +157,7 @@ static void sum_of_angles(ttc_valuation *v, ttc_ratio *out, const long *multiple
     ttc_ratio_clear(v->ring, &cosine);
 }
 
-/* cos or sin of any angle in a plain valuation; cosine: the symbol that may join the basis with it, or NO_SYMBOL. */
+/* cos or sin of an angle in a plain valuation. cosine: the one that joins the basis if the angle is independent, or NO_SYMBOL. */
 static void value_at_angle(ttc_valuation *v, ttc_ratio *out, const ttc_ratio *angle, bool is_sine, uint32_t cosine)
 {
     if (!v->has_basis) find_basis(v);
@@ -182,8 +182,8 @@ void ttc_valuation_angle(ttc_valuation *v, ttc_ratio *out, const ttc_ratio *angl
     value_at_angle(v, out, angle, is_sine, NO_SYMBOL);
 }
 
-/* A sine of a cosine that a zero level has bound may be that of another angle, or its opposite. Those of angles that are not bound
- * come first: they are told by their angles, and have no sign to choose. */
+/* Before the sine of a bound cosine, evaluate those of unbound ones. 1 - cos^2 may be the same for both: the first sine becomes a
+ * generator, the other is plus or minus it by a choice. An unbound one must be first, as its angle gives its sign. */
 static void meet_free_sines(ttc_valuation *v, uint32_t cosine)
 {
     ttc_ratio sine;
@@ -194,7 +194,7 @@ static void meet_free_sines(ttc_valuation *v, uint32_t cosine)
     ttc_ratio_clear(v->ring, &sine);
 }
 
-/* Of an angle in the basis the cosine is a free variable, and the sine a square root of 1 - cos^2. */
+/* The cosine of an angle in the basis is a free variable, and its sine a square root of 1 - cos^2. */
 void ttc_valuation_angle_value(ttc_valuation *v, ttc_ratio *out, uint32_t symbol)
 {
     const ttc_symbol_entry *entry = &v->model->symbols[symbol];
@@ -205,14 +205,14 @@ void ttc_valuation_angle_value(ttc_valuation *v, ttc_ratio *out, uint32_t symbol
     ttc_ratio_init(v->ring, &one);
     ttc_evaluate(v, &angle, entry->definition);
     if (v->base != NULL) {
-        ttc_valuation_angle(v->base, out, &angle, is_sine);
+        ttc_valuation_angle(ttc_valuation_plain(v), out, &angle, is_sine);
         goto done;
     }
     if (!v->has_basis) find_basis(v);
     if (!in_basis(v, cosine)) value_at_angle(v, out, &angle, is_sine, cosine);
     if (!in_basis(v, cosine)) goto done;
     if (is_sine) {
-        ttc_valuation_value(v, out, cosine); /* which a zero level may have bound */
+        ttc_valuation_value(v, out, cosine); /* not always its variable: a zero level may have bound it */
         meet_free_sines(v, cosine);
         ttc_ratio_multiply(v->ring, out, out, out);
         ttc_ratio_set_integer(v->ring, &one, 1);

@@ -1,4 +1,4 @@
-/* Making a valuation: its ring with a name for each variable, and by which functions values follow from definitions. */
+/* Creation of a valuation: its ring, with a name for each variable, and the table of functions that compute values of symbols. */
 #include "algebra/valuation_state.h"
 
 #include <stdlib.h>
@@ -56,7 +56,7 @@ static bool is_positive(const ttc_model *model, const ttc_symbol_entry *entry)
     }
 }
 
-/* Variables in the order of symbols, spare symbols and spare roots last. */
+/* Give each symbol but lets a variable, in the order of symbols. Adds their number to *used. */
 static void name_variables(ttc_valuation *v, size_t *used)
 {
     for (size_t i = 0; i < v->model->symbol_count; i++) {

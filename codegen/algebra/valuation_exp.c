@@ -1,6 +1,5 @@
-/* Exponentials of a valuation: a basis of those whose exponents are linearly independent over the rationals, together with the
- * logarithms, and the others as products of whole powers of it: exp(e_1)^2 for exp(2 e_1), an argument for the exponential of
- * its logarithm. */
+/* Exponentials of a valuation: a basis whose exponents are, together with the logarithms, linearly independent over the rationals;
+ * the others are products of integer powers of it: exp(2 e_1) is exp(e_1)^2, and the exponential of a logarithm is its argument. */
 #include "algebra/angle.h"
 #include "algebra/valuation_state.h"
 
@@ -15,7 +14,7 @@ static bool in_list(const uint32_t *list, size_t count, uint32_t symbol)
     return false;
 }
 
-/* What a symbol of the basis is compared by: the exponent of an exponential, or the angle, and a logarithm itself. */
+/* The ratio that represents a symbol in linear relations: the definition of an exponential or cosine, a logarithm itself. */
 static void column(ttc_valuation *v, ttc_ratio *out, uint32_t symbol)
 {
     const ttc_symbol_entry *entry = &v->model->symbols[symbol];
@@ -23,7 +22,7 @@ static void column(ttc_valuation *v, ttc_ratio *out, uint32_t symbol)
     else ttc_evaluate(v, out, entry->definition);
 }
 
-/* shape (count,), for free_columns; NULL, and the ring failed, when memory is out. */
+/* Array of column() of each symbol, shape (count,), to be freed by free_columns; NULL, with the ring failed, when memory is out. */
 static ttc_ratio *columns_of(ttc_valuation *v, const uint32_t *symbols, size_t count)
 {
     ttc_ratio *columns = malloc((count + 1) * sizeof *columns);
@@ -56,7 +55,7 @@ ttc_trust ttc_valuation_trust(ttc_valuation *v, const ttc_ratio *angle, const ui
     return trust;
 }
 
-/* Logarithms first, exponentials after them; for the caller to free. */
+/* All logarithms and then all exponentials of the bases; for the caller to free. NULL, with the ring failed, when memory is out. */
 static uint32_t *whole_basis(ttc_valuation *v, size_t *count)
 {
     uint32_t *symbols = calloc(v->logarithm_count + v->exponential_count + 1, sizeof *symbols);
@@ -77,7 +76,7 @@ static void join(ttc_valuation *v, uint32_t symbol, const ttc_ratio *exponent)
     free(symbols);
 }
 
-/* The table's exponentials, without those of other exponentials and of logarithms, which join the basis when they are met. */
+/* The table's exponentials whose exponents contain no exponentials and logarithms; others join the basis when evaluated. */
 static size_t plain_exponentials(ttc_valuation *v, uint32_t *symbols)
 {
     const ttc_model *model = v->model;
@@ -97,8 +96,8 @@ static size_t plain_exponentials(ttc_valuation *v, uint32_t *symbols)
     return count;
 }
 
-/* The plain ones are taken together, so that one of exp(a), exp(2 a) is found that the others are powers of. What is in the
- * basis by now is part of what a state is bound to, and stays. An exponent that is zero makes the number 1. */
+/* Choose the basis among all plain exponentials at once, so that of exp(a) and exp(2 a) it gets the one of which the other is a
+ * power. Exponentials in it at this point were used by the expression of a bound state, and stay. exp(0) = 1 is left out. */
 static void find_exponentials(ttc_valuation *v)
 {
     const size_t most = v->model->symbol_count;
@@ -132,7 +131,7 @@ static void find_exponentials(ttc_valuation *v)
     free(plain);
 }
 
-/* The product of powers of the basis, arguments standing for the exponentials of logarithms. */
+/* The product of these powers of the basis; the exponential of a logarithm is its argument. */
 static void product(ttc_valuation *v, ttc_ratio *out, const uint32_t *symbols, const long *multiples, size_t count)
 {
     ttc_ratio factor;
@@ -142,14 +141,14 @@ static void product(ttc_valuation *v, ttc_ratio *out, const uint32_t *symbols, c
         if (multiples[i] == 0) continue;
         const ttc_symbol_entry *entry = &v->model->symbols[symbols[i]];
         if (entry->kind == TTC_LOG) ttc_evaluate(v, &factor, entry->definition);
-        else ttc_valuation_value(v, &factor, symbols[i]); /* one that has a value has a rate */
+        else ttc_valuation_value(v, &factor, symbols[i]); /* evaluated, so that ttc_valuation_add_function_rates sees it */
         ttc_ratio_power(v->ring, &factor, &factor, multiples[i]);
         ttc_ratio_multiply(v->ring, out, out, &factor);
     }
     ttc_ratio_clear(v->ring, &factor);
 }
 
-/* In a plain valuation; symbol: the one that may join the basis, or NO_SYMBOL. */
+/* The exponential in a plain valuation. symbol: the one that joins the basis if the exponent is independent of it, or NO_SYMBOL. */
 static void value_at_exponent(ttc_valuation *v, ttc_ratio *out, const ttc_ratio *exponent, uint32_t symbol)
 {
     size_t count;
@@ -189,7 +188,7 @@ void ttc_valuation_exp_value(ttc_valuation *v, ttc_ratio *out, uint32_t symbol)
     ttc_ratio exponent;
     ttc_ratio_init(v->ring, &exponent);
     ttc_evaluate(v, &exponent, v->model->symbols[symbol].definition);
-    if (v->base != NULL) ttc_valuation_exp(v->base, out, &exponent);
+    if (v->base != NULL) ttc_valuation_exp(ttc_valuation_plain(v), out, &exponent);
     else value_at_exponent(v, out, &exponent, symbol);
     if (v->base == NULL && in_list(v->exponentials, v->exponential_count, symbol))
         ttc_ratio_set_variable(v->ring, out, v->variable[symbol]);
@@ -209,5 +208,5 @@ void ttc_valuation_pi(ttc_valuation *v, ttc_ratio *out)
 void ttc_valuation_pi_value(ttc_valuation *v, ttc_ratio *out, uint32_t symbol)
 {
     (void)symbol;
-    ttc_valuation_pi(v->base != NULL ? v->base : v, out);
+    ttc_valuation_pi(ttc_valuation_plain(v), out);
 }

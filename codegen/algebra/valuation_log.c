@@ -1,9 +1,9 @@
-/* Logarithms of a valuation: a basis of those whose arguments are multiplicatively independent, together with the exponentials,
- * and the others as sums of rational multiples of it: 2 log(x) for log(x^2), an exponent for the logarithm of its exponential.
+/* Logarithms of a valuation: a basis whose arguments are, together with the exponentials, multiplicatively independent; the others
+ * are rational combinations of it: log(x^2) is 2 log(x), and the logarithm of an exponential is its exponent.
  *
- * Arguments are compared as products, by the exponents of elements without common factors. One that holds roots is compared by
- * its square, or the square of that, where this holds none; any other is known again only as what it is, as its inverse, or as a
- * square or root of these, and nothing is known of what its logarithm depends on. */
+ * Arguments are compared as products of powers over a coprime base. An argument with roots is replaced by its square, or the square
+ * of that, if this has no roots. Otherwise it is compared only with each argument of the basis: for being equal to it, its inverse,
+ * or their squares, fourth powers, square or fourth roots; and of its logarithm's independence nothing is known. */
 #include "algebra/coprime.h"
 #include "algebra/valuation_state.h"
 
@@ -12,23 +12,24 @@
 
 #define NO_SYMBOL UINT32_MAX
 
-/* A symbol whose value and logarithm are known: an exponential, or a logarithm with its argument. */
+/* An argument whose logarithm is known: an exponential, or the argument of a logarithm of the basis. */
 typedef struct {
-    uint32_t symbol;
-    ttc_ratio product; /* what is compared: the argument, or a power of it that holds no roots */
-    ulong power;       /* of the argument: 1, 2, 4 ... */
+    uint32_t symbol;   /* the exponential or the logarithm */
+    ttc_ratio product; /* the argument, or a power of it that contains no roots */
+    ulong power;       /* that power: 1, 2, 4 ... */
 } comparand;
 
+/* An argument compared with those of the basis. */
 typedef struct {
     ttc_valuation *v;
-    comparand *items; /* those of the basis, the argument in hand after them */
-    size_t count;     /* of the basis */
+    comparand *items; /* those of the basis, and after them the argument */
+    size_t count;     /* number of those of the basis */
     ttc_coprime *base;
-    fmpq_mat_t exponents; /* one row an element, one column an item */
-    fmpq *weights;        /* by item of the basis: the argument is the product of these powers */
+    fmpq_mat_t exponents; /* one row for each element of the coprime base, one column for each item */
+    fmpq *weights;        /* by item of the basis: the argument is the product of the items to these powers */
 } comparison;
 
-/* The number of generators that a ratio uses, or that come before one that it uses. */
+/* One more than the index of the last generator that a ratio uses; 0 if it uses none. */
 static size_t generators_of(const ttc_ring *ring, const ttc_ratio *a)
 {
     size_t count = ring->generator_count;
@@ -36,7 +37,7 @@ static size_t generators_of(const ttc_ring *ring, const ttc_ratio *a)
     return count;
 }
 
-/* False when no power of the argument that squaring leads to is free of roots. */
+/* Square the argument until it contains no roots. Returns false if squaring does not remove its last generator. */
 static bool set_product(ttc_ring *ring, comparand *c, const ttc_ratio *argument)
 {
     ttc_ratio_set(ring, &c->product, argument);
@@ -65,7 +66,8 @@ static bool is_used(const comparison *c, slong variable)
     return false;
 }
 
-/* The argument last; logarithms of the basis before it, and the exponentials that stand in their arguments. */
+/* Collect the items: the logarithms of the basis, exponentials that their arguments or this one use, and the argument last. Returns
+ * false if the argument contains roots that squaring does not remove. */
 static bool collect(comparison *c, const ttc_ratio *argument)
 {
     ttc_valuation *v = c->v;
@@ -119,8 +121,8 @@ static void close_comparison(comparison *c)
     free(c->items);
 }
 
-/* The argument as a product of powers of the items taken, up to the rows left out; their columns are independent. Weights of
- * items that are not taken are zero. */
+/* Compute the weights with which the argument is a product of powers of the items that are `taken`, whose columns are independent.
+ * Other items get weight 0, and rows that are `left_out`, if given, are ignored. Returns false if there are no such weights. */
 static bool weigh(comparison *c, const bool *taken, const bool *left_out)
 {
     slong columns = 0, rows = 0;
@@ -155,7 +157,7 @@ static bool is_negative(const ttc_ring *ring, const ttc_ratio *a)
     return negative;
 }
 
-/* The power of the product of item i that is in the product of the argument. */
+/* The exponent of item i's `product` in the `product` of the argument. */
 static void set_power(fmpq_t power, const comparison *c, size_t i)
 {
     fmpz_t factor;
@@ -166,7 +168,8 @@ static void set_power(fmpq_t power, const comparison *c, size_t i)
     fmpz_clear(factor);
 }
 
-/* With a^n = +- product of g_i^(n w_i) all of which are positive, the sign is +. */
+/* Exponents determine products up to sign: a^n = +- product of g_i^(n w_i). Returns true if the sign is +, as it is for a logarithm
+ * to exist, since a and all g_i are positive. */
 static bool signs_agree(comparison *c)
 {
     bool odd;
@@ -207,7 +210,7 @@ static void sum(comparison *c, ttc_ratio *out)
     ttc_ratio_clear(v->ring, &term);
 }
 
-/* Whether what is left of the argument, a number, is a rational one. */
+/* Returns true if the argument divided by the product of items is a product of powers of integers alone. */
 static bool rest_is_rational(comparison *c)
 {
     bool rational = true;
@@ -224,7 +227,7 @@ static bool rest_is_rational(comparison *c)
     return rational;
 }
 
-/* Whether the argument and the items taken are made of what is known to be independent. */
+/* Returns true if the variables of the argument and of the items taken are known to be independent. */
 static bool is_settled(const comparison *c, const bool *taken)
 {
     size_t count = 0;
@@ -237,7 +240,8 @@ static bool is_settled(const comparison *c, const bool *taken)
     return settled;
 }
 
-/* An argument that no product equals exactly may still equal one but for a number. */
+/* Classify the logarithm of an argument that is no product of powers of items: it may be one times a number. constant: by element
+ * of the coprime base, whether it is a number. */
 static ttc_trust trust_of(comparison *c, const bool *taken, const bool *constant)
 {
     if (!is_settled(c, taken)) return TTC_TRUST_NONE;
@@ -259,7 +263,7 @@ static void join(comparison *c, uint32_t symbol, bool *taken)
     v->logarithms[v->logarithm_count++] = symbol;
 }
 
-/* out = argument^power[0] - other^power[1] is zero. */
+/* Returns true if argument^power[0] = other^power[1]; out is their difference. */
 static bool is_power(ttc_ring *ring, ttc_ratio *out, const ttc_ratio *argument, const ttc_ratio *other, const long power[2])
 {
     ttc_ratio right;
@@ -271,7 +275,8 @@ static bool is_power(ttc_ring *ring, ttc_ratio *out, const ttc_ratio *argument, 
     return ring->status == TTC_RING_OK && fmpz_mpoly_is_zero(out->numerator, ring->context);
 }
 
-/* An argument with roots: the same as that of a logarithm of the basis, its inverse, a square or root of these, or a new one. */
+/* The logarithm of an argument with roots that squaring does not remove: a multiple of one of the basis if a power of the argument
+ * is a power of the other's; otherwise it joins the basis. */
 static void opaque_value(ttc_valuation *v, ttc_ratio *out, const ttc_ratio *argument, uint32_t symbol)
 {
     static const long powers[][2] = { { 1, 1 }, { 1, -1 }, { 1, 2 }, { 1, -2 }, { 2, 1 }, { 2, -1 }, { 1, 4 }, { 1, -4 }, { 4, 1 },
@@ -303,7 +308,7 @@ static void opaque_value(ttc_valuation *v, ttc_ratio *out, const ttc_ratio *argu
     v->logarithms[v->logarithm_count++] = symbol;
 }
 
-/* True when another attempt is worth while. */
+/* The logarithm of an argument without roots. Returns true if the caller should try again, as the basis has grown. */
 static bool value_of_product(comparison *c, ttc_ratio *out, uint32_t symbol)
 {
     bool again = false;
@@ -326,7 +331,7 @@ static bool value_of_product(comparison *c, ttc_ratio *out, uint32_t symbol)
     return again;
 }
 
-/* In a plain valuation; symbol: the one that may join the basis, or NO_SYMBOL. */
+/* The logarithm in a plain valuation. symbol: the one that joins the basis if the argument is independent of it, or NO_SYMBOL. */
 static void value_at_argument(ttc_valuation *v, ttc_ratio *out, const ttc_ratio *argument, uint32_t symbol)
 {
     if (v->ring->status != TTC_RING_OK) return;
@@ -353,7 +358,7 @@ void ttc_valuation_log_value(ttc_valuation *v, ttc_ratio *out, uint32_t symbol)
     ttc_ratio_init(v->ring, &argument);
     ttc_evaluate(v, &argument, v->model->symbols[symbol].definition);
     before = v->logarithm_count;
-    if (v->base != NULL) ttc_valuation_log(v->base, out, &argument);
+    if (v->base != NULL) ttc_valuation_log(ttc_valuation_plain(v), out, &argument);
     else value_at_argument(v, out, &argument, symbol);
     if (v->logarithm_count > before) ttc_ratio_set_variable(v->ring, out, v->variable[symbol]);
     ttc_ratio_clear(v->ring, &argument);

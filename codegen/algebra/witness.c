@@ -10,7 +10,7 @@ struct ttc_witness_balls {
     size_t count;
     arb_ptr ball;
     fmpq *exact;
-    unsigned char *state; /* by variable, see below */
+    unsigned char *state; /* by variable: UNKNOWN, BUSY, ENCLOSED or EXACT */
 };
 
 enum { UNKNOWN, BUSY, ENCLOSED, EXACT };
@@ -71,13 +71,13 @@ static size_t generator_index(const ttc_witness *point, slong variable)
     return i;
 }
 
-/* A cosine that a zero level has bound is given, and its angle follows from it. */
+/* Returns true if a zero level has bound the cosine: the angle then follows from the cosine. */
 static bool is_bound_angle(const ttc_witness *point, uint32_t cosine)
 {
     return ttc_valuation_is_bound(point->valuation, cosine);
 }
 
-/* The variable is a function of what is given: of an angle, an exponent, an argument; or pi. */
+/* Returns true if the variable is a function whose value follows from its argument, or pi. */
 static bool is_function(const ttc_witness *point, slong variable)
 {
     const ttc_model *model = ttc_valuation_model(point->valuation);
@@ -93,7 +93,7 @@ static bool is_function(const ttc_witness *point, slong variable)
     }
 }
 
-/* The cosine, bound by a zero level, of which the variable is the angle; 0 when there is none. */
+/* The bound cosine whose angle is this variable; 0 if there is none. */
 static uint32_t angle_of(const ttc_witness *point, slong variable)
 {
     const ttc_model *model = ttc_valuation_model(point->valuation);
@@ -105,7 +105,7 @@ static uint32_t angle_of(const ttc_witness *point, slong variable)
     return 0;
 }
 
-/* Bound cosines whose angle is no plain state: nothing can be said of a point then. */
+/* Returns true if a bound cosine has an angle that is not an unbound state. Nothing can be decided at a point then. */
 static bool has_obscure_angle(const ttc_witness *point)
 {
     const ttc_model *model = ttc_valuation_model(point->valuation);
@@ -152,7 +152,7 @@ static void enclose_polynomial(arb_t out, ttc_witness *point, const fmpz_mpoly_t
     arb_clear(term);
 }
 
-/* False: some variable is irrational. */
+/* Returns false if some variable is not known to be rational, or powers are too large. */
 static bool exact_polynomial(fmpq_t out, ttc_witness *point, const fmpz_mpoly_t polynomial)
 {
     const fmpz_mpoly_ctx_struct *context = point->ring->context;
@@ -253,7 +253,7 @@ static void enclose_function(ttc_witness *point, slong variable, ttc_symbol_kind
     balls->state[variable] = ENCLOSED;
 }
 
-/* The angle between -pi and pi of a cosine and sine that are given. */
+/* Enclose the angle between -pi and pi of a bound cosine and its sine. */
 static void enclose_angle(ttc_witness *point, slong variable, uint32_t cosine, slong precision)
 {
     const ttc_model *model = ttc_valuation_model(point->valuation);
@@ -317,7 +317,7 @@ static ttc_truth meets(ttc_witness *point, const ttc_condition *condition)
             point->balls->precision = precision;
         }
         enclose_polynomial(ball, point, condition->polynomial, precision);
-        if (!arb_is_finite(ball)) break; /* a root of what is negative */
+        if (!arb_is_finite(ball)) break; /* a radicand may be negative */
         if (arb_is_positive(ball)) truth = truth_of_sign(1, condition->relation);
         else if (arb_is_negative(ball)) truth = truth_of_sign(-1, condition->relation);
         else if (exact_polynomial(value, point, condition->polynomial))
@@ -328,7 +328,7 @@ static ttc_truth meets(ttc_witness *point, const ttc_condition *condition)
     return truth;
 }
 
-/* Roots must be real, whether or not a condition speaks of them. */
+/* Radicands of all generators must be positive, or not negative, whether or not a condition uses them. */
 static ttc_truth roots_are_real(ttc_witness *point)
 {
     ttc_truth truth = TTC_HOLDS;
@@ -346,8 +346,8 @@ static ttc_truth roots_are_real(ttc_witness *point)
     return truth;
 }
 
-/* Conditions leave out the signs that intervals give to states, as values are chosen within these. An angle is not chosen where its
- * cosine is given. */
+/* Check the sign that its interval gives to a state which is the angle of a bound cosine. Conditions omit such signs, as values of
+ * other states are chosen within their intervals. */
 static ttc_truth angles_have_their_signs(ttc_witness *point, const ttc_conditions *conditions)
 {
     ttc_truth truth = TTC_HOLDS;

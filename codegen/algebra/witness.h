@@ -1,7 +1,6 @@
-/** A real point of a ring, given by rational values of its free variables, and what is true there.
+/** A real point of a ring, given by rational values of its free variables, and rigorous evaluation of conditions at it.
  *
- *  Roots, cosines and sines follow from the free variables. What is said of a point is certain: it is decided exactly, in
- *  rational numbers, where all that enters is rational, and else by balls that exclude zero. */
+ *  Roots and functions follow from the free variables. Signs are decided exactly if all values are rational, else by balls. */
 #ifndef TTC_WITNESS_H
 #define TTC_WITNESS_H
 
@@ -16,36 +15,36 @@
 typedef struct {
     ttc_valuation *valuation; /* borrowed */
     ttc_ring *ring;
-    fmpq *values;      /* by variable; of free variables only */
-    unsigned negative; /* bit i: generator i, which may have either sign, is negative */
+    fmpq *values;      /* by variable; used for free variables only */
+    unsigned negative; /* bit i: generator number i is negative, if it may have either sign */
     struct ttc_witness_balls *balls; /* values of all variables at the precision in use */
 } ttc_witness;
 
 typedef enum { TTC_HOLDS, TTC_FAILS, TTC_UNCLEAR } ttc_truth;
 
-bool ttc_witness_init(ttc_witness *point, ttc_valuation *valuation); /* false: memory is out; clear it all the same */
+bool ttc_witness_init(ttc_witness *point, ttc_valuation *valuation); /* false when memory is out; must be cleared even then */
 void ttc_witness_clear(ttc_witness *point);
 
-/* A variable that the point gives a value: no root, no function of others. */
+/* Returns true if `values` gives the variable's value: it is no generator, no function, and no angle of a bound cosine. */
 bool ttc_witness_is_free(const ttc_witness *point, slong variable);
 
-/* To be called after `values` or `negative` were changed: forgets what was computed from them. */
+/* Discard computed values. Call this after changing `values` or `negative`. */
 void ttc_witness_changed(ttc_witness *point);
 
-/* FAILS if one condition fails, HOLDS if all hold, UNCLEAR otherwise. */
+/* HOLDS if all conditions and the relations of the ring hold, FAILS if one is known to fail, UNCLEAR otherwise. */
 ttc_truth ttc_witness_meets_all(ttc_witness *point, const ttc_conditions *conditions);
 
-/* Whether sines whose sign was chosen have that of their angle. */
+/* HOLDS if each sine whose sign ring->choices selects has, at this point, the sign of the sine of its angle. */
 ttc_truth ttc_witness_sines(ttc_witness *point);
 
-/* Enclose a ratio; not finite where its denominator may be zero. */
+/* Enclose a ratio in a ball of `precision` bits, which is not finite if the denominator may be zero. */
 void ttc_witness_enclose(arb_t out, ttc_witness *point, const ttc_ratio *ratio, slong precision);
 
-/* The value of a variable; false where it is irrational. */
+/* The value of a variable. Returns false if it is not known to be rational. */
 bool ttc_witness_coordinate(fmpq_t out, ttc_witness *point, slong variable);
 
-/** The point as "NAME = VALUE, ..." over parameters, levels and states, for free(): rational numbers as they are, others as
- *  expressions in roots, which follow as "root1 = sqrt(2)". NULL when memory is out. */
+/** The point as "NAME = VALUE, ..." over parameters, levels and states, for free(): rational numbers exactly, others as
+ *  expressions in roots, which follow as "root1 = sqrt(2)", or by their first digits. NULL when memory is out. */
 char *ttc_witness_text(ttc_witness *point);
 
 #endif

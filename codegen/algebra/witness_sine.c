@@ -1,10 +1,9 @@
-/* Sines that are no variables of the ring: plus or minus a root that the table has named before, by a choice that is examined both
- * ways. At a point one of the two is that of the angle. */
+/* Signs of sines that are plus or minus an earlier root, by ring->choices: proofs cover both, at a point only one is right. */
 #include "algebra/witness.h"
 
 enum { PRECISION = 128 };
 
-/* sine: its value as chosen; the angle's definition tells which it is. */
+/* Compare the chosen value `sine`, which is overwritten, with the sine of the angle, the expression `angle`. */
 static ttc_truth compare(ttc_witness *point, ttc_ratio *sine, ttc_id angle)
 {
     ttc_truth truth = TTC_HOLDS;

@@ -1,4 +1,4 @@
-/* A witness in words: rational coordinates as they are, others as expressions in roots. */
+/* The text of a witness: rational coordinates exactly, others as expressions in roots, or by digits. */
 #include "algebra/witness.h"
 
 #include <flint/fmpq_mpoly.h>
@@ -9,10 +9,10 @@ typedef struct {
     ttc_witness *point;
     FILE *stream;
     fmpq_mpoly_ctx_t context;
-    unsigned char *used, *written; /* by variable: a root that stands in what is written; one that is explained */
+    unsigned char *used, *written; /* by variable: a root that the text uses; one that the text has defined */
 } description;
 
-/* The polynomial with the point's rational values put in. */
+/* Substitute the rational values of the point into a polynomial. */
 static void put_in(description *d, fmpq_mpoly_t out, const fmpz_mpoly_t polynomial)
 {
     const fmpz_mpoly_ctx_struct *context = d->point->ring->context;
@@ -49,7 +49,7 @@ static bool is_root(const description *d, slong variable)
     return false;
 }
 
-/* Notes the roots of a polynomial. False: it has other variables whose values are irrational, such as angles. */
+/* Mark the roots of a polynomial as used. Returns false if it has variables that are no roots, such as angles. */
 static bool note_roots(description *d, const fmpq_mpoly_t polynomial)
 {
     bool roots_alone = true;
@@ -99,7 +99,7 @@ static void write_ratio(description *d, const ttc_ratio *ratio)
     fmpq_mpoly_clear(top, d->context);
 }
 
-/* A root may be written with others, which are then to be explained as well. */
+/* Write the definitions of all used roots, and of roots that these use in turn. */
 static void explain_roots(description *d)
 {
     const ttc_ring *ring = d->point->ring;
@@ -118,7 +118,7 @@ static void explain_roots(description *d)
     }
 }
 
-/* A state that a level gives as a square root is explained with the roots. */
+/* Returns true if the symbol's variable is itself an irrational root, bound by a level; it is then defined with the other roots. */
 static bool is_root_itself(description *d, uint32_t symbol)
 {
     slong variable = ttc_valuation_variable(d->point->valuation, symbol);

@@ -16,12 +16,12 @@
 
 enum { FULL_PRECISION = 256, DOUBLE_PRECISION = 53, KEEP_BITS = 100 };
 
-/* In balls of full precision, of twice, four times, eight times that, or in 53-bit balls with roots taken in full or as written. */
+/* In balls of 256, 512, 1024, 2048 bits; in 53-bit balls with radicands in full precision, or as written. */
 typedef enum { FULL, FULLEST = FULL + 3, ROUNDED, PLAIN, MODES } evaluation;
 
 typedef enum { UNKNOWN, GOOD, BAD } knowledge;
 
-/* What is known of every node, by id. */
+/* The balls of all nodes, by id, as far as they are known. */
 typedef struct {
     size_t size;
     arb_ptr balls;
@@ -75,7 +75,7 @@ void ttc_ball_destroy(ttc_ball *ball)
     free(ball);
 }
 
-/* Room for every node there is now; where the graph has grown, all is forgotten. */
+/* Make room for all nodes; if the graph has grown, all is forgotten. */
 static bool room(ttc_ball *ball)
 {
     const size_t size = ttc_graph_size(ball->symbols.model->graph) + 1;
@@ -115,12 +115,17 @@ bool ttc_ball_set(ttc_ball *ball, uint32_t symbol, double value)
 
 bool ttc_ball_set_fraction(ttc_ball *ball, uint32_t symbol, const char *fraction)
 {
-    if (fmpq_set_str(&ball->symbols.values[symbol], fraction, 10) != 0 || fmpz_is_zero(fmpq_denref(&ball->symbols.values[symbol])))
-        return false;
-    fmpq_canonicalise(&ball->symbols.values[symbol]);
-    ball->symbols.known[symbol] = 1;
-    forget_values(ball);
-    return true;
+    fmpq_t value;
+    fmpq_init(value);
+    const bool good = fmpq_set_str(value, fraction, 10) == 0 && !fmpz_is_zero(fmpq_denref(value));
+    if (good) {
+        fmpq_canonicalise(value);
+        fmpq_set(&ball->symbols.values[symbol], value);
+        ball->symbols.known[symbol] = 1;
+        forget_values(ball);
+    }
+    fmpq_clear(value);
+    return good;
 }
 
 static bool evaluate(ttc_ball *ball, evaluation mode, ttc_id id);
@@ -214,7 +219,7 @@ static bool evaluate(ttc_ball *ball, evaluation mode, ttc_id id)
     bool good;
 
     if (m->state[id] != UNKNOWN) return m->state[id] == GOOD;
-    m->state[id] = BAD; /* met again on the way down, it would stand for itself */
+    m->state[id] = BAD; /* for a symbol that is bound to an expression in itself */
     if (kind == TTC_NUMBER) {
         arb_set_fmpq(m->balls + id, ttc_coefficient(ball->symbols.model->graph, id), precision);
         good = true;
@@ -227,7 +232,7 @@ static bool evaluate(ttc_ball *ball, evaluation mode, ttc_id id)
     return good;
 }
 
-/* Full precision, raised until the ball is thin or holds zero at the last one. NULL: there is no finite one. */
+/* Enclose at full precision, raised until the ball is zero or thin, or to the last one. Returns NULL if none is finite. */
 static arb_srcptr evaluate_full(ttc_ball *ball, ttc_id id)
 {
     arb_srcptr value = NULL;
@@ -276,7 +281,7 @@ bool ttc_ball_estimate(ttc_enclosure *out, ttc_ball *ball, ttc_id id)
     return true;
 }
 
-/* FLINT's text as one for free(). */
+/* Copy FLINT's text into one for free(), and release it. */
 static char *owned(char *written)
 {
     char *text = written == NULL ? NULL : strdup(written);

@@ -1,8 +1,8 @@
-/** Expressions of a model enclosed in ball arithmetic, or evaluated exactly, at rational values of its symbols.
+/** Encloses expressions of a model in ball arithmetic, or evaluates them exactly, at rational values of its symbols.
  *
- *  An oracle for everything that computes in doubles: it shares the graph with the kernels and nothing after it. Beside the
- *  enclosure it tells how far plain double arithmetic must be expected to err on the expression as written: the radius that
- *  53-bit balls grow to, which is a running error analysis.
+ *  An oracle for everything that computes in doubles: it shares the expression graph with the kernels, and no later stage. It also
+ *  estimates the error of plain double arithmetic on the expression as written: the radius that 53-bit balls grow to, which is a
+ *  running error analysis.
  *  Source: F. Johansson, Arb: efficient arbitrary-precision midpoint-radius interval arithmetic, IEEE TC 66(8), 2017;
  *  N. J. Higham, Accuracy and Stability of Numerical Algorithms, 3.3. */
 #ifndef TTC_BALL_H
@@ -15,18 +15,18 @@ typedef struct ttc_ball ttc_ball;
 typedef struct {
     double value, rest; /* the enclosure's midpoint is value + rest to 106 bits, value being its nearest double */
     double radius;      /* of the enclosure around value + rest */
-    /* these two by ttc_ball_estimate alone */
-    double rounding;    /* radius in 53-bit balls, roots rounded once: kernels factor their radicands */
-    double plain_rounding; /* radius in 53-bit balls throughout, radicands as written, values rounded once: what is multiplied
-                            * out by other arithmetic rounds every product of them */
+    /* only ttc_ball_estimate sets these two */
+    double rounding;    /* radius in 53-bit balls, with radicands in full precision: kernels factor these */
+    double plain_rounding; /* radius in 53-bit balls throughout, with radicands as written and a rounding of every symbol's value:
+                            * for arithmetic that multiplies products out and rounds each */
 } ttc_enclosure;
 
-/* model: borrowed; its graph may grow while the ball is in use. NULL when memory is out. */
+/* model: borrowed; its graph may grow in the meantime. Returns NULL when memory is out. */
 ttc_ball *ttc_ball_create(const ttc_model *model);
 void ttc_ball_destroy(ttc_ball *ball); /* legal on NULL */
 
 /* Give a parameter, state or level its value: a finite double, taken exactly, or a fraction "p/q" or "p".
- * False when it is neither. */
+ * Returns false when it is neither. */
 bool ttc_ball_set(ttc_ball *ball, uint32_t symbol, double value);
 bool ttc_ball_set_fraction(ttc_ball *ball, uint32_t symbol, const char *fraction);
 
@@ -34,24 +34,23 @@ bool ttc_ball_set_fraction(ttc_ball *ball, uint32_t symbol, const char *fraction
  * rounded on the way. A symbol that stands for itself has no value. */
 void ttc_ball_bind(ttc_ball *ball, uint32_t symbol, ttc_id id);
 
-/** Enclose an expression. Starts with 256 bits and doubles them, up to 2048, until the radius is below 2^-100 of the value
- *  or the value is zero. False when a symbol has no value, or no finite enclosure exists (a pole, the root of a negative
- *  number); out is then untouched. Values beyond the doubles give infinities. Cost: one visit a node, remembered until a
- *  value changes. */
+/** Enclose an expression. Starts with 256 bits and doubles them, up to 2048, until the radius is below 2^-100 of the value or the
+ *  value is zero. Returns false, with *out unchanged, when a symbol has no value, or no finite enclosure exists (a pole, the root
+ *  of a negative number). Values beyond the doubles give infinities. Cost: one visit a node, remembered until a value changes. */
 bool ttc_ball_enclose(ttc_enclosure *out, ttc_ball *ball, ttc_id id);
 
-/** The same with the rounding errors to expect of doubles, at three times the cost. */
+/** The same with the rounding errors to expect in doubles, at three times the cost. */
 bool ttc_ball_estimate(ttc_enclosure *out, ttc_ball *ball, ttc_id id);
 
-/** Exact sign (-1, 0, 1), in rational arithmetic. False when a root on the way is irrational, another function or pi is met,
- *  a symbol has no value, or a denominator vanishes. */
+/** Exact sign (-1, 0, 1), in rational arithmetic. Returns false when a root on the way is irrational, another function or pi is
+ *  met, a symbol has no value, or a denominator vanishes. */
 bool ttc_ball_exact_sign(int *sign, ttc_ball *ball, ttc_id id);
 
-/* The exact value as a fraction, for the caller to free(); NULL when there is none, as above. */
+/* The exact value as a fraction, for the caller to free(); NULL where there is none, as above. */
 char *ttc_ball_exact_text(ttc_ball *ball, ttc_id id);
 
-/** The enclosure as decimal text, "[midpoint +/- radius]" with `digits` digits, for the caller to free(), and whether it
- *  excludes zero. NULL as above. */
+/** The enclosure as decimal text, "[midpoint +/- radius]" with `digits` digits, for the caller to free(), and whether it excludes
+ *  zero. NULL where there is none. */
 char *ttc_ball_text(ttc_ball *ball, ttc_id id, long digits, bool *excludes_zero);
 
 #endif

@@ -18,7 +18,7 @@ void ttc_ball_exact_forget(ttc_ball_exact *exact)
     if (exact->size > 0) memset(exact->state, UNKNOWN, exact->size);
 }
 
-/* Room for every node there is now; where the graph has grown, all is forgotten. */
+/* Make room for all nodes; if the graph has grown, all is forgotten. */
 static bool room(ttc_ball_exact *exact, const ttc_graph *graph)
 {
     const size_t size = ttc_graph_size(graph) + 1;
@@ -98,7 +98,7 @@ static bool evaluate(ttc_ball_exact *exact, const ttc_ball_symbols *symbols, ttc
     bool good = true;
 
     if (exact->state[id] != UNKNOWN) return exact->state[id] == GOOD;
-    exact->state[id] = BAD; /* met again on the way down, it would stand for itself */
+    exact->state[id] = BAD; /* for a symbol that is bound to an expression in itself */
     if (kind == TTC_NUMBER) fmpq_set(out, ttc_coefficient(graph, id));
     else if (kind == TTC_SYMBOL) good = evaluate_symbol(out, exact, symbols, ttc_symbol_of(graph, id));
     else good = evaluate_parts(out, exact, symbols, id);

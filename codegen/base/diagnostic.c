@@ -11,7 +11,7 @@ enum { MESSAGE_SIZE = 512, EXCERPT_WIDTH = 160 };
 typedef struct {
     ttc_severity severity;
     uint32_t line, column;
-    size_t source;  /* which call of ttc_diagnostics_source */
+    size_t source;  /* number of the call of ttc_diagnostics_source that began its source */
     char *file, *message;
     char *excerpt;  /* the line and the caret below it; NULL when there is no text */
 } record;
@@ -56,7 +56,8 @@ static bool is_continuation_byte(char c) { return ((unsigned char)c & 0xC0u) == 
 
 static bool is_control(char c) { return (unsigned char)c < 0x20u || c == 0x7f; }
 
-/* The part of the line around the column, control characters made visible, and a caret under the column. */
+/* Cut out the part of the line around the column, with control characters replaced, and put a caret below the column. Returns NULL
+ * when the line does not exist or memory is out. */
 static char *make_excerpt(const char *text, size_t length, uint32_t line, uint32_t column)
 {
     const char *start = text, *end = text + length;

@@ -1,4 +1,4 @@
-/** Errors and warnings about tables, collected and printed in order of file and place, in one form:
+/** Errors and warnings about tables, collected, and printed in order of source, line and column, in one form:
  *
  *      FILE:LINE:COLUMN: error: what is wrong (what was expected)
  *          the line
@@ -25,29 +25,32 @@ typedef struct {
 typedef struct ttc_diagnostics ttc_diagnostics;
 
 enum {
-    TTC_DIAGNOSTIC_LIMIT = 50, /* errors and warnings kept of one file; the rest are counted */
-    TTC_DIAGNOSTIC_LINE = 512  /* enough for one in a line, most often */
+    TTC_DIAGNOSTIC_LIMIT = 50, /* errors and warnings kept of one source; the rest are counted */
+    TTC_DIAGNOSTIC_LINE = 512  /* bytes of a buffer that holds most diagnostics as one line; longer ones are cut */
 };
 
 ttc_diagnostics *ttc_diagnostics_create(void); /* NULL when memory is out */
 void ttc_diagnostics_destroy(ttc_diagnostics *diagnostics); /* legal on NULL */
 
-/* The text that later places refer to; both borrowed, and used by the reports that follow only: they keep copies. */
+/* Begin a new source: lines and columns of later reports refer to `text`. Both strings are borrowed, and must stay valid until the
+ * last report about this source; reports keep copies of what they show. */
 void ttc_diagnostics_source(ttc_diagnostics *diagnostics, const char *file, const char *text, size_t length);
 
+/* Record one error or warning. line, column: 1-based, 0 for TTC_IO_ERROR. Messages longer than 511 bytes are cut. */
 TTC_PRINTF(5, 6)
 void ttc_report(ttc_diagnostics *diagnostics, ttc_severity severity, uint32_t line, uint32_t column, const char *format, ...);
 
-/* Errors of all kinds, kept or not; those of them that are TTC_IO_ERROR; warnings. */
+/* Numbers of reports, including those beyond the limit: errors of both kinds; TTC_IO_ERROR alone; warnings. */
 size_t ttc_error_count(const ttc_diagnostics *diagnostics);
 size_t ttc_io_error_count(const ttc_diagnostics *diagnostics);
 size_t ttc_warning_count(const ttc_diagnostics *diagnostics);
 
-/* Those kept, in order. Strings live as long as `diagnostics`. */
+/* The reports that were kept, in the order in which they are printed. Strings live as long as `diagnostics`. */
 size_t ttc_diagnostics_size(const ttc_diagnostics *diagnostics);
 ttc_diagnostic ttc_diagnostics_at(const ttc_diagnostics *diagnostics, size_t index);
 
-/* The first error in one line, `FILE:LINE:COLUMN: what is wrong`, for messages about what needs the file; "" when there is none. */
+/* Write the first error as one line, `FILE:LINE:COLUMN: what is wrong`, to out, which holds `size` bytes; "" when there is no
+ * error. For messages of callers that need the file and cannot use it. */
 void ttc_diagnostics_first_error(const ttc_diagnostics *diagnostics, char *out, size_t size);
 
 void ttc_diagnostics_print(const ttc_diagnostics *diagnostics, FILE *stream);

@@ -4,7 +4,7 @@
 
 #include <stdlib.h>
 
-/* Their allocators take no context. */
+/* A global, because allocation functions of FLINT and GMP take no context argument. */
 static void (*when_out)(void);
 
 static void *checked(void *memory)

@@ -1,8 +1,8 @@
-/** What happens when memory is out in FLINT and GMP, which have no way to report it, and abort otherwise. */
+/** A handler for running out of memory in FLINT and GMP, which cannot report it and would abort. */
 #ifndef TTC_EXHAUSTION_H
 #define TTC_EXHAUSTION_H
 
-/** Have this called then; it must not return. For a program's main, before anything else. */
+/** Make FLINT and GMP call `handler`, which must not return, when an allocation fails. Call this before they allocate anything. */
 void ttc_exhaustion_handle(void (*handler)(void));
 
 #endif

@@ -43,7 +43,7 @@ ttc_text *ttc_output_add(ttc_output *output, const char *path)
     return &file->text;
 }
 
-/* FOLDER/PATH, with a suffix; to be freed. */
+/* FOLDER/PATH followed by a suffix, for the caller to free; NULL when memory is out. */
 static char *join(const char *folder, const char *path, size_t path_length, const char *suffix)
 {
     size_t length = strlen(folder) + path_length + strlen(suffix) + 2;
@@ -52,7 +52,7 @@ static char *join(const char *folder, const char *path, size_t path_length, cons
     return joined;
 }
 
-/* *made: it was not there before. */
+/* Create a folder unless it exists. *made says whether it was created. Returns 0 or an errno. */
 static int make_folder(const char *path, bool *made)
 {
     *made = mkdir(path, 0777) == 0;
@@ -83,7 +83,7 @@ static int write_file(const char *path, const ttc_text *text)
     return error;
 }
 
-/* True when the file is there already with this content. */
+/* Returns true if the file exists and has exactly this content. */
 static bool is_unchanged(const char *path, const ttc_text *text)
 {
     FILE *file = fopen(path, "rb");
@@ -99,7 +99,7 @@ static bool is_unchanged(const char *path, const ttc_text *text)
     return same;
 }
 
-/* A file on its way into place. Its old content waits under a name of its own until all files are there. */
+/* The names and the progress of one file that is replaced. Its former content stays under `kept` until all files are in place. */
 typedef struct {
     char *target, *staged, *kept, *parent;
     bool makes_parent, is_staged, is_kept, is_committed;
@@ -127,7 +127,8 @@ static int stage(passage *p, const ttc_output_file *file)
     return write_file(p->staged, &file->text);
 }
 
-/* A second name for the old file, so that its own is never without a file; where the disk has no such names, the file moves. */
+/* Move the new file into place. The old file first gets a second name by a hard link, so that `target` always names a file; where
+ * the file system has no hard links, the old file is renamed instead. */
 static int commit(passage *p)
 {
     if (!p->is_staged) return 0;
@@ -139,13 +140,13 @@ static int commit(passage *p)
     return p->is_committed ? 0 : errno;
 }
 
-/* False when the old content could not be put back. */
+/* Undo what was done for this file. Returns false if the old content could not be put back. */
 static bool roll_back(const passage *p)
 {
     bool ok = true;
     if (p->is_kept) ok = rename(p->kept, p->target) == 0;
     else if (p->is_committed) ok = unlink(p->target) == 0;
-    /* Two names of one file are left as they are by rename. */
+    /* rename does nothing when both names are hard links to one file: `kept` must be removed. */
     if (p->is_kept) unlink(p->kept);
     if (p->is_staged) unlink(p->staged);
     return ok;
@@ -184,7 +185,7 @@ static int write_all(const ttc_output *output, const char *folder, passage *pass
 
 int ttc_output_write(const ttc_output *output, const char *folder, const char **where, bool *restored)
 {
-    /* Signals that end the program wait, so that none leaves staged files, or files of two versions. */
+    /* Block signals that end the program until the files are consistent: none leaves temporary files, or a mix of two versions. */
     sigset_t ending, before;
     sigemptyset(&ending);
     sigaddset(&ending, SIGINT);

@@ -7,7 +7,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* A pipe or a device may have no end, and to open one may wait for ever. NULL after a report. */
+/* Open a regular file; others are refused: pipes and devices may block or never end. Returns NULL after reporting an error. */
 static FILE *open_regular(const char *path, ttc_diagnostics *diagnostics)
 {
     struct stat status;
@@ -49,7 +49,7 @@ char *ttc_source_read(const char *path, size_t *length, ttc_diagnostics *diagnos
     return text;
 }
 
-/* Bytes of the UTF-8 sequence at `at`, 0 when there is none (overlong forms, surrogates and beyond U+10FFFF excluded). */
+/* Bytes of the UTF-8 sequence at `at`, with `left` bytes remaining; 0 if invalid (overlong, a surrogate, or beyond U+10FFFF). */
 static size_t sequence_length(const unsigned char *at, size_t left)
 {
     unsigned char c = at[0];

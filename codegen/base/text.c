@@ -56,7 +56,7 @@ void ttc_text_format(ttc_text *text, const char *format, ...)
 
 const char *ttc_text_string(const ttc_text *text) { return text->bytes == NULL ? "" : text->bytes; }
 
-/* Octal escapes have at most three digits, so that a digit which follows is never swallowed. */
+/* Octal escapes end after three digits, so that a digit which follows is not read as part of them. */
 void ttc_text_add_escaped(ttc_text *text, const char *bytes)
 {
     for (const unsigned char *c = (const unsigned char *)bytes; c != NULL && *c != '\0'; c++) {

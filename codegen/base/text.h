@@ -1,11 +1,11 @@
-/** A growing piece of text. Once memory runs out it stays failed, and every later call does nothing. */
+/** A string that grows. Once memory runs out, `failed` stays set and later calls that add do nothing. */
 #ifndef TTC_TEXT_H
 #define TTC_TEXT_H
 
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Of a function whose argument number `at` is a format of printf, for the arguments from number `first` on. */
+/* Attribute of a function whose argument number `at` is a printf format for the arguments from number `first` on. */
 #if defined(__GNUC__)
 #define TTC_PRINTF(at, first) __attribute__((format(printf, at, first)))
 #else
@@ -24,13 +24,13 @@ void ttc_text_add_bytes(ttc_text *text, const char *bytes, size_t length);
 
 TTC_PRINTF(2, 3) void ttc_text_format(ttc_text *text, const char *format, ...);
 
-/* The bytes as a string; "" when nothing was added. Valid until the next change. */
+/* The text as a C string; "" when nothing was added. Valid until the next change. */
 const char *ttc_text_string(const ttc_text *text);
 
-/* `bytes` as the inside of a C string literal; nothing for NULL. */
+/* Add the string `bytes`, escaped for use within a C string literal; NULL adds nothing. */
 void ttc_text_add_escaped(ttc_text *text, const char *bytes);
 
-/* `bytes` as the inside of a C comment: the end mark is broken up, line ends become spaces. */
+/* Add the string `bytes` for use within a C comment: comment marks are broken up by a space, line ends become spaces. */
 void ttc_text_add_comment(ttc_text *text, const char *bytes);
 
 #endif

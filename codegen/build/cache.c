@@ -15,10 +15,10 @@
 #include <time.h>
 #include <unistd.h>
 
-/* The user's own, and nobody else's to write. */
+/* Returns true if the user owns the file and nobody else may write to it. */
 static bool is_private(const struct stat *found) { return found->st_uid == geteuid() && (found->st_mode & 022) == 0; }
 
-/* In the names of what is not yet an entry. */
+/* Part of the name of every file and folder that is not yet an entry. */
 #define UNFINISHED ".part"
 
 static char *joined(const char *folder, const char *name, const char *extension)
@@ -44,7 +44,7 @@ bool ttc_cache_open(ttc_cache *cache, ttc_text *message)
     char *base = base_folder(message);
     if (base == NULL) return false;
     cache->folder = joined(base, "jellett", "");
-    /* Only the last two folders are made: a misspelt one above them is told of. */
+    /* Only the last two folders are created, so that a misspelt path above them is an error. */
     if (mkdir(base, 0700) != 0 && errno != EEXIST) goto failed;
     if (cache->folder == NULL || (mkdir(cache->folder, 0700) != 0 && errno != EEXIST)) goto failed;
     if (lstat(cache->folder, &found) != 0) goto failed;
@@ -72,7 +72,7 @@ void ttc_cache_close(ttc_cache *cache)
 
 char *ttc_cache_path(const ttc_cache *cache, const char *key) { return joined(cache->folder, key, ".so"); }
 
-/* All of a file, for the caller to free; NULL: errno says why. */
+/* Read a whole file into memory that the caller frees. Returns NULL on failure. */
 static char *read_all(const char *path, size_t *length)
 {
     FILE *file = fopen(path, "rb");
@@ -85,9 +85,9 @@ static char *read_all(const char *path, size_t *length)
     return bytes;
 }
 
-enum { SEAL = 64 }; /* digits of SHA-256, after the last byte that the loader looks at */
+enum { SEAL = 64 }; /* hexadecimal digits of SHA-256, at the end of the file, where the dynamic loader does not look */
 
-/* Append to an object the digest of what it holds. */
+/* Append to an object the digest of its content. */
 static bool seal(const char *path)
 {
     char digest[SEAL + 1];
@@ -121,7 +121,7 @@ bool ttc_cache_has(const char *path)
     return true;
 }
 
-/* Sixteen locks for all keys: tables that share one wait for each other, and no file a table is left behind. */
+/* There is one lock file for each first digit of a key, sixteen in all, so that they do not pile up. */
 bool ttc_cache_lock(ttc_cache *cache, const char *key)
 {
     char name[] = "lock-0";
@@ -145,7 +145,7 @@ static int remove_entry(const char *path, const struct stat *found, int flag, st
 
 static void remove_tree(const char *path) { nftw(path, remove_entry, 16, FTW_DEPTH | FTW_PHYS); }
 
-/* Whoever holds this key's lock holds that of all keys of its first digit: their unfinished work is that of killed runs. */
+/* Remove unfinished work under all keys with this first digit: killed runs left it, as the caller holds the lock of these keys. */
 static void clear_unfinished(const ttc_cache *cache, const char *key)
 {
     DIR *open = opendir(cache->folder);
@@ -158,7 +158,7 @@ static void clear_unfinished(const ttc_cache *cache, const char *key)
     if (open != NULL) closedir(open);
 }
 
-/* Its name is new every time: a compiler that outlives the run that started it writes into a folder of nobody. */
+/* The name is new every time, so that a compiler that outlives its run does not write into the folder of another run. */
 char *ttc_cache_workshop(const ttc_cache *cache, const char *key)
 {
     clear_unfinished(cache, key);
@@ -174,7 +174,7 @@ void ttc_cache_clear_workshop(char *workshop)
     free(workshop);
 }
 
-/* On the disk before it has its name: a name never leads to half an object. */
+/* Flush a file to disk; done before it is renamed, so that an entry's name never leads to half an object. */
 static bool flush(const char *path)
 {
     const int descriptor = open(path, O_RDONLY | O_CLOEXEC);
@@ -183,7 +183,7 @@ static bool flush(const char *path)
     return flushed;
 }
 
-/* The name comes last, when the workshop is gone: a run that is killed after it leaves nothing to clear. */
+/* The object gets its final name last, when the temporary folder is gone: a run killed after that leaves nothing behind. */
 bool ttc_cache_publish(const ttc_cache *cache, const char *key, const char *object, char *workshop)
 {
     char *whole = joined(cache->folder, key, UNFINISHED), *path = ttc_cache_path(cache, key);

@@ -1,7 +1,7 @@
-/** The cache of compiled tables: shared objects under keys that say all they depend on.
+/** The cache of compiled tables: shared objects, each under a key that identifies everything it depends on.
  *
- *  $XDG_CACHE_HOME/jellett, else $HOME/.cache/jellett. What is loaded from there runs as the user: so the folder and the files
- *  belong to the user, and nobody else may write to them. */
+ *  It is the folder $XDG_CACHE_HOME/jellett, else $HOME/.cache/jellett. Objects loaded from it run with the user's rights: so the
+ *  folder and the files must belong to the user, and nobody else may write to them. */
 #ifndef TTC_CACHE_H
 #define TTC_CACHE_H
 
@@ -9,33 +9,33 @@
 
 typedef struct {
     char *folder;
-    int lock; /* descriptor; -1: none is held */
+    int lock; /* descriptor of the lock file; -1: no lock is held */
 } ttc_cache;
 
-/** Find or make the folder. message: on failure why, and what helps. Returns false on failure. */
+/** Find or create the folder. Returns false on failure; message then says why, and what helps. */
 bool ttc_cache_open(ttc_cache *cache, ttc_text *message);
-void ttc_cache_close(ttc_cache *cache); /* legal on a zeroed one; releases the lock */
+void ttc_cache_close(ttc_cache *cache); /* releases the lock; legal on a zeroed cache */
 
-/** Path of an entry, KEY.so, for the caller to free; NULL when memory is out. */
+/** The path FOLDER/KEY.so of an entry, for the caller to free; NULL when memory is out. */
 char *ttc_cache_path(const ttc_cache *cache, const char *key);
 
-/** Whether there is such an entry, the user's own, writable by nobody else, and whole by its digest: what a full disk or a crash
- *  cut off would end whoever loads it. It is then marked as used. Cost: the file is read. */
+/** Returns true if the entry exists, belongs to the user, is writable by nobody else, and matches the digest at its end: loading an
+ *  object that a full disk or a crash cut short could crash the program. Then also marks it as used. Cost: reads the whole file. */
 bool ttc_cache_has(const char *path);
 
-/** Wait until no other process makes an entry of this key. False: the lock cannot be had, errno says why. */
+/** Lock the key: wait until no other process makes its entry. Returns false if it cannot be locked; errno says why. */
 bool ttc_cache_lock(ttc_cache *cache, const char *key);
 
-/** A folder for work on an entry, empty, removed by one of the next two functions; what killed runs left is removed. To be called
- *  with the lock. NULL: errno says why. */
+/** Create an empty temporary folder in which to make an entry, and remove the leftovers of killed runs; the key must be locked. One
+ *  of the next two functions removes it and frees its path. Returns NULL on failure; errno says why. */
 char *ttc_cache_workshop(const ttc_cache *cache, const char *key);
-void ttc_cache_clear_workshop(char *workshop); /* frees the name as well; legal on NULL */
+void ttc_cache_clear_workshop(char *workshop); /* frees the path as well; legal on NULL */
 
-/** Make an object from the workshop the entry of this key, with a digest of what it holds, and clear the workshop, also on
- *  failure. False: errno says why. */
+/** Append its digest to the file `object` in the temporary folder and make it the entry of this key. Also on failure, the folder is
+ *  removed and its path freed. Returns false on failure; errno says why. */
 bool ttc_cache_publish(const ttc_cache *cache, const char *key, const char *object, char *workshop);
 
-/** Remove entries that nobody has used for so many days. */
+/** Remove entries that have not been used for `days` days. */
 void ttc_cache_prune(const ttc_cache *cache, unsigned days);
 
 #endif

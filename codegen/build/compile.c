@@ -14,14 +14,14 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-/* -O1: on straight-line code -O2 gains nothing that is worth twice the time. The bits are the same by every one of them. Balls
- * call Arb for every operation: of those files -Og makes programs that take as long, in half of the compiler's time. */
+/* -O1, because on straight-line code the gain of -O2 is not worth twice the compile time. Results are the same bits at every level.
+ * Files of ball arithmetic call Arb for every operation: -Og compiles them in half the time, and they run as fast. */
 static const char *const flags[] = { "-std=c11", "-O1", "-fPIC", "-ffp-contract=off" };
 static const char ball_flag[] = "-Og";
 static const char without_lanes[] = "-DJLT_WITHOUT_LANES";
 
-/* The file of one instruction set, what it is compiled with, and what tells the others that it is the only one. Its caller
- * knows whether the processor has the set. */
+/* The file of kernels for one vector width, the options it is compiled with, and the macro that tells the other files that it is
+ * the only such file. The caller makes sure that the processor has the instruction set. */
 typedef struct {
     unsigned lanes;
     const char *file, *alone;
@@ -41,13 +41,13 @@ static const lane_set sets[] = {
 };
 enum { SET_COUNT = sizeof sets / sizeof *sets, SET_FLAGS = 6 };
 
-/* Whoever loads the object may have kernels of the same names. */
+/* -Bsymbolic: a program that loads the object may itself contain kernels of the same names. */
 static const char *const link_flags[] = { "-shared", "-Wl,-Bsymbolic" };
 
 enum { FLAG_COUNT = sizeof flags / sizeof *flags, LINK_FLAG_COUNT = sizeof link_flags / sizeof *link_flags };
 
-/* The library that this program has Arb from. Objects name it, so that programs can load them that have no Arb of their own, or
- * keep it to themselves. NULL: Arb is a part of this program. */
+/* Path of the shared library that provides Arb to this program. Objects are linked with it, so that they can also be loaded by
+ * programs that have no Arb, or do not export its symbols. NULL if Arb is linked statically. */
 static const char *arb_library(void)
 {
     void *function = dlsym(RTLD_DEFAULT, "arb_mul");
@@ -56,7 +56,7 @@ static const char *arb_library(void)
     return strstr(where.dli_fname, ".so") != NULL ? where.dli_fname : NULL;
 }
 
-/* NULL: no vectors. */
+/* NULL if there are no kernels on vectors of this width. */
 static const lane_set *set_of(unsigned lanes)
 {
     for (size_t i = 0; i < SET_COUNT; i++)
@@ -136,8 +136,8 @@ static bool holds_balls(const char *path)
     return length >= sizeof end - 1 && strcmp(path + length - (sizeof end - 1), end) == 0;
 }
 
-/* The longest first, so that none is compiled alone at the end: the vectors' file, which includes what it holds, takes as long as
- * all others together. */
+/* Order for qsort: files that take longest to compile come first, so that none is left to run alone at the end. The file of vector
+ * kernels, which includes all of them, takes as long as all others together; the others are ordered by size. */
 static int in_turn(const void *a, const void *b)
 {
     const char *left = *(char *const *)a, *right = *(char *const *)b;
@@ -147,7 +147,8 @@ static int in_turn(const void *a, const void *b)
     return (here.st_size < there.st_size) - (here.st_size > there.st_size);
 }
 
-/* Every .c file but those that hold other lanes than those wanted, or need Arb where it is not there. set: NULL for no lanes. */
+/* Add the .c files of `folder`, and of its subfolders if `into`, to the list, except vector kernels of another width than that of
+ * `set` (NULL: of any width), and files of ball arithmetic unless `balls`. */
 static bool list_folder(file_list *list, const char *folder, bool into, const lane_set *set, bool balls)
 {
     DIR *open = opendir(folder);
@@ -177,11 +178,12 @@ static void free_list(file_list *list)
     free(list->names);
 }
 
+/* Start the compiler. Returns its process, or -1. in_silence: its messages are discarded. */
 static pid_t start(const char *compiler, char *const *arguments, bool in_silence)
 {
     const pid_t parent = getpid(), child = fork();
     if (child != 0) return child;
-    prctl(PR_SET_PDEATHSIG, SIGTERM); /* it takes its own children along */
+    prctl(PR_SET_PDEATHSIG, SIGTERM); /* when this program ends, so does the compiler */
     if (getppid() != parent) _exit(127);
     const int nowhere = open("/dev/null", O_WRONLY);
     if (nowhere >= 0) dup2(nowhere, STDOUT_FILENO);
@@ -208,7 +210,7 @@ static pid_t compile_one(const char *compiler, const char *include, const lane_s
     return start(compiler, (char *const *)arguments, false);
 }
 
-/* Wait for one child. False: it failed. */
+/* Wait for one child process. Returns false if it failed. */
 static bool finish_one(void)
 {
     int status = 0;
@@ -224,7 +226,7 @@ static size_t processors(void)
     return sched_getaffinity(0, sizeof set, &set) == 0 ? (size_t)CPU_COUNT(&set) : 1;
 }
 
-/* Whether Arb's headers are there, which ball arithmetic needs. */
+/* Returns true if the compiler finds the headers of Arb, which the files of ball arithmetic include. */
 static bool has_arb(const char *compiler, const char *folder)
 {
     char *header = join(folder, "kernel_ball.h", "");

@@ -10,7 +10,6 @@ enum { DRAWS_A_POINT = 12, WIDE_DRAWS = 6, DRAWS_BEFORE_GIVING_UP = 120, POINTS_
 
 static const long precisions[] = { 192, 768, 3072 };
 
-/* What was seen of one claim. */
 typedef struct {
     ttc_subject subject;
     ttc_random_point point;
@@ -19,7 +18,7 @@ typedef struct {
     bool wants_witness, has_witness;
 } trial;
 
-/* Every parameter and state of the probe, as "NAME = VALUE, ..." */
+/* "WHAT at NAME = VALUE ..." with all parameters and states, for free(). */
 static char *point_text(const trial *t, const char *what)
 {
     const ttc_model *model = t->check.model;
@@ -40,7 +39,7 @@ static char *point_text(const trial *t, const char *what)
     return NULL;
 }
 
-/* One drawn point, with more and more bits until it tells. UNDEFINED: it is no point of the domain, or has no value. */
+/* Check one drawn point at rising precision. Returns UNDEFINED if it is no point of the domain, has no value, or is not decided. */
 static ttc_check_outcome try_point(trial *t)
 {
     char fault[256];
@@ -58,7 +57,7 @@ static ttc_check_outcome try_point(trial *t)
     return TTC_UNDEFINED;
 }
 
-/* Points until `count` have told something, or too many draws have not. */
+/* Try `count` points; give up after too many draws in a row that decide nothing. */
 static void run(trial *t, size_t count, ttc_challenge_result *result)
 {
     size_t barren = 0;
@@ -112,7 +111,7 @@ static void judge(trial *t, ttc_challenge_result *result)
     }
 }
 
-/* False when memory is out. */
+/* Returns false when memory is out. */
 static bool challenge_one(const ttc_model *model, ttc_resolver resolver, void *context, size_t points, uint64_t seed,
                           ttc_challenge_result *result)
 {

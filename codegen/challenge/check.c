@@ -4,7 +4,7 @@
 
 enum { ZERO_BITS = 64, SHOWN_DIGITS = 12, SHOWN_EXPONENT = 10000 };
 
-/* A ball as text; one whose exponent is beyond all measure only by its sign. */
+/* Print a ball; if its exponent is huge, only its sign. */
 static void print_ball(char *out, size_t size, const arb_t value)
 {
     if (arf_cmpabs_2exp_si(arb_midref(value), SHOWN_EXPONENT) > 0 || arf_cmpabs_2exp_si(arb_midref(value), -SHOWN_EXPONENT) < 0) {

@@ -1,5 +1,5 @@
-/** What a claim says at one point, as balls: those that must hold zero, those that must be positive, and those of which one
- *  must differ from zero at some point. */
+/** Checks a claim at one point, by balls: some must contain zero, some be positive, and of some, the witnesses, one must exclude
+ *  zero at some point. */
 #ifndef TTC_CHECK_H
 #define TTC_CHECK_H
 
@@ -8,16 +8,16 @@
 #include "prove/prove.h"
 
 typedef enum {
-    TTC_HOLDS,     /* each ball is zero to within 2^-64 of its terms, or positive */
+    TTC_HOLDS,     /* each ball that must be zero contains it, with radius 2^-64 at most, and each other one is positive */
     TTC_VIOLATED,  /* a ball excludes what it must be */
-    TTC_NOT_TOLD,  /* more bits may tell */
+    TTC_NOT_TOLD,  /* some ball is too wide; more bits may decide */
     TTC_UNDEFINED  /* something has no value here */
 } ttc_check_outcome;
 
 typedef struct {
     const ttc_model *model, *target; /* target: the table that the claim leads to */
-    const ttc_claim *claim;          /* NULL for derived ones */
-    uint32_t index;                  /* of what a derived one is about */
+    const ttc_claim *claim;          /* NULL for a derived claim */
+    uint32_t index;                  /* of a derived claim's record, see ttc_subject */
     ttc_probe *probe, *target_probe;
     ttc_random random;               /* for lambda */
     ttc_check_outcome outcome;
@@ -30,29 +30,29 @@ typedef void (*ttc_checker)(ttc_check *check);
 void ttc_check_zero(ttc_check *check, const arb_t value, const char *what, const char *name);
 void ttc_check_positive(ttc_check *check, const arb_t value, const char *what, const char *name);
 
-/* One ball, at some point, must exclude zero. */
+/* At some point, one of the values passed here must exclude zero. */
 void ttc_check_witness(ttc_check *check, const arb_t value);
 
 void ttc_check_undefined(ttc_check *check);
 void ttc_check_violate(ttc_check *check, const char *what, const char *name);
 
-/* The value and derivatives of an expression, NULL after ttc_check_undefined. */
+/* The value and derivatives of an expression, as from ttc_probe_at. Returns NULL if there are none: the point is undefined. */
 arb_srcptr ttc_check_at(ttc_check *check, ttc_id id);
 
-/* d(expression)/dt = gradient . f; false after ttc_check_undefined. */
+/* d(expression)/dt = gradient . f. Returns false if it has no value: the point is undefined. */
 bool ttc_check_rate(ttc_check *check, arb_t out, ttc_id id);
 
-/* The Jacobian of the field, shape (n, n); false after ttc_check_undefined. */
+/* The Jacobian of the field, shape (n, n). Returns false if it has no value: the point is undefined. */
 bool ttc_check_jacobian(ttc_check *check, arb_ptr out);
 
-/* a - b is zero; a value that is missing leaves the point untold. */
+/* a - b is zero; if one of them is NULL, the point is undefined. */
 void ttc_check_same(ttc_check *check, arb_srcptr a, arb_srcptr b, const char *what, const char *name);
 
-/** The target probe at the image of the point in hand: states and parameters. False: it has none. */
+/** Set the target probe to the image of the current point: states and parameters. Returns false if there is none. */
 bool ttc_check_set_image(ttc_check *check, const ttc_image *image);
 
-/* What leads to the target's i-th state from a probe of the model: sine and cosine of an angle over one positive number, or the
- * state and 1; false: undefined. */
+/* The two values that give the target's i-th state at a probe of the model: sine and cosine of an angle, both times one positive
+ * number, or the state and 1. Returns false if one has no value. */
 bool ttc_check_way_to(ttc_check *check, ttc_probe *probe, const ttc_image *image, size_t state, arb_t sine, arb_t cosine);
 
 void ttc_check_integral(ttc_check *check);
@@ -77,6 +77,6 @@ void ttc_check_root(ttc_check *check); /* and logarithms */
 void ttc_check_variant(ttc_check *check);
 void ttc_check_time(ttc_check *check);
 void ttc_check_elimination(ttc_check *check);
-void ttc_check_observed(ttc_check *check); /* what observe, valid and tier divide by */
+void ttc_check_observed(ttc_check *check); /* the divisors of observe, valid and tier */
 
 #endif

@@ -1,4 +1,4 @@
-/* Claims about families of equilibria, at one point of the family. */
+/* Checks claims about families of equilibria, at one point of the family. */
 #include "challenge/check.h"
 
 #if __has_include(<flint/arb_mat.h>)
@@ -104,7 +104,7 @@ static void determinant(arb_t out, arb_srcptr jacobian, size_t n, const arb_t la
     arb_mat_clear(matrix);
 }
 
-/* P(lambda) = c det(lambda E - A) with one c: P and the determinant at some lambdas have the same ratios. */
+/* P(lambda) = c det(lambda E - A) with one c: P and the determinant have the same ratios at some lambdas. */
 void ttc_check_charpoly(ttc_check *check)
 {
     const size_t n = check->model->state_count;

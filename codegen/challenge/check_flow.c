@@ -1,4 +1,4 @@
-/* Claims about the flow, at one point. */
+/* Checks claims about the flow, at one point. */
 #include "challenge/check.h"
 
 static void require_rate_zero(ttc_check *check, ttc_id id)
@@ -9,7 +9,7 @@ static void require_rate_zero(ttc_check *check, ttc_id id)
     arb_clear(rate);
 }
 
-/* The set that conditions on states make is kept: each set state moves as what it is set to. */
+/* The flow keeps the set that conditions on states define: each such state moves as what it is set to. */
 static void require_set_kept(ttc_check *check)
 {
     const ttc_bindings *when = &check->claim->when;
@@ -35,7 +35,7 @@ static bool has_conditions_on_states(const ttc_check *check)
     return claim->modulo_count > 0;
 }
 
-/* An integral varies with the states; on a smaller set of states this is not looked at. */
+/* An integral also varies with the states; not checked where conditions restrict these. */
 void ttc_check_integral(ttc_check *check)
 {
     require_rate_zero(check, check->claim->expression);
@@ -45,7 +45,7 @@ void ttc_check_integral(ttc_check *check)
     for (size_t k = 0; jet != NULL && k < check->model->state_count; k++) ttc_check_witness(check, jet + 1 + k);
 }
 
-/* At points of its own zero level, which the point was solved for. */
+/* The point was solved to lie on the claim's own zero level. */
 void ttc_check_invariant(ttc_check *check) { require_rate_zero(check, check->claim->expression); }
 
 void ttc_check_rate_claim(ttc_check *check)
@@ -95,7 +95,7 @@ void ttc_check_positive_claim(ttc_check *check)
     if (value != NULL) ttc_check_positive(check, value, "not positive:", check->claim->name);
 }
 
-/* Move the probe to the image of its point: states as the claim maps them, the rest as it is. */
+/* Move the probe to the image of its point, in which the claim maps states. */
 static bool move_to_image(ttc_check *check)
 {
     const ttc_bindings *map = &check->claim->bindings;
@@ -146,7 +146,7 @@ static void check_map(ttc_check *check, int sign, const char *what)
     _arb_vec_clear(mapped, (long)n);
 }
 
-/* S(S(x)) = x; the probe is at S(x) after that. */
+/* S(S(x)) = x; check_map has moved the probe to S(x). */
 static void check_involution(ttc_check *check, arb_srcptr before)
 {
     const ttc_bindings *map = &check->claim->bindings;

@@ -1,4 +1,4 @@
-/* The image of a point in another table, in balls. */
+/* Computes the image of a point in another table, in balls. */
 #include "challenge/check.h"
 
 bool ttc_check_way_to(ttc_check *check, ttc_probe *probe, const ttc_image *image, size_t state, arb_t sine, arb_t cosine)

@@ -1,5 +1,5 @@
-/* What is looked at beside the equations, around one point: of what it divides by nothing is zero at all states near it. With
- * functions of the states parameters are moved as well, as in exp(k*x) - 1: for one k alone that is zero at all states. */
+/* Checks what is observed beside the equations, around one point: no divisor is zero at all states near it. With functions of
+ * states, parameters vary as well: exp(k*x) - 1 is zero at all states for one k only. */
 #include "challenge/check.h"
 #include "prove/observed.h"
 
@@ -7,7 +7,7 @@
 
 enum { PLACES = 4, NEAR_BITS = 60 };
 
-/* A bit above or below, parameters above alone. */
+/* A bit above or below; parameters only above. */
 static void move(ttc_check *check, uint32_t symbol)
 {
     fmpq_t number;
@@ -35,7 +35,7 @@ static bool uses_functions_of_states(const ttc_model *model, ttc_id divisor)
     return uses;
 }
 
-/* The point in hand, of the domain, and others near it: some that is in the domain tells. */
+/* The divisor must be nonzero at the current point, or at one of others near it that lie in the domain. */
 static void check_divisor(ttc_check *check, ttc_id divisor, const char *name)
 {
     const ttc_model *model = check->model;

@@ -1,5 +1,5 @@
-/* Reductions and embeddings, at one point: the image lies in the target's domain and moves as the target says; that of a
- * reduction fills its dimensions, that of an embedding has ours. */
+/* Checks reductions and embeddings at one point: the image lies in the target's domain and moves as the target says; that of a
+ * reduction has the target's dimension, that of an embedding the dimension here. */
 #include "challenge/check.h"
 
 #include <string.h>
@@ -17,7 +17,7 @@ static const ttc_binding *image_of(const ttc_check *check, const char *name)
     return NULL;
 }
 
-/* The target's parameters and states at the image; a parameter that is given is a quantity that our flow keeps. */
+/* The target's parameters and states at the image; given parameters must be constant along the flow. */
 static bool set_image(ttc_check *check)
 {
     const ttc_model *target = check->target;
@@ -106,8 +106,8 @@ static bool fill_derivatives(ttc_check *check, arb_mat_t rows)
     return true;
 }
 
-/* Onto: the target's states have independent gradients at some point, so that J J^T, without the zero rows, is invertible there.
- * Into: J has as many independent columns as there are states here: J^T J. With conditions this is not looked at. */
+/* J has the derivatives of the images. Onto: the target's states have independent gradients at some point, so that J J^T, without
+ * zero rows, is invertible there. Into: J has independent columns, so that J^T J is. Not checked under conditions. */
 static void check_dimension(ttc_check *check)
 {
     const long rows = (long)check->claim->bindings.count, n = (long)check->model->state_count;

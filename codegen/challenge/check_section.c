@@ -1,13 +1,13 @@
-/* A section and its coordinates, at one state of the section: where the way back leads is a point of the chart, whose lift lies in
- * the section, the domain and the levels, and leads back to it; and the lift is the state itself where both are crossed the same
- * way. */
+/* Checks a section and its coordinates at one state of the section: the way back leads to a point of the chart, whose lift lies in
+ * the section, the domain and the levels, and leads back to it; and the lift is the state itself where both cross in the same
+ * direction. */
 #include "challenge/check.h"
 #include "prove/section_chart.h"
 
 typedef struct {
     ttc_check *check;
     const ttc_section *section;
-    ttc_probe *lifted; /* of the model */
+    ttc_probe *lifted; /* a probe of the model, at the lift */
     long precision;
 } section_check;
 
@@ -18,7 +18,7 @@ static const ttc_section *section_of(const ttc_check *check)
     return NULL;
 }
 
-/* The model at the lift of that point. */
+/* Set s->lifted to the lift of the chart's point. Returns false if that has no value. */
 static bool set_lifted(section_check *s)
 {
     const ttc_model *model = s->check->model;
@@ -34,7 +34,7 @@ static bool set_lifted(section_check *s)
     return true;
 }
 
-/* What the lift claims of itself. */
+/* The lift lies on the section and the levels, and lifted roots are roots there. */
 static void check_lift(section_check *s)
 {
     const ttc_model *model = s->check->model;
@@ -59,7 +59,7 @@ static void check_lift(section_check *s)
     }
 }
 
-/* Back from the lift, the same angle: sine and cosine are in the same direction. */
+/* The way back from the lift leads to the chart's coordinate; for an angle, to the same direction. */
 static void check_return(section_check *s, size_t state)
 {
     const ttc_model *chart = s->check->target;
@@ -93,7 +93,7 @@ static void check_return(section_check *s, size_t state)
     arb_clear(sine);
 }
 
-/* The sign of the rate of the section's state; 0: not known, or a touch. */
+/* The sign of the rate of the section's state; 0 if not known, or zero. */
 static int direction(const section_check *s, ttc_probe *probe)
 {
     const ttc_model *model = s->check->model;

@@ -1,9 +1,9 @@
-/* What is derived from records that are no claims, at one point: roots, variants, times, eliminations, poles. */
+/* Checks what is derived from records that are no claims, at one point: roots, variants, times, eliminations, poles. */
 #include "challenge/check.h"
 
 #include <stdlib.h>
 
-/* A root or a logarithm. What stands below it in the table is not taken for granted: two roots would vouch for each other. */
+/* A root or a logarithm. Those below it in the table are not assumed to be defined: two roots could vouch for each other. */
 void ttc_check_root(ttc_check *check)
 {
     const ttc_symbol_entry *root = &check->model->symbols[check->index];
@@ -21,7 +21,7 @@ static bool depends_on_parameters_alone(const ttc_model *model, ttc_id id)
     return alone;
 }
 
-/* Records `domain` that speak of parameters alone; what speaks of states narrows the variant's domain. */
+/* Records `domain` in parameters alone; others narrow the variant's domain. */
 static void check_conditions_on_parameters(ttc_check *check)
 {
     const ttc_model *model = check->model;
@@ -32,7 +32,7 @@ static void check_conditions_on_parameters(ttc_check *check)
     }
 }
 
-/* The variant's parameters, with the others as they are, have their signs. */
+/* The variant's parameters have their signs, the others being as they are. */
 void ttc_check_variant(ttc_check *check)
 {
     const ttc_bindings *map = &check->model->variants[check->index].bindings;
@@ -65,7 +65,7 @@ void ttc_check_time(ttc_check *check)
 
 enum { NEAR_BITS = 200, NEARER_BITS = 280, FALL_BITS = 10 };
 
-/* out = the rate of a root in its time, with the state at `end` - 2^-bits*way; false after ttc_check_undefined. */
+/* out = the rate of a root in its time, with the state at end - 2^-bits*way. Returns false if undefined. */
 static bool rate_near(ttc_check *check, arb_t out, const ttc_time *time, uint32_t root, uint32_t state, arb_srcptr end,
                       arb_srcptr way, long bits)
 {
@@ -83,7 +83,8 @@ static bool rate_near(ttc_check *check, arb_t out, const ttc_time *time, uint32_
     return factor != NULL;
 }
 
-/* What goes to zero at least as the root of the way left falls by 2^-40 between the two places, at any of them that is near. */
+/* The rate of a root must go to zero at the end. Like the square root of the distance, it falls by 2^-40 between the two places; a
+ * fall by less than 2^-10 is a violation. */
 static void check_rest(ttc_check *check, const ttc_time *time, uint32_t root, uint32_t state, arb_srcptr end, arb_srcptr way)
 {
     const long precision = ttc_probe_precision(check->probe);
@@ -103,7 +104,7 @@ static void check_rest(ttc_check *check, const ttc_time *time, uint32_t root, ui
     arb_clear(before);
 }
 
-/* With the state at an end of its interval, some lifted root is the root of zero, and comes to rest. */
+/* With the state at an end of its interval, some lifted root is zero, and comes to rest. */
 static void check_end(ttc_check *check, uint32_t state, ttc_id end, ttc_id other)
 {
     const ttc_model *model = check->model;
@@ -137,8 +138,8 @@ void ttc_check_pole(ttc_check *check)
     check_end(check, state, entry->high, entry->low);
 }
 
-/* With the level at the integral's value, the solution is the state, and moves as the state does. Where the integral depends on
- * that parameter, the state is put at the solution, and the integral has to be the level there. */
+/* With the level at the integral's value, the solution is the state, and moves as it does. If the integral depends on the level's
+ * parameter, the state is set to the solution, and the integral must be the level there. */
 void ttc_check_elimination(ttc_check *check)
 {
     const ttc_elimination *elimination = &check->model->eliminations[check->index];

@@ -1,6 +1,5 @@
-/* Tables that serve in place of each other, at one point of the model at which the way holds: it leads into the other's
- * domain, and what leads back from there gives the point. From a smaller table, the embedding also moves there as the model
- * says. */
+/* Checks a way to another table, at one point for which it is meant: it leads into the other's domain, and the record back gives
+ * the point. The embedding of a smaller table must also move as the model says. */
 #include "challenge/check.h"
 #include "prove/way_table.h"
 
@@ -20,7 +19,7 @@ static bool holds(ttc_check *check, const ttc_way *way)
     return true;
 }
 
-/* States and roots that the record back gives at the image are those of the point. */
+/* The states and roots that the record back gives at the image are those of the point. */
 static void check_back(ttc_check *check, const ttc_claim *back)
 {
     const ttc_model *model = check->model;
@@ -57,7 +56,7 @@ static void check_motion(ttc_check *check, const ttc_claim *back)
     arb_clear(rate);
 }
 
-/* The image lies on the zero levels that the reduction takes, and roots that are given are the table's. */
+/* The image lies on the zero levels of the reduction back, and given roots are the other table's. */
 static void check_lifted(ttc_check *check, const ttc_way *way, const ttc_claim *back)
 {
     const ttc_model *target = check->target;

@@ -1,4 +1,4 @@
-/* Where a point lies in the domain of a model: every quantity that must be positive there, one after another. */
+/* Locates a point in the domain of a model, one condition after another. */
 #include "challenge/random_point.h"
 
 #include <stdio.h>
@@ -12,7 +12,7 @@ typedef struct {
     size_t fault_size;
 } search;
 
-/* +1, -1 (not positive), 0 (not known) */
+/* 1: positive, -1: not positive, 0: not known. */
 static int sign_of(const arb_t value)
 {
     if (arb_is_positive(value)) return 1;
@@ -28,7 +28,8 @@ static bool is_blamed(const search *s, ttc_id id, uint32_t symbol)
     return false;
 }
 
-/* symbol: the state or parameter that the quantity speaks of, or UINT32_MAX; id: an expression that it is, or TTC_NONE */
+/* Record the sign of what must be positive. symbol: a state or parameter that it is about, or UINT32_MAX; id: an expression that
+ * it depends on, or TTC_NONE. */
 static void take(search *s, int sign, ttc_id id, uint32_t symbol, const char *what, const char *name)
 {
     if (sign > 0) return;
@@ -86,7 +87,7 @@ ttc_place_in_domain ttc_domain_locate(ttc_probe *probe, const ttc_model *model, 
         check_end(&s, model->states[i], entry->low, true);
         check_end(&s, model->states[i], entry->high, false);
     }
-    /* A record `domain` narrows a family as it narrows all else: it is no fault of the family. */
+    /* A record `domain` narrows a family as it narrows all else: no fault of the family. */
     for (size_t i = 0; i < model->region_count; i++) {
         int sign = sign_of_expression(&s, model->regions[i].expression);
         if (family != NULL && sign < 0) s.innocent_outside = true;

@@ -1,5 +1,5 @@
-/* Points on zero levels: Newton's method for as many symbols as there are levels, then Krawczyk's test that the balls around
- * what it found hold a solution. */
+/* Finds points on zero levels: Newton's method for as many symbols as levels, then Krawczyk's test that the balls around the
+ * result contain a solution. */
 #include "challenge/random_point.h"
 
 #if __has_include(<flint/arb_mat.h>)
@@ -47,7 +47,7 @@ static bool is_finite(const arb_mat_t matrix)
     return true;
 }
 
-/* The values that the pivots were drawn with, as a start. */
+/* Start from the values that were drawn for the pivots. */
 static bool begin(solver *s)
 {
     const ttc_situation *without = s->situation;
@@ -58,7 +58,7 @@ static bool begin(solver *s)
     return true;
 }
 
-/* True when no step would move a pivot by more than 2^(-3/4 precision) of its size. */
+/* Whether the step is below 2^(-3/4 precision), relative to pivots above 1. */
 static bool is_settled(const solver *s)
 {
     bool settled = true;
@@ -90,7 +90,7 @@ static bool newton(solver *s)
     return false;
 }
 
-/* K = x - C F(x) + (E - C F'(X)) (X - x) lies inside X: then X holds one solution, and K encloses it. The probe then has K. */
+/* K = x - C F(x) + (E - C F'(X)) (X - x) lies inside X: then X contains one solution, which K encloses. The probe is set to K. */
 static bool krawczyk(solver *s)
 {
     bool inside = true;

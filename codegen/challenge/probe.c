@@ -11,7 +11,7 @@ struct ttc_probe {
     long precision;
     arb_ptr leaves;       /* by symbol, shape (symbol_count, width) */
     unsigned char *known; /* by symbol */
-    arb_ptr *jets;        /* by node, made when first needed and kept */
+    arb_ptr *jets;        /* by node; allocated when first needed, and kept */
     unsigned char *state; /* knowledge, by node */
     size_t node_count;
     ttc_id *stack;
@@ -102,7 +102,6 @@ void ttc_probe_seed_states(ttc_probe *probe)
 bool ttc_probe_is_set(const ttc_probe *probe, uint32_t symbol) { return probe->known[symbol] != 0; }
 arb_srcptr ttc_probe_value(const ttc_probe *probe, uint32_t symbol) { return leaf(probe, symbol); }
 
-/* Room for every node that there is now. */
 static bool make_room(ttc_probe *probe)
 {
     size_t count = ttc_graph_size(probe->model->graph) + 1;
@@ -121,7 +120,7 @@ static bool make_room(ttc_probe *probe)
     return true;
 }
 
-/* derivative = factor * (derivative of `of`), along every tangent */
+/* derivative of out = factor * derivative of `of`, along every tangent */
 static void chain(ttc_probe *probe, arb_ptr out, const arb_t factor, arb_srcptr of)
 {
     for (size_t k = 1; k < probe->width; k++) arb_mul(out + k, of + k, factor, probe->precision);
@@ -258,7 +257,7 @@ static void evaluate_sum(ttc_probe *probe, arb_ptr out, ttc_id id)
     arb_clear(coefficient);
 }
 
-/* The parts of the node are known. */
+/* Evaluate a node whose parts are known. */
 static void evaluate(ttc_probe *probe, ttc_id id)
 {
     const ttc_graph *graph = probe->model->graph;
@@ -293,7 +292,7 @@ static bool push(ttc_probe *probe, size_t *count, ttc_id id)
     return true;
 }
 
-/* Push what the node needs and is not known yet: its parts, or the definition of a symbol without a value. */
+/* Push what the node needs and is not yet known: parts, or the definition of a symbol without a value. */
 static bool push_needs(ttc_probe *probe, size_t *count, ttc_id id)
 {
     const ttc_graph *graph = probe->model->graph;

@@ -1,6 +1,6 @@
-/** Expressions of a model and their derivatives, enclosed at one point: forward-mode dual balls over the graph, through
- *  definitions. A value carries its derivative along every tangent; tangent k is the k-th state, those after the states are
- *  for whatever the caller seeds.
+/** Encloses expressions of a model and their derivatives at one point: forward-mode dual balls over the graph, through
+ *  definitions. A value carries its derivative along every tangent; tangent k is that of the k-th state, those after the states
+ *  are for the caller to seed.
  *
  *  It shares the expression graph with the prover and nothing else: no ratio, no symbolic derivative.
  *  Source: F. Johansson, Arb, IEEE TC 66(8), 2017; A. Griewank, A. Walther, Evaluating Derivatives, 2nd ed., 3.1. */
@@ -19,34 +19,34 @@ enum { TTC_PROBE_SPARE = 4 /* tangents beside those of the states */ };
 
 typedef struct ttc_probe ttc_probe;
 
-/* model: borrowed. NULL when memory is out. */
+/* model: borrowed. Returns NULL when memory is out. */
 ttc_probe *ttc_probe_create(const ttc_model *model);
 void ttc_probe_destroy(ttc_probe *probe); /* legal on NULL */
 
-/* Balls of a value: itself and one a tangent, states first. */
+/* Balls of a value: itself, and its derivative along each tangent, states first. */
 size_t ttc_probe_width(const ttc_probe *probe);
 
-/* Forget all values; what is set next is taken, and evaluated, with that many bits. */
+/* Forget all values, and set the precision, in bits. */
 void ttc_probe_begin(ttc_probe *probe, long precision);
 long ttc_probe_precision(const ttc_probe *probe);
 
-/* A symbol's value, with no derivative. Setting a symbol forgets what was evaluated. */
+/* Set a symbol's value, with derivatives 0. Setting a symbol forgets what was evaluated. */
 void ttc_probe_set(ttc_probe *probe, uint32_t symbol, const arb_t value);
 
-/* The same with derivatives: shape (width,). */
+/* Set a symbol's value and derivatives: shape (width,). */
 void ttc_probe_set_jet(ttc_probe *probe, uint32_t symbol, arb_srcptr jet);
 
-/* Make a symbol the tangent `slot` and no other: its derivative is 1 along that, 0 along the rest. */
+/* Give a symbol the derivative 1 along the tangent `slot`, and 0 along others. */
 void ttc_probe_seed(ttc_probe *probe, uint32_t symbol, size_t slot);
 
-/* Every state its own tangent, every other symbol none: derivatives are then those of the table. */
+/* Give each state the derivative 1 along its own tangent, and 0 to all else. */
 void ttc_probe_seed_states(ttc_probe *probe);
 
 bool ttc_probe_is_set(const ttc_probe *probe, uint32_t symbol);
 arb_srcptr ttc_probe_value(const ttc_probe *probe, uint32_t symbol); /* of a symbol that is set */
 
-/** Enclose an expression: shape (width,), until a symbol is set or all is forgotten. NULL when a symbol has no value, a
- *  denominator may be zero, a radicand may be not positive, or memory is out. Cost: one visit a node, remembered. */
+/** Enclose an expression: shape (width,), valid until a symbol is set or all is forgotten. Returns NULL when a symbol has no
+ *  value, a denominator may be zero, a radicand may be not positive, or memory is out. Cost: one visit a node. */
 arb_srcptr ttc_probe_at(ttc_probe *probe, ttc_id id);
 
 #endif

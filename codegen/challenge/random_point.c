@@ -2,7 +2,7 @@
 
 #include <stdlib.h>
 
-/* NULL when memory is out. */
+/* Fills the member `used`. Returns NULL when memory is out. */
 static unsigned char *used_definitions(const ttc_situation *situation)
 {
     const ttc_model *model = situation->model;
@@ -51,7 +51,7 @@ static bool is_quantity(const ttc_symbol_entry *entry)
     return entry->kind == TTC_PARAM || entry->kind == TTC_STATE || entry->kind == TTC_LEVEL || entry->kind == TTC_LAMBDA;
 }
 
-/* The default one time in four: tables give values with which their domains are not empty. */
+/* Take the default one time in four: with defaults, the domain of a table is not empty. */
 static void draw_parameter(fmpq_t out, const ttc_model *model, const ttc_symbol_entry *entry, ttc_random *random,
                            ttc_sample_range range)
 {
@@ -75,7 +75,7 @@ static void draw_state(fmpq_t out, const ttc_symbol_entry *entry, ttc_random *ra
     else ttc_sample_any(out, random, range);
 }
 
-/* Any free symbol that may have a level's value: states three times out of four. */
+/* Free symbols on which the levels depend, states three times out of four. */
 static bool choose_pivots(ttc_random_point *point, const ttc_situation *situation, ttc_random *random)
 {
     const ttc_model *model = situation->model;
@@ -94,7 +94,7 @@ static bool choose_pivots(ttc_random_point *point, const ttc_situation *situatio
     return chosen == situation->level_count;
 }
 
-/* One number in eight is that of an earlier symbol of the same nature, so that differences vanish as well. */
+/* Copy one number in eight from an earlier symbol of the same kind, so that differences vanish as well. */
 static void repeat_some(ttc_random_point *point, const ttc_model *model, ttc_random *random)
 {
     for (uint32_t i = 0; i < model->symbol_count; i++) {
@@ -120,7 +120,7 @@ bool ttc_random_point_draw(ttc_random_point *point, const ttc_situation *situati
     return situation->level_count == 0 || choose_pivots(point, situation, random);
 }
 
-/* low + t (high - low), low + t or high - t; false when an end has no value yet */
+/* jet = low + t (high - low), low + t or high - t. Returns false if an end has no value yet. */
 static bool state_in_interval(ttc_probe *probe, arb_ptr jet, const ttc_symbol_entry *entry, const arb_t t)
 {
     long precision = ttc_probe_precision(probe);
@@ -152,7 +152,7 @@ static bool state_in_interval(ttc_probe *probe, arb_ptr jet, const ttc_symbol_en
     return good;
 }
 
-/* A symbol's value from the point, where all that it needs is known. */
+/* Set a free symbol from the point. Returns false if an end of its interval has no value. */
 static bool set_free(ttc_probe *probe, const ttc_random_point *point, const ttc_model *model, uint32_t symbol, arb_ptr jet)
 {
     const ttc_symbol_entry *entry = &model->symbols[symbol];
@@ -193,7 +193,7 @@ static void set_pivots(ttc_probe *probe, const ttc_random_point *point, const tt
     }
 }
 
-/* Whatever can be set is set until nothing is left: what is bound may need what is free, and ends of intervals both. */
+/* Symbols are set in rounds: bound ones may need free ones, and ends of intervals both. */
 bool ttc_random_point_set(ttc_probe *probe, const ttc_random_point *point, const ttc_situation *situation, long precision,
                           arb_srcptr pivots)
 {

@@ -1,15 +1,14 @@
-/* Where a random point lies: its numbers are set, its levels met, and the domain looked at. */
+/* Places a random point: sets its numbers, meets its levels, locates it in the domain. */
 #include "challenge/random_point.h"
 
-/* Divisors in the definition of an angle are kept with one name of the pair. */
+/* Divisors in the definition of an angle are listed under one name of the pair. */
 static bool is_used(const ttc_random_point *point, const ttc_model *model, uint32_t symbol)
 {
     const ttc_symbol_entry *entry = &model->symbols[symbol];
     return point->used[symbol] || ((entry->kind == TTC_COSINE || entry->kind == TTC_SINE) && point->used[entry->partner]);
 }
 
-/* Factor by factor. Of the root in question it is known that it is not zero where its radicand is not; what else needs that root is
- * passed over. */
+/* Factor by factor. The root in question is not zero where its radicand is not; what else needs that root counts as nonzero. */
 static bool is_not_zero(ttc_probe *probe, const ttc_situation *situation, ttc_id id)
 {
     const ttc_graph *graph = situation->model->graph;
@@ -23,7 +22,7 @@ static bool is_not_zero(ttc_probe *probe, const ttc_situation *situation, ttc_id
     return value == NULL ? situation->own_root != UINT32_MAX : !arb_contains_zero(value);
 }
 
-/* What the claim, the field and the definitions that they use divide by, as written. */
+/* The divisors, as written, of the claim, the field and the definitions in use. */
 static bool divisors_are_not_zero(ttc_probe *probe, const ttc_random_point *point, const ttc_situation *situation)
 {
     const ttc_model *model = situation->model;

@@ -16,13 +16,13 @@ uint64_t ttc_random_below(ttc_random *random, uint64_t bound); /* bound > 0 */
 /* How far numbers may lie from 1. Moderate numbers are for domains in which wide ones hardly ever lie. */
 typedef enum { TTC_SAMPLE_WIDE, TTC_SAMPLE_MODERATE } ttc_sample_range;
 
-/* Positive. Wide ones reach from 2^-40 to 2^40, half of them are small fractions. */
+/* Positive. Wide ones reach beyond 2^-40 and 2^40; half of them are small fractions. */
 void ttc_sample_positive(fmpq_t out, ttc_random *random, ttc_sample_range range);
 
-/* Of either sign, zero one time in sixteen. */
+/* A number of either sign, zero one time in sixteen. */
 void ttc_sample_any(fmpq_t out, ttc_random *random, ttc_sample_range range);
 
-/* Strictly between 0 and 1; wide ones come as near as 2^-40 to either end. */
+/* Strictly between 0 and 1; wide ones come nearer than 2^-40 to either end. */
 void ttc_sample_unit(fmpq_t out, ttc_random *random, ttc_sample_range range);
 
 #endif

@@ -4,7 +4,7 @@
 
 #include <string.h>
 
-/* An identity that fails somewhere fails almost everywhere, as long as it speaks of an open set of points. */
+/* An identity that fails somewhere fails almost everywhere, if it speaks of an open set of points. */
 static const struct {
     ttc_claim_kind kind;
     ttc_checker checker;
@@ -27,7 +27,7 @@ static void bind(ttc_situation *situation, const ttc_bindings *list)
     if (list->count > 0) situation->bound[situation->bound_count++] = list;
 }
 
-/* False when there are more levels than are solved for. */
+/* Returns false if there are more levels than can be solved for. */
 static bool add_level(ttc_situation *situation, ttc_id id)
 {
     if (situation->level_count == TTC_PROBE_SPARE) return false;

@@ -1,4 +1,4 @@
-/* What several commands do in the same way. */
+/* What several commands have in common. */
 #include "command/command.h"
 
 #include "command/command_guard.h"

@@ -1,4 +1,4 @@
-/* ttc build: a table as a shared object of kernels, from the cache where it is there. */
+/* ttc build: makes a shared object of a table's kernels, or finds it in the cache. */
 #include "build/cache.h"
 #include "build/compile.h"
 #include "base/sha256.h"
@@ -11,7 +11,7 @@
 
 enum { DAYS_UNUSED = 90 };
 
-/* Which file this is, without reading it all. */
+/* Append what identifies a file without reading it. */
 static void add_identity(ttc_text *key, const char *path)
 {
     struct stat found;
@@ -20,8 +20,8 @@ static void add_identity(ttc_text *key, const char *path)
                         found.st_mtim.tv_nsec);
 }
 
-/* Everything that decides on the object: ttc, compiler, flags, the table, and those that its claims lead to. False: one of these is
- * wrong, which is to be told again. */
+/* A digest of all that determines the object: ttc, compiler, flags, the table, and those that its claims lead to. Returns false if
+ * one of the latter is wrong: its errors must be reported again. */
 static bool make_key(char digest[65], const ttc_model *model, const char *compiler, unsigned lanes)
 {
     bool good = true;
@@ -63,7 +63,7 @@ static int cannot(const ttc_cache *cache, const char *what)
     return TTC_EXIT_IO;
 }
 
-/* The object is made in a folder of its own. */
+/* Make the object in a folder of its own, and publish it. */
 static int make(ttc_cache *cache, const char *key, const char *compiler, const ttc_options *options)
 {
     ttc_options generate = *options;
@@ -85,7 +85,7 @@ static int make(ttc_cache *cache, const char *key, const char *compiler, const t
     return status;
 }
 
-/* The object's path in *path, for the caller to free. */
+/* *path: that of the object, for the caller to free. */
 static int find_or_make(ttc_cache *cache, const ttc_model *model, const char *compiler, const ttc_options *options, char **path)
 {
     char key[65];
@@ -94,7 +94,7 @@ static int find_or_make(ttc_cache *cache, const ttc_model *model, const char *co
     if (*path == NULL) return TTC_EXIT_MEMORY;
     if (is_known && ttc_cache_has(*path)) return TTC_EXIT_DONE;
     if (!ttc_cache_lock(cache, key)) return cannot(cache, "lock");
-    if (is_known && ttc_cache_has(*path)) return TTC_EXIT_DONE; /* another run has made it meanwhile */
+    if (is_known && ttc_cache_has(*path)) return TTC_EXIT_DONE; /* another run made it while this one waited */
     return make(cache, key, compiler, options);
 }
 

@@ -4,7 +4,7 @@
 
 #include <stdio.h>
 
-/* What a reader looks for: contradictions, doubts, and claims of which no point was found. */
+/* What a reader must notice: contradictions, doubts, and claims for which no point was found. */
 static const char *remark(const ttc_challenge_result *result)
 {
     if (result->contradicted) return ", CONTRADICTED";

@@ -7,8 +7,8 @@
 
 #include <jansson.h>
 
-/** Challenge the verdicts and print what came of it, on stdout, or into `shown`, a JSON object, where that is not NULL.
- *  Contradictions go to stderr as well. Returns TTC_EXIT_DONE, TTC_EXIT_INTERNAL, or TTC_EXIT_MEMORY. */
+/** Challenge the verdicts; results go to stdout or, if that is not NULL, into the JSON object `shown`, contradictions to stderr as
+ *  well. Returns TTC_EXIT_DONE, TTC_EXIT_INTERNAL, or TTC_EXIT_MEMORY. */
 int ttc_command_challenge(const ttc_model *model, const ttc_proof_report *proofs, const ttc_options *options, json_t *shown);
 
 #endif

@@ -1,4 +1,4 @@
-/* ttc check: is the table well formed? Nothing is proved. */
+/* ttc check: reports whether tables are well formed. Nothing is proved. */
 #include "command/command.h"
 
 #include <stdlib.h>

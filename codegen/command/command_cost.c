@@ -1,4 +1,4 @@
-/* ttc cost: operation counts of every kernel, as they stand and optimized. */
+/* ttc cost: prints operation counts of every kernel, as the terms stand and optimized. */
 #include "command/command.h"
 #include "emit/emit_registry.h"
 
@@ -27,7 +27,7 @@ static void add_field(json_t *list, const ttc_catalogue_entry *entry)
                                           entry->elimination == NULL ? "" : entry->elimination->name, "kernels", kernels));
 }
 
-/* failures: what is said of tables without a catalogue, which come last. */
+/* failures: the JSON of tables without a catalogue, which comes last. */
 static int print_json(const ttc_catalogue *catalogues, size_t count, json_t *failures)
 {
     json_t *models = json_array();

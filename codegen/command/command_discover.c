@@ -1,4 +1,4 @@
-/* ttc discover: integrals, factors and densities that a table does not claim, found and proved. */
+/* ttc discover: finds and proves integrals, factors and densities that a table does not claim. */
 #include "base/text.h"
 #include "command/command.h"
 #include "command/command_discover_json.h"
@@ -15,11 +15,11 @@
 
 enum { LIST_MAX = 16, PROGRESS_WIDTH = 78 };
 
-/* A table under conditions, with what the command line adds to it. */
+/* One table, with the conditions and denominators of the command line. */
 typedef struct {
     const ttc_options *options;
-    ttc_model *model;          /* of the table's text, the conditions as its last variant, and denominators as lets */
-    const char *path, *sha256; /* of the table on file */
+    ttc_model *model;          /* the table's text, then the conditions as a variant, and denominators as lets */
+    const char *path, *sha256; /* of the table's file */
     const char *table;         /* the text of the table alone */
     char *when;                /* " when ..." or "" */
     char *denominators[LIST_MAX];
@@ -29,7 +29,7 @@ typedef struct {
     bool shows_progress;
     time_t shown;
     char reason[300];
-    json_t *problems, *found;  /* of --json: of the table; what is found in it. NULL: text is written */
+    json_t *problems, *found;  /* of --json: problems of the table; finds. NULL: text is written */
     int status;
 } work;
 
@@ -47,7 +47,7 @@ static void show_progress(void *context, const char *text)
     fprintf(stderr, "\r%-*.*s", PROGRESS_WIDTH, PROGRESS_WIDTH, text);
 }
 
-/* What was found stands, whatever ends the program afterwards. */
+/* Finds are written at once, whatever ends the program afterwards. */
 static void write_line(const work *w, const char *text)
 {
     clear_progress(w);
@@ -84,10 +84,10 @@ static char *joined(const char *a, const char *b, const char *c)
     return strcat(text, c);
 }
 
-/* Claims of lines beyond those of the table are the ones to be proved. */
+/* Only claims below the lines of the table are to be proved. */
 static bool is_beyond(void *context, const ttc_proof *proof) { return proof->place.line > *(const uint32_t *)context; }
 
-/* Why claims are not proved, of the first that is not. */
+/* The reason of the first claim that is not proved. */
 static void keep_reason(work *w, const char *name, const char *reason)
 {
     snprintf(w->reason, sizeof w->reason, "%s%s%s", name, *name != '\0' ? ": " : "", reason != NULL
@@ -131,7 +131,7 @@ static bool prove(void *context, const char *claims, bool *is_smooth)
     return proved;
 }
 
-/* Parts between commas outside of parentheses, without blanks around them. False: there are too many, or one is empty. */
+/* Parts between commas outside of parentheses, without blanks around them. Returns false if there are too many, or one is empty. */
 static bool split(char **parts, size_t *count, const char *list)
 {
     int depth = 0;
@@ -155,7 +155,7 @@ static void free_parts(char **parts, size_t count)
     for (size_t i = 0; i < count; i++) free(parts[i]);
 }
 
-/* On stderr, and where JSON is written among the problems; those of the command line have no place in the table. */
+/* Report a problem of the command line on stderr and, with --json, among the problems. */
 TTC_PRINTF(3, 4) static int refuse(const work *w, int status, const char *format, ...)
 {
     char message[1024];
@@ -169,7 +169,7 @@ TTC_PRINTF(3, 4) static int refuse(const work *w, int status, const char *format
     return status;
 }
 
-/* Each part is PARAM = EXPR. */
+/* Each part must be PARAM = EXPR, with a parameter of the table. */
 static int check_conditions(const work *w, const ttc_model *table, char **parts, size_t count)
 {
     for (size_t i = 0; i < count; i++) {
@@ -190,7 +190,7 @@ static int check_conditions(const work *w, const ttc_model *table, char **parts,
     return TTC_EXIT_DONE;
 }
 
-/* The table's text with what the command line says, as records at its end. */
+/* Parse the table's text, with the conditions and denominators of the command line at its end. */
 static int extend(work *w, const ttc_model *table)
 {
     const ttc_options *options = w->options;
@@ -223,7 +223,6 @@ static int extend(work *w, const ttc_model *table)
     return w->model == NULL ? TTC_EXIT_BAD_TABLE : TTC_EXIT_DONE;
 }
 
-/* The conditions and the denominators, as they stand in the extended model. */
 static void bind(work *w)
 {
     uint32_t symbol;
@@ -235,7 +234,7 @@ static void bind(work *w)
     }
 }
 
-/* A claim that holds under the conditions asked for: all that it sets is so already. */
+/* Whether a claim holds under the conditions asked for, which imply all that it sets. */
 static bool holds_here(ttc_discovery *d, const ttc_claim *claim)
 {
     bool holds = claim->modulo_count == 0;
@@ -258,7 +257,7 @@ static bool is_quantity(void *context, const ttc_proof *proof)
     return strcmp(proof->kind, "integral") == 0 || strcmp(proof->kind, "measure") == 0;
 }
 
-/* Some point of the domain meets the conditions: without one nothing that is found could be proved. Else w->reason has why. */
+/* Whether a point of the domain is known to meet the conditions, without which nothing could be proved; else w->reason says why. */
 static bool have_a_point(work *w)
 {
     char *claim = joined("equal when_ : 0 = 0", w->when, "\n");
@@ -267,7 +266,7 @@ static bool have_a_point(work *w)
     return have;
 }
 
-/* What the table claims of this kind, and is proved. */
+/* Add what the table claims and is proved. Returns false when memory is out. */
 static bool learn(work *w, ttc_discovery *d)
 {
     ttc_text known = { 0 };
@@ -287,7 +286,7 @@ static bool learn(work *w, ttc_discovery *d)
     return report != NULL;
 }
 
-/* A denominator of the command line that is no ratio, or zero, is told of; the others are looked at. */
+/* Integrals over a denominator of the command line, unless that is zero, or no ratio. */
 static void divide(work *w, ttc_discovery *d, size_t i)
 {
     ttc_ratio denominator;
@@ -349,7 +348,7 @@ static void seek(work *w)
     ttc_discovery_destroy(d);
 }
 
-/* One table. Returns what is to be written of it in JSON, NULL where text is. */
+/* One table. Returns its JSON; NULL if text is written. */
 static json_t *discover(const char *path, const ttc_options *options, int *status)
 {
     work w = { .options = options, .shows_progress = isatty(STDERR_FILENO) != 0, .path = path,

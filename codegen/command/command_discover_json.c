@@ -22,14 +22,14 @@ void ttc_command_discover_add_problem(json_t *problems, const char *path, const 
                                               "line", 0, "column", 0, "message", ttc_command_string(message)));
 }
 
-/* Without the line's end. */
+/* Without the line feed at the end. */
 static json_t *line_of(const char *text)
 {
     const size_t length = strlen(text);
     return json_stringn(text, length > 0 && text[length - 1] == '\n' ? length - 1 : length);
 }
 
-/* The last record is the claim: others, as roots, are what it is written with. */
+/* The last record is the claim; others, such as roots, are used in it. */
 static const char *last_record(const char *text)
 {
     const char *last = text;

@@ -1,4 +1,4 @@
-/* ttc generate: all files of all tables, written together or not at all. */
+/* ttc generate: writes all files of all tables, or none. */
 #include "command/command.h"
 #include "emit/emit.h"
 #include "emit/emit_registry.h"
@@ -14,12 +14,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Lists of the folder that is written to, "" where there are none. */
+/* Lists of the folder that is written to; NULL if there are none. */
 typedef struct {
     char *manifest, *counts;
 } kept_lists;
 
-/* A list of the folder; NULL when there is none, or it cannot be read. */
+/* A list of the folder; NULL if there is none, or it cannot be read. */
 static char *read_list(const char *folder, const char *name)
 {
     ttc_text path = { 0 };
@@ -32,7 +32,7 @@ static char *read_list(const char *folder, const char *name)
     return list;
 }
 
-/* A model's folder on its way to being written. */
+/* What the files of one model are made of. */
 typedef struct {
     ttc_output *output;
     const ttc_catalogue *catalogue;
@@ -66,7 +66,7 @@ static bool generate_field(const model_files *f, ttc_kernels *kernels)
     return text != NULL && !text->failed;
 }
 
-/* failed: the kernels that could not be written, NULL where it was something else. */
+/* *failed: the kernels that could not be written, NULL if something else failed. */
 static bool generate_model(const model_files *f, ttc_kernels **failed)
 {
     const ttc_catalogue *catalogue = f->catalogue;
@@ -88,7 +88,7 @@ static bool generate_model(const model_files *f, ttc_kernels **failed)
     return text != NULL && ttc_emit_ball(text, catalogue);
 }
 
-/* What is written of all tables together. Rows of a table that is kept come from the lists there are. */
+/* The lists of all tables. Rows of a table that is kept come from the lists there are. */
 static bool generate_lists(ttc_output *output, ttc_model *const *models, const ttc_catalogue *catalogues, size_t count,
                            const kept_lists *kept)
 {
@@ -128,7 +128,6 @@ static bool is_failed(const ttc_output *output)
     return failed;
 }
 
-/* Why a model's files could not be made. */
 static void complain(const model_files *f, const ttc_kernels *failed)
 {
     const ttc_model *model = f->catalogue->model;
@@ -154,7 +153,7 @@ static void complain(const model_files *f, const ttc_kernels *failed)
     else ttc_command_complain(model, place, NULL, "the kernels asked for here cannot be written: %s", reason);
 }
 
-/* Where kernels of a catalogue rest on a claim, "FIELD: KERNELS; ...". */
+/* The kernels of a catalogue that rest on a claim, "FIELD: KERNELS; ...". */
 static void add_resting(ttc_text *text, const ttc_catalogue *catalogue, const ttc_proof_report *report, size_t proof)
 {
     for (size_t i = 0; i < catalogue->count; i++) {
@@ -171,7 +170,7 @@ static void add_resting(ttc_text *text, const ttc_catalogue *catalogue, const tt
     }
 }
 
-/* What a claim without a proof takes along, in words; `resting` as add_resting wrote it. */
+/* Report what a claim without a proof entails; resting: from add_resting. */
 static void tell_consequence(const ttc_model *model, const ttc_proof *proof, const ttc_claim *claim, const ttc_text *resting,
                              bool refuse)
 {
@@ -194,7 +193,7 @@ static void tell_consequence(const ttc_model *model, const ttc_proof *proof, con
     else ttc_command_warn(model, proof->place, "the %s claim '%s' is %s", proof->kind, proof->name, status);
 }
 
-/* Tell of claims without a proof; `all`: the names of those that kernels rest on. False: memory is out. */
+/* Report claims without a proof; all: the names of those that kernels rest on. Returns false when memory is out. */
 static bool tell_unproved(const ttc_catalogue *catalogue, const ttc_proof_report *report, bool refuse, ttc_text *all)
 {
     bool failed = false;
@@ -212,7 +211,7 @@ static bool tell_unproved(const ttc_catalogue *catalogue, const ttc_proof_report
     return !failed && !all->failed;
 }
 
-/* The claims that kernels of the catalogue rest on without a proof, marked in its fields. False: they are refused. */
+/* Mark in the catalogue the unproved claims that kernels rest on. Returns false if they are refused, or when memory is out. */
 static bool mark_unproved(ttc_catalogue *catalogue, const ttc_proof_report *report, const ttc_options *options, int *status,
                           ttc_text *all)
 {
@@ -226,7 +225,7 @@ static bool mark_unproved(ttc_catalogue *catalogue, const ttc_proof_report *repo
     return false;
 }
 
-/* Every kernel of the catalogue computes what the table says, or a proof of that is beyond the prover: neither is written. */
+/* Prove that every kernel computes what the table says; if one is not proved, *status is raised, and nothing is written. */
 static void prove_kernels(const ttc_catalogue *catalogue, ttc_proof_report *report, int *status)
 {
     const size_t claims = report->proof_count;
@@ -244,8 +243,8 @@ static void prove_kernels(const ttc_catalogue *catalogue, ttc_proof_report *repo
     }
 }
 
-/* Everything that one table is written as. Kernels are proved when they are written, for what a proof adds to the graph of
- * expressions would change them. */
+/* All files of one table. Kernels are proved after they are written, for proofs add to the expression graph, which would change
+ * them. */
 static void generate_table(ttc_output *output, ttc_catalogue *catalogue, const ttc_model *model, const ttc_options *options,
                            int *status)
 {
@@ -280,7 +279,6 @@ static int write_files(const ttc_output *output, const char *folder)
     return TTC_EXIT_IO;
 }
 
-/* Two tables would write the same files. */
 static void refuse_name(const ttc_model *model, const ttc_model *other, int *status)
 {
     ttc_command_complain(model, (ttc_place){ 1, 1 }, NULL, "the model '%s' would be written twice (%s has this name as well)",

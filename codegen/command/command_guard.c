@@ -1,7 +1,7 @@
 /* Proofs within bounds: a worker process settles one claim after the other and sends each verdict through a pipe. Algebra can
- * outgrow any machine, and the libraries beneath end their process when memory is out: then the worker dies, the claim that it
- * was at is not settled, by name, and another worker goes on with the next. A worker that dies without a word of memory has a
- * fault, which must not pass for a bound. */
+ * outgrow any machine, and libraries end their process when memory is out: then the worker dies, its claim is not settled, by
+ * name, and another worker goes on with the next. A worker that dies without a word of memory has a fault, which must not pass for
+ * a bound. */
 #include "command/command_guard.h"
 
 #include <errno.h>
@@ -26,7 +26,7 @@ enum { ADDRESS_SPACE_IS_BOUNDED = 0 };
 enum { ADDRESS_SPACE_IS_BOUNDED = 1 };
 #endif
 
-/* A verdict as it goes through the pipe; the texts follow, without their final zeros. SIZE_MAX stands for no text. */
+/* A verdict in the pipe; its texts follow, without final zeros. SIZE_MAX stands for no text. */
 typedef struct {
     size_t index;
     ttc_proof_status status;
@@ -35,20 +35,20 @@ typedef struct {
     size_t lengths[3];
 } message;
 
-/* A claim's share of the processor, so that what else runs does not count; and of the clock, for one that only waits. */
+/* When a claim is late: by processor time, so that other processes do not count; by the clock, if it only waits. */
 typedef struct {
     clockid_t processor; /* of the worker */
     double processor_end, clock_end;
 } bounds;
 
-/* 0: there is no such clock any more, its process has ended. */
+/* Seconds; 0 if the clock's process has ended. */
 static double time_of(clockid_t clock)
 {
     struct timespec time;
     return clock_gettime(clock, &time) == 0 ? (double)time.tv_sec + 1e-9 * (double)time.tv_nsec : 0;
 }
 
-/* How long a worker may be waited for before it can be late. */
+/* Seconds before the worker can be late. */
 static double left(const bounds *b)
 {
     const double processor = b->processor_end - time_of(b->processor), clock = b->clock_end - time_of(CLOCK_MONOTONIC);
@@ -85,12 +85,12 @@ static bool send_proof(int descriptor, size_t index, const ttc_proof *proof)
     return ok;
 }
 
-/* In the worker; what its libraries say when they die goes to `words`, and is said by us. */
+/* Runs in the worker. What libraries print when they end it goes to `words`, and the parent reports it. */
 static void work(ttc_proof_run *run, const bool *settled, int descriptor, int words)
 {
     struct rlimit memory = { (rlim_t)MEMORY_MIB << 20, (rlim_t)MEMORY_MIB << 20 }, core = { 0, 0 };
-    prctl(PR_SET_PDEATHSIG, SIGKILL); /* whatever ends the parent ends the work */
-    dup2(words, STDOUT_FILENO); /* FLINT 2 says it there, others with stderr */
+    prctl(PR_SET_PDEATHSIG, SIGKILL); /* the worker ends with its parent */
+    dup2(words, STDOUT_FILENO); /* FLINT 2 prints there, others on stderr */
     dup2(words, STDERR_FILENO);
     if (ADDRESS_SPACE_IS_BOUNDED) setrlimit(RLIMIT_AS, &memory);
     setrlimit(RLIMIT_CORE, &core);
@@ -152,8 +152,8 @@ static size_t first_open(const bool *settled, size_t count)
     return i;
 }
 
-/* What is said when an allocation fails or a number is too large to be stored, before the process ends: by FLINT and GMP, by
- * C++, by GMP, and by ttc where it is told of it (base/exhaustion.h). */
+/* Words printed when an allocation fails or a number is too large to be stored, before the process ends: by FLINT and GMP, by C++,
+ * by GMP, and by ttc (base/exhaustion.h). */
 static bool speak_of_memory(const char *words)
 {
     static const char *const signs[] = { "allocate", "bad_alloc", "overflow in mpz", "out of memory" };
@@ -162,7 +162,7 @@ static bool speak_of_memory(const char *words)
     return false;
 }
 
-/* Why a worker that is no more, with that status, did not send all. A kill is the kernel's, for memory, or ours. */
+/* Why a worker that ended with this status did not send all. SIGKILL is the kernel's, for memory, or the parent's. */
 static ttc_proof_ending ending_of(read_result result, int status, const char *words)
 {
     if (result == READ_LATE) return TTC_ENDED_LATE;
@@ -189,7 +189,7 @@ static void give_up(ttc_proof_run *run, bool *settled, int claim_seconds, ttc_pr
     settled[index] = true;
 }
 
-/* What a worker that is no more said first, as one line, shape (WORDS_SIZE,): FLINT 3 gives the reason in its second. */
+/* Read what an ended worker printed first, as one line, shape (WORDS_SIZE,): FLINT 3 gives the reason in its second. */
 static void read_words(int descriptor, char *words)
 {
     ssize_t length = read(descriptor, words, WORDS_SIZE - 1);
@@ -198,7 +198,7 @@ static void read_words(int descriptor, char *words)
         if (*c == '\n') *c = ' ';
 }
 
-/* Two pipes: for verdicts, and for last words, where a worker never waits for a reader. False: none is open. */
+/* Two pipes: for verdicts, and for last words, where a worker never waits for a reader. Returns false with none open. */
 static bool open_pipes(int verdicts[2], int words[2])
 {
     if (pipe(verdicts) != 0) return false;
@@ -214,15 +214,15 @@ static bool open_pipes(int verdicts[2], int words[2])
 
 static double seconds_of(struct timeval time) { return (double)time.tv_sec + 1e-6 * (double)time.tv_usec; }
 
-/* Processor time of all workers that are no more. */
+/* Processor time of all workers that have ended. */
 static double spent(void)
 {
     struct rusage used;
     return getrusage(RUSAGE_CHILDREN, &used) == 0 ? seconds_of(used.ru_utime) + seconds_of(used.ru_stime) : 0;
 }
 
-/* One worker, until it is done, dead or late; the claim that it was at is then given up. In/out: seconds, that are left to the
- * table. False: no worker can be made. */
+/* Run one worker until it is done, dead or late; its claim is then given up. In/out: *seconds, left for the table. Returns false
+ * if no worker can be made. */
 static bool employ(ttc_proof_run *run, bool *settled, int claim_seconds, double *seconds)
 {
     int verdicts[2], words[2], status = 0;
@@ -249,7 +249,7 @@ static bool employ(ttc_proof_run *run, bool *settled, int claim_seconds, double 
         result = receive_proof(verdicts[0], run, settled, &b);
     }
     if (worker > 0) {
-        kill(worker, SIGKILL); /* one that is dead keeps its status */
+        kill(worker, SIGKILL); /* a dead worker keeps its status */
         while (waitpid(worker, &status, 0) < 0 && errno == EINTR) continue;
         *seconds -= spent() - spent_before;
         read_words(words[0], said);

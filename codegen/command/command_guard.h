@@ -1,21 +1,21 @@
-/** Proofs of a table's claims within bounds of time and memory, whatever the table. */
+/** Proves a table's claims within bounds of time and memory, whatever the table. */
 #ifndef TTC_COMMAND_GUARD_H
 #define TTC_COMMAND_GUARD_H
 
 #include "prove/prove.h"
 
-/* Of processor time a claim; the longer one where a verdict is waited for, whatever the machine. */
+/* Processor time for a claim; FULL where a verdict is needed on any machine. */
 enum { TTC_GUARD_SECONDS = 20, TTC_GUARD_SECONDS_FULL = 120 };
 
-/** Prove every claim in a process beside this one, which may take claim_seconds > 0 of processor time a claim, 5/2 as many
- *  a table, and 1536 MiB. What passes a bound, or ends its process, is not settled, says so, and has an ending other than
+/** Prove every claim in a process beside this one, with claim_seconds > 0 of processor time a claim, 5/2 as many a table, and 1536
+ *  MiB. A claim that passes a bound, or ends its process, is not settled, says why, and has an ending other than
  *  TTC_ENDED_BY_VERDICT.
  *  In: resolver and context as ttc_prove takes them; the worker calls them in its own copy of the memory.
- *  NULL: memory is out, or no process can be made. */
+ *  Returns NULL when memory is out, or no process can be made. */
 ttc_proof_report *ttc_prove_guarded(const ttc_model *model, int claim_seconds, ttc_resolver resolver, void *context);
 
-/* The same of those claims alone that `wanted` says; it is asked before anything is proved, when name, kind and place are
- * known. The others are not settled in the report, unless one of these rests on them. */
+/* The same for those claims alone for which `wanted` returns true; it is called before anything is proved, when name, kind and
+ * place are known. Others are not settled in the report, unless one of these rests on them. */
 typedef bool (*ttc_proof_filter)(void *context, const ttc_proof *proof);
 ttc_proof_report *ttc_prove_some_guarded(const ttc_model *model, int claim_seconds, ttc_proof_filter wanted, void *wanted_context,
                                          ttc_resolver resolver, void *context);

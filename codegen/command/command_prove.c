@@ -1,4 +1,4 @@
-/* ttc prove: every claim of the tables, proved or refuted exactly. */
+/* ttc prove: proves or refutes every claim of the tables, exactly. */
 #include "command/command.h"
 #include "command/command_challenge.h"
 #include "command/command_guard.h"
@@ -13,7 +13,7 @@ static bool is_proved_kernel(const ttc_proof *proof)
     return proof->status == TTC_PROVED && strcmp(proof->kind, "kernel") == 0;
 }
 
-/* The proved kernels of one field, which stand together, on one line. Returns the index of the last of them. */
+/* The proved kernels of one field, which follow each other, on one line. Returns the index of the last. */
 static size_t print_kernels(const ttc_proof_report *report, size_t first)
 {
     const char *name = report->proofs[first].name;
@@ -26,7 +26,7 @@ static size_t print_kernels(const ttc_proof_report *report, size_t first)
     return i - 1;
 }
 
-/* What backs a verdict: all of it with --verbose; without it only what makes a proof less than it seems. */
+/* Print what backs a verdict; without --verbose only points that refute, and notes on densities that are not smooth. */
 static void print_backing(const ttc_proof *proof, bool verbose)
 {
     bool is_density = strcmp(proof->kind, "measure") == 0;
@@ -150,8 +150,8 @@ static int mutate(const ttc_model *model, bool json, json_t *reports)
     return status;
 }
 
-/* The report is printed as far as it goes also where the kernels cannot be made. Kernels come before proofs, whose
- * expressions must not come between: the programs are then those that `generate` writes. */
+/* The report on the claims is printed even if the kernels cannot be made. Kernels are made before proofs, whose expressions would
+ * change them: so the programs are those that `generate` writes. */
 static int prove(const ttc_model *model, const ttc_options *options, json_t *reports)
 {
     ttc_catalogue catalogue = { 0 };

@@ -1,4 +1,4 @@
-/* ttc show: equations and Jacobian, for the eye. */
+/* ttc show: prints equations and Jacobian for readers. */
 #include "command/command.h"
 
 #include <string.h>

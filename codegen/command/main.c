@@ -112,7 +112,6 @@ static const char exit_text[] =
     "\vExit status: 0 done; 1 a claim is refuted; 2 the command line is wrong; 3 a table is wrong, or a claim is not settled; "
     "4 memory is out; 5 a file cannot be read or written; 70 a point contradicts a verdict, which is an error of this program.";
 
-/* A whole number of the command line, in decimal. */
 static uint64_t parse_number(const char *text, uint64_t least, uint64_t most, struct argp_state *state)
 {
     char *end = NULL;
@@ -124,7 +123,7 @@ static uint64_t parse_number(const char *text, uint64_t least, uint64_t most, st
     return value;
 }
 
-/* Kinds of what is looked for, as bits. */
+/* Parse a list of the kinds to look for. Returns them as bits. */
 static unsigned parse_kinds(const char *list, struct argp_state *state)
 {
     static const struct {
@@ -245,23 +244,7 @@ static void print_help(FILE *stream)
                     "%s\n", exit_text + 1);
 }
 
-/* The command line as headers quote it: options and base names, so that it does not depend on where files lie. */
-static char *quote_command_line(int argc, char **argv)
-{
-    size_t length = strlen("ttc") + 1;
-    for (int i = 1; i < argc; i++) length += strlen(argv[i]) + 1;
-    char *line = malloc(length);
-    if (line == NULL) return NULL;
-    strcpy(line, "ttc");
-    for (int i = 1; i < argc; i++) {
-        const char *slash = strrchr(argv[i], '/');
-        strcat(line, " ");
-        strcat(line, slash == NULL ? argv[i] : slash + 1);
-    }
-    return line;
-}
-
-/* What stdio still holds goes out now, so that a full disk is noticed. */
+/* Flush stdout, so that a full disk is noticed. Returns `status`, or TTC_EXIT_IO on failure. */
 static int flushed(int status)
 {
     if (fflush(stdout) == 0 && !ferror(stdout)) return status;
@@ -275,15 +258,13 @@ static int run_command(const command *chosen, int argc, char **argv)
     int status = TTC_EXIT_USAGE;
     ttc_options options = { .format = "text", .degree = 4, .memory = 8,
                             .kinds = TTC_DISCOVER_INTEGRALS | TTC_DISCOVER_FACTORS | TTC_DISCOVER_DENSITIES };
-    char *line = quote_command_line(argc, argv);
     char *help = malloc(strlen(chosen->help) + sizeof exit_text);
     options.files = calloc((size_t)argc, sizeof *options.files);
-    if (line == NULL || help == NULL || options.files == NULL) {
+    if (help == NULL || options.files == NULL) {
         fprintf(stderr, "ttc: out of memory\n");
         status = TTC_EXIT_MEMORY;
         goto done;
     }
-    options.command_line = line;
     snprintf(name, sizeof name, "ttc %s", chosen->name);
     strcpy(help, chosen->help);
     strcat(help, exit_text);
@@ -295,7 +276,6 @@ static int run_command(const command *chosen, int argc, char **argv)
 done:
     free(options.files);
     free(help);
-    free(line);
     return status;
 }
 
@@ -310,7 +290,7 @@ static void end_without_memory(void)
 int main(int argc, char **argv)
 {
     if (!ttc_output_standard()) return TTC_EXIT_IO;
-    signal(SIGXFSZ, SIG_IGN); /* writing then fails, and is told of as any failure is */
+    signal(SIGXFSZ, SIG_IGN); /* writing beyond the limit then fails, and is reported */
     ttc_exhaustion_handle(end_without_memory);
     const char *word = argc > 1 ? argv[1] : "";
     if (strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0 || strcmp(word, "-?") == 0 || strcmp(word, "help") == 0) {

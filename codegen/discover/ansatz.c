@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A monomial with what its sector goes by. */
+/* A monomial, with the weight and signs that determine its sector. */
 typedef struct {
     long weight;
     uint32_t signs;
@@ -33,7 +33,7 @@ static uint32_t signs_of(const ttc_sign_changes *changes, size_t change_count, s
     return signs;
 }
 
-/* Numbers of monomials by degree, weight and signs, one quantity after the other. */
+/* counts, shape (degree + 1, weights, signs): numbers of monomials in the quantities so far. */
 void ttc_ansatz_measure(double *total, double *largest, const ttc_flow *flow, int degree, const ttc_sign_changes *changes,
                         size_t change_count, const ttc_grading *grading)
 {
@@ -47,7 +47,7 @@ void ttc_ansatz_measure(double *total, double *largest, const ttc_flow *flow, in
         const int step = flow->degrees[i];
         const size_t weight = (size_t)weight_of(grading, i);
         const uint32_t signs = signs_of(changes, change_count, i);
-        for (int at = 0; at + step <= degree; at++) { /* a root is taken once: from the highest degree down */
+        for (int at = 0; at + step <= degree; at++) { /* from the highest degree down a root is used once */
             const int from = flow->is_root[i] ? degree - step - at : at;
             const double *below = counts + (size_t)from * plane;
             double *above = counts + (size_t)(from + step) * plane;

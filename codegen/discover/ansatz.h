@@ -4,7 +4,7 @@
 
 #include "discover/symmetry.h"
 
-/* exponents: shape (count, quantities). Monomials of a sector change signs alike, and have one weight. */
+/* Monomials of one weight that change signs alike. exponents: shape (count, quantities). */
 typedef struct {
     unsigned char *exponents;
     size_t count;
@@ -18,14 +18,14 @@ typedef struct {
     size_t largest;
 } ttc_ansatz;
 
-/** The number of monomials up to a degree, and that of the largest sector, without making any: as floating-point numbers, for they
- *  may be beyond others. Arguments as below. */
+/** Count the monomials up to a degree, and those of the largest sector, without making them; as doubles, for they may be huge.
+ *  Arguments as below. */
 void ttc_ansatz_measure(double *total, double *largest, const ttc_flow *flow, int degree, const ttc_sign_changes *changes,
                         size_t change_count, const ttc_grading *grading);
 
-/** All monomials of degree <= degree, 0 <= degree <= 255; of roots in the first power at most.
- *  changes: the first `change_count` tell sectors apart. grading: so does the weight; NULL, or one without weights: it does not.
- *  Sectors come in the order of their weights and signs, monomials of a sector by rising degree. */
+/** Make all monomials of degree <= degree, 0 <= degree <= 255, with roots to the first power at most.
+ *  Sectors differ in signs under the first `change_count` changes, and in weight, unless grading is NULL or has none. They come in
+ *  the order of weights and signs, monomials of a sector by rising degree. */
 void ttc_ansatz_create(ttc_ansatz *out, const ttc_flow *flow, int degree, const ttc_sign_changes *changes, size_t change_count,
                        const ttc_grading *grading);
 void ttc_ansatz_clear(ttc_ansatz *ansatz);

@@ -7,7 +7,7 @@
 
 enum { COLUMNS = 100 };
 
-/* Terms with the same powers of quantities. */
+/* The terms with the same powers of quantities. */
 typedef struct {
     ulong *exponents; /* by quantity */
     size_t width, degree;
@@ -30,7 +30,7 @@ static void add_power(ttc_text *text, const char *base, bool is_sum, ulong expon
     if (exponent > 1) ttc_text_format(text, "^%lu", (unsigned long)exponent);
 }
 
-/* A coefficient without its sign, as a product: false, and nothing is written, where it is 1. */
+/* The absolute value of a coefficient, as a product. Returns false, and appends nothing, if it is 1. */
 static bool add_coefficient(ttc_text *text, const ttc_flow *flow, const fmpz_mpoly_t coefficient, bool *is_negative)
 {
     bool has_factor = false;
@@ -39,7 +39,7 @@ static bool add_coefficient(ttc_text *text, const ttc_flow *flow, const fmpz_mpo
     fmpz_t constant;
     fmpz_mpoly_factor_init(factors, context);
     fmpz_init(constant);
-    if (fmpz_mpoly_factor(factors, coefficient, context) == 0) { /* it grew too large: as it stands */
+    if (fmpz_mpoly_factor(factors, coefficient, context) == 0) { /* not factored: append it as it stands */
         char *whole = fmpz_mpoly_get_str_pretty(coefficient, (const char **)flow->ring->names, context);
         *is_negative = false;
         add_power(text, whole, true, 1, &has_factor);

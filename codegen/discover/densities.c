@@ -1,8 +1,8 @@
-/* Invariant densities: (rho f) is free of divergence where (log rho)' = -div f. */
+/* Finds invariant densities: div(rho f) = 0 where (log rho)' = -div f. */
 #include "discover/claim_text.h"
 #include "discover/discover.h"
 
-/* The square of what would be a density, where its sign is not one on the domain: base' = -2 div f base. */
+/* base' = -2 div f base, in place of the density sqrt(base) where base changes its sign on the domain. */
 static bool publish_square(ttc_discovery *d, const char *base)
 {
     char *name = ttc_discovery_name(d, "square");
@@ -17,7 +17,7 @@ static bool publish_square(ttc_discovery *d, const char *base)
     return proved;
 }
 
-/* The claim: a square root needs a record of its own, and a base of one sign. */
+/* A square root needs a record of its own, and a base of one sign. */
 static void write_density(ttc_text *claim, ttc_discovery *d, const char *name, const char *base, int power, bool negative)
 {
     char *root = power == 2 ? ttc_discovery_name(d, "root") : NULL;
@@ -85,7 +85,7 @@ void ttc_discover_densities(ttc_discovery *d)
         ttc_modular_ratio_set(&twist, ring, &rate, d->flow->mod);
         ttc_question question = { .degree = reached, .twist = &twist, .keeps_signs = true };
         if (d->densities.count > 0) break;
-        ttc_answer answer = ttc_search(d, &question, NULL, NULL); /* one rank answers for all degrees, where there is none */
+        ttc_answer answer = ttc_search(d, &question, NULL, NULL); /* if there is none, one rank answers for all degrees */
         monomials = answer.monomials;
         if (answer.answered) continue;
         for (int degree = 0; degree <= reached && d->densities.count == 0; degree++) {

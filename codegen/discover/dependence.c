@@ -30,7 +30,8 @@ static bool draw(search *s, size_t at, const ulong *parameters)
     return s->sample(s->context, s->values + at * s->count, place);
 }
 
-/* Of all quotients r/t with r = t y at the points, that with the least sum of degrees. */
+/* The degrees of the quotient r/t, with r = t y at the points x, of the least sum of degrees, by the Euclidean algorithm. Returns
+ * false if they are too high for so few points. */
 static bool univariate(int *above, int *below, const ulong *x, const ulong *y, nmod_t mod)
 {
     slong best = 2 * POINTS;
@@ -82,7 +83,7 @@ static bool find_degrees(search *s, degrees *d, uint64_t *source)
     return good;
 }
 
-/* The number of monomials with these degrees at most; as a floating-point number, for it may be huge. */
+/* The number of monomials with at most these degrees; as a double, for it may be huge. */
 static double box_size(const int *of, size_t count)
 {
     double size = 1;
@@ -110,7 +111,7 @@ static ulong box_value(size_t k, const int *of, const ttc_flow *flow, const ulon
     return value;
 }
 
-/* polynomial = sum of coefficients[k]/scale times monomial k, times the common denominator. */
+/* *out = numerator/denominator with the coefficients coefficients[k]/scale. Returns false if one is no small rational number. */
 static bool set_polynomials(ttc_ratio *out, const ttc_flow *flow, const ulong *coefficients, ulong scale, const int *above,
                             size_t above_count, const int *below, size_t below_count)
 {
@@ -145,7 +146,7 @@ static bool set_polynomials(ttc_ratio *out, const ttc_flow *flow, const ulong *c
     return good;
 }
 
-/* numerator - value denominator = 0 at all samples has one solution. */
+/* Solve numerator - value * denominator = 0 at all samples. Returns false unless the solution is unique up to a factor. */
 static bool solve(ttc_ratio *out, const search *s, size_t j, const int *above, const int *below)
 {
     const ttc_flow *flow = s->flow;

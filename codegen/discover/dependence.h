@@ -1,19 +1,19 @@
-/** Rational functions of the parameters from their values in a prime field.
+/** Reconstructs rational functions of the parameters from values in a prime field.
  *
- *  The degrees in each parameter are those of the rational function of it alone, by Cauchy's interpolation (J. von zur Gathen,
- *  J. Gerhard, Modern Computer Algebra, 5.8); numerator and denominator with these degrees are then unique, and found by linear
- *  algebra; their coefficients are rational numbers, by reconstruction. Nothing here is a proof: what is found is proved
- *  elsewhere. */
+ *  Cauchy interpolation in one parameter at a time gives the degrees (J. von zur Gathen, J. Gerhard, Modern Computer Algebra,
+ *  5.8). Numerator and denominator of these degrees are unique up to a factor, and follow by linear algebra; rational
+ *  reconstruction gives their coefficients. Nothing here is a proof: results are proved elsewhere. */
 #ifndef TTC_DEPENDENCE_H
 #define TTC_DEPENDENCE_H
 
 #include "discover/flow.h"
 
-/* Values of the functions at parameters, shape (count,) of which out receives; parameters, shape (variable_count,), may be written
- * to beyond the parameters themselves. False: there are none at these. */
+/* out = values of the functions at the given parameters, shape (count,). parameters, shape (variable_count,): other entries may be
+ * overwritten. Returns false if there are no values. */
 typedef bool (*ttc_dependence_sampler)(void *context, ulong *out, ulong *parameters);
 
-/** out: shape (count,), initialized. False: some function is of too high a degree, has too many terms, or is not rational. */
+/** out: shape (count,), initialized. Returns false if some function has too high a degree or too many terms, is not rational, or
+ *  has no values. */
 bool ttc_dependence_find(ttc_ratio *out, size_t count, const ttc_flow *flow, ttc_dependence_sampler sample, void *context,
                          uint64_t *source);
 

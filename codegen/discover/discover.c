@@ -41,7 +41,7 @@ void ttc_discovery_destroy(ttc_discovery *d)
     flint_free(d);
 }
 
-/* The degree of a ratio as a polynomial in the quantities; -1: it is none. */
+/* The degree as a polynomial in the quantities; -1 if it is none. */
 static int degree_of(const ttc_flow *flow, const ttc_ratio *value)
 {
     const bool divides = ttc_flow_degree(flow, value->denominator) > 0;

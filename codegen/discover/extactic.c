@@ -36,7 +36,7 @@ static void extactic_clear(extactic *e)
     fmpz_mpoly_clear(e->common, e->context);
 }
 
-/* A change of time, which keeps what is invariant, makes polynomials of the rates. False: no common denominator was found. */
+/* A change of time, which keeps invariant sets, makes the rates polynomials. Returns false if no common denominator was found. */
 static bool set_rates(extactic *e)
 {
     const ttc_flow *flow = e->flow;
@@ -59,7 +59,7 @@ static bool set_rates(extactic *e)
     return good;
 }
 
-/* The monomials of degree 1 to `degree`, at most 2, are the first row before any derivative. */
+/* The first row before derivatives: the monomials of degree 1 to `degree`, 1 or 2. */
 static void set_monomials(extactic *e, int degree)
 {
     const ttc_flow *flow = e->flow;
@@ -79,7 +79,7 @@ static void set_monomials(extactic *e, int degree)
     fmpz_mpoly_clear(factor, e->context);
 }
 
-/* out may not be `of`. False: it is too long. */
+/* out = rate of `of`, from which it must differ. Returns false if it has too many terms. */
 static bool derive(extactic *e, fmpz_mpoly_t out, const fmpz_mpoly_t of)
 {
     fmpz_mpoly_t part;
@@ -108,7 +108,7 @@ static bool set_rows(extactic *e)
     return good;
 }
 
-/* Column with an entry that is not 0 in this row, or the size. */
+/* The first column from the diagonal on with a nonzero entry in this row, or e->size. */
 static size_t pivot_of(extactic *e, size_t row)
 {
     size_t column = row;
@@ -116,7 +116,8 @@ static size_t pivot_of(extactic *e, size_t row)
     return column;
 }
 
-/* The determinant, but for its sign, by elimination without fractions (Bareiss), into the last entry. False: it grows too long. */
+/* The determinant, up to its sign, in the last entry, by fraction-free elimination (Bareiss). Returns false if an entry gets too
+ * long. */
 static bool eliminate(extactic *e)
 {
     bool good = true;
@@ -145,8 +146,8 @@ static bool eliminate(extactic *e)
     return good;
 }
 
-/* P' = K P where P does not divide the denominator of K: P divides `rate`, P' times the common denominator, more often than the
- * denominator itself. */
+/* Whether P' = K P with P not in the denominator of K: P divides `rate`, P' times the common denominator, to a higher power than
+ * that denominator. */
 static bool is_invariant(const extactic *e, const fmpz_mpoly_t polynomial, const fmpz_mpoly_t rate)
 {
     fmpz_mpoly_t quotient, common;
@@ -161,7 +162,7 @@ static bool is_invariant(const extactic *e, const fmpz_mpoly_t polynomial, const
     return invariant;
 }
 
-/* Found before with its constant cofactor, but for the sign. */
+/* Whether it was found before, up to its sign, with a constant cofactor. */
 static bool is_known(const ttc_discovery *d, const fmpz_mpoly_t polynomial)
 {
     const fmpz_mpoly_ctx_struct *context = d->flow->ring->context;
@@ -177,7 +178,7 @@ static bool is_known(const ttc_discovery *d, const fmpz_mpoly_t polynomial)
     return known;
 }
 
-/* A remark of any length. Of degree N or less it would make the determinant zero. */
+/* A remark of any length. Of degree N or less the integral would make the determinant zero. */
 static void say_integral(ttc_discovery *d, const fmpz_mpoly_t polynomial)
 {
     ttc_text text = { 0 };
@@ -207,7 +208,7 @@ static void say(ttc_discovery *d, const fmpz_mpoly_t polynomial, const ttc_ratio
     flint_free(name);
 }
 
-/* A factor of the determinant, into `out` where it is invariant and no integral. NULL, or why it was not looked at. */
+/* Examine a factor of the determinant; add it to `out` if it is invariant and no integral. Returns NULL, or why this failed. */
 static const char *look_at(ttc_discovery *d, extactic *e, ttc_factors *out, const fmpz_mpoly_t polynomial)
 {
     ttc_ring *ring = d->flow->ring;
@@ -232,7 +233,7 @@ static const char *look_at(ttc_discovery *d, extactic *e, ttc_factors *out, cons
     return out->is_full ? "there are too many of them" : NULL;
 }
 
-/* NULL, or why not all of the determinant's factors were looked at. */
+/* Returns NULL, or why not all factors of the determinant were examined. */
 static const char *collect(ttc_discovery *d, extactic *e, ttc_factors *out, const fmpz_mpoly_t determinant)
 {
     const char *why = NULL;
@@ -250,7 +251,7 @@ static const char *collect(ttc_discovery *d, extactic *e, ttc_factors *out, cons
     return why;
 }
 
-/* The determinant of the greatest degree, at most 2, that does not grow too long. False: there is none. */
+/* The determinant for the greatest N, 1 or 2, for which it does not get too long. Returns false if there is none. */
 static bool set_determinant(ttc_discovery *d, extactic *e)
 {
     bool good = false;

@@ -1,4 +1,4 @@
-/* Polynomials that the motion multiplies by a number: P' = cofactor P, the cofactor a function of parameters. */
+/* Finds polynomials with P' = cofactor P, the cofactor a function of parameters. */
 #include "discover/claim_text.h"
 #include "discover/discover.h"
 #include "discover/extactic.h"
@@ -11,13 +11,13 @@ enum {
     OTHER_FIELDS = 40
 };
 
-/* unsaid: integrals that were not asked for, but bound how many cofactors are 0. */
+/* unsaid: integrals that are not reported, but explain cofactors 0. */
 typedef struct {
     ttc_discovery *d;
     ttc_knowns unsaid;
 } factors;
 
-/* Integrals and factors together: a product with an integral is no new factor. The items stay whose they are. */
+/* Integrals and factors together: a product with an integral is no new factor. The items are borrowed. */
 static ttc_knowns products_of(const factors *f)
 {
     const ttc_knowns *parts[] = { &f->d->integrals, &f->unsaid, &f->d->factors };
@@ -28,7 +28,7 @@ static ttc_knowns products_of(const factors *f)
     return all;
 }
 
-/* What is known, and where the find joins it. */
+/* All that is known, and where finds are added. */
 typedef struct {
     factors *f;
     ttc_knowns products;
@@ -61,14 +61,14 @@ static bool take(ttc_discovery *d, void *context, const ttc_solution_exact *solu
     return proved;
 }
 
-/* An integral, for what it says of cofactors alone. */
+/* Keep a proved integral without reporting it. */
 static bool take_unsaid(ttc_discovery *d, void *context, const ttc_solution_exact *solution, int degree)
 {
     taker *t = context;
     ttc_text claim = { 0 };
     const size_t named = d->named;
     char *name = ttc_discovery_name(d, "F");
-    d->named = named; /* nobody hears of it */
+    d->named = named; /* the name is not reported, so it stays free */
     ttc_text_format(&claim, "integral %s = ", name);
     ttc_claim_text_add(&claim, d->flow, solution->polynomial.numerator);
     ttc_text_add(&claim, d->when);
@@ -88,7 +88,7 @@ static int ascending(const void *left, const void *right)
     return a < b ? -1 : a > b;
 }
 
-/* All cofactors that some sector of this degree may have, but 0. False: of some sector they are not known. */
+/* All nonzero residues that may be cofactors in some sector. Returns false if those of some sector are not known. */
 static bool cofactors_of(ulong **out, size_t *kept, ttc_discovery *d, const ttc_ansatz *ansatz)
 {
     size_t count = 0;
@@ -111,8 +111,8 @@ static ttc_question question_of(int degree, ulong cofactor, const ttc_knowns *pr
     return (ttc_question){ .degree = degree, .shift = cofactor, .has_cofactor = true, .keeps_signs = true, .products = products };
 }
 
-/* Whether products of what is known have all cofactors that show in the field in use, at its parameters; 0 as well, which is the
- * image of a cofactor that happens to vanish there. */
+/* Whether products of known functions explain all cofactors in the current field at the current parameters; 0 as well, which is
+ * the image of a cofactor that happens to vanish there. */
 static bool is_explained(const factors *f, const ttc_ansatz *ansatz, int degree)
 {
     ttc_discovery *d = f->d;
@@ -140,8 +140,9 @@ static bool take_prime(const factors *f, ulong prime)
     return found;
 }
 
-/* A cofactor that is rational in the parameters shows in all fields, at all of them; an irrational one where it happens to be in
- * the field: a field in which none shows but those of products proves that there is no other. */
+/* Whether there are no other cofactors rational in the parameters. Such a one has an image in all fields, at all parameters, an
+ * irrational one where it happens to lie in the field: a field in which products explain all cofactors proves that there is no
+ * other. */
 static bool is_complete(const factors *f, const ttc_ansatz *ansatz, int degree)
 {
     ttc_discovery *d = f->d;
@@ -158,7 +159,7 @@ static bool is_complete(const factors *f, const ttc_ansatz *ansatz, int degree)
     return complete;
 }
 
-/* False: the degree takes too large a matrix. */
+/* Returns false if the degree takes too large a matrix. */
 static bool search_degree(factors *f, int degree, bool *complete)
 {
     ttc_discovery *d = f->d;
@@ -193,7 +194,7 @@ void ttc_discover_factors(ttc_discovery *d, const ttc_id *given, size_t given_co
 {
     factors f = { .d = d };
     int reached = 0;
-    bool complete = false; /* of the last degree, which has all those below */
+    bool complete = false; /* for the last degree, which includes all below it */
     while (reached < d->degree && search_degree(&f, reached + 1, &complete)) reached++;
     const bool any = d->factors.count > 0;
     if (complete)

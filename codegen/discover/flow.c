@@ -22,7 +22,7 @@ bool ttc_flow_moves(const ttc_flow *flow, const ttc_ratio *a)
     return false;
 }
 
-/* The variable of a symbol that has a value of its own, or -1. */
+/* The variable of a symbol, or -1 if the symbol's value, set in any case, is another. */
 static slong own_variable(ttc_flow *flow, uint32_t symbol, ttc_ratio *value)
 {
     const slong variable = ttc_valuation_variable(flow->valuation, symbol);
@@ -42,7 +42,7 @@ static void add_quantity(ttc_flow *flow, slong variable, bool is_root)
     flow->is_root[flow->count++] = is_root;
 }
 
-/* States, and functions with a variable of their own, whose rate is not zero or which are states; then what is constant. */
+/* States, and functions with a variable of their own and a nonzero rate, are quantities; other variables are parameters. */
 static void add_plain(ttc_flow *flow)
 {
     ttc_ratio value;
@@ -73,7 +73,7 @@ int ttc_flow_degree(const ttc_flow *flow, const fmpz_mpoly_t a)
     return most;
 }
 
-/* Roots of what moves. (r^2)' = 2 r r'. */
+/* Roots whose radicands contain quantities. (r^2)' = 2 r r'. */
 static void add_roots(ttc_flow *flow)
 {
     fmpq_t half;
@@ -103,7 +103,7 @@ static void set_slopes(ttc_flow *flow)
     const ttc_model *model = flow->model;
     ttc_ratio value;
     ttc_ratio_init(flow->ring, &value);
-    for (uint32_t i = 0; i < model->symbol_count; i++) /* every function gets its variable */
+    for (uint32_t i = 0; i < model->symbol_count; i++) /* so that every function gets its variable */
         if (model->symbols[i].kind != TTC_LAMBDA) ttc_evaluate(flow->valuation, &value, model->symbols[i].node);
     for (size_t i = 0; i < model->state_count; i++) {
         const slong variable = ttc_valuation_variable(flow->valuation, model->states[i]);
@@ -172,7 +172,8 @@ void ttc_flow_destroy(ttc_flow *flow)
     flint_free(flow);
 }
 
-/* The generators that move, or those that do not, from their squares; false: some square is none mod p, or has no value. */
+/* The roots that are quantities, or those that are not, from their squares, with random signs. Returns false if a square has no
+ * value, is zero, or is none mod p. */
 static bool take_roots(const ttc_flow *flow, ulong *values, bool moving, uint64_t *source)
 {
     for (size_t i = 0; i < flow->ring->generator_count; i++) {

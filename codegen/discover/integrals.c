@@ -1,4 +1,4 @@
-/* First integrals, degree by degree. */
+/* Finds first integrals, degree by degree. */
 #include "discover/claim_text.h"
 #include "discover/discover.h"
 #include "discover/factor_list.h"
@@ -43,7 +43,7 @@ static void list_knowns(ttc_text *text, const ttc_knowns *knowns)
     for (size_t i = 0; i < knowns->count; i++) ttc_text_format(text, "%s%s", i > 0 ? ", " : "", knowns->items[i].name);
 }
 
-/* What is known after all degrees up to the last: `answer` is that of the last, `reached`. */
+/* Remark what is known of all degrees up to `reached`, whose answer is given. */
 static void conclude(ttc_discovery *d, const ttc_answer *answer, int reached, const char *denominator)
 {
     ttc_text names = { 0 }, form = { 0 };
@@ -110,7 +110,7 @@ void ttc_discover_integrals(ttc_discovery *d, const ttc_ratio *denominator, cons
     ttc_ratio_clear(ring, &rate);
 }
 
-/* The greatest degree, at most that which is asked for, whose matrices are small. */
+/* The greatest degree, at most d->degree, with small matrices. */
 static int small_degree(const ttc_discovery *d)
 {
     ttc_question question = { .degree = d->degree };

@@ -67,7 +67,7 @@ static void fill_row(mp_limb_t *values, mp_limb_t *rates, const tables *t, const
     }
 }
 
-/* A point with the value of c there. */
+/* Draw a point at which c has a value, and compute it. */
 static bool draw(ulong *c, const ttc_flow *flow, ttc_twist twist, ulong *values, ulong *logarithmic, uint64_t *source)
 {
     for (int attempt = 0; attempt < 64; attempt++) {
@@ -136,7 +136,7 @@ slong ttc_null_space(nmod_mat_t null, const ttc_flow *flow, const ttc_ansatz_sec
     slong pivot = 0, at = 0;
     slong *pivots = flint_calloc((size_t)count + 1, sizeof *pivots);
     nmod_mat_init(null, count - rank, count, flow->mod.n);
-    for (slong j = 0; j < count; j++) { /* a column without pivot is 1 in a vector of its own */
+    for (slong j = 0; j < count; j++) { /* each column without pivot gives a vector that is 1 there */
         if (pivot < rank && nmod_mat_entry(rates, pivot, j) != 0) {
             pivots[pivot++] = j;
             continue;

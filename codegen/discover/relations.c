@@ -14,7 +14,7 @@ typedef struct {
     ttc_factors list;
 } factors;
 
-/* What cannot vanish on the domain comes first: a density is a product of such where there is one. */
+/* Roots and divisors, which cannot vanish on the domain, come first: a density is a product of these if possible. */
 static void gather(factors *f, const ttc_factors *invariant, const ttc_id *given, size_t given_count)
 {
     ttc_discovery *d = f->d;
@@ -43,7 +43,7 @@ static void gather(factors *f, const ttc_factors *invariant, const ttc_id *given
     fmpz_mpoly_clear(variable, flow->ring->context);
 }
 
-/* One row a point, with parameters of its own: logarithmic rates of the factors, and the divergence. */
+/* Each row has, at a random point with random parameters, the logarithmic rates of the factors, and the divergence. */
 static bool fill(nmod_mat_t rows, const factors *f)
 {
     ttc_discovery *d = f->d;
@@ -79,8 +79,7 @@ static bool fill(nmod_mat_t rows, const factors *f)
     return good && flow->ring->status == TTC_RING_OK;
 }
 
-/* The factors with positive, or negative, exponents of a product, in parentheses where there are several and `apart`; their
- * number. */
+/* The factors with exponents of this sign, in parentheses if there are several and `apart`. Returns their number. */
 static size_t add_side(ttc_text *text, const factors *f, const long *exponents, long sign, bool apart)
 {
     size_t count = 0, at = 0;
@@ -143,7 +142,7 @@ static void say_integral(factors *f, const long *exponents)
     ttc_ratio_clear(d->flow->ring, &value);
 }
 
-/* exponents: twice those of the density, where `halves`. */
+/* exponents: those of the density, twice if `halves`. */
 static void say_density(factors *f, const long *exponents, bool halves)
 {
     ttc_discovery *d = f->d;
@@ -159,7 +158,7 @@ static void say_density(factors *f, const long *exponents, bool halves)
     ttc_ratio_clear(d->flow->ring, &value);
 }
 
-/* Rational exponents times their common denominator; false: they are no small rational numbers. */
+/* Rational exponents, from residues, times their common denominator. Returns false if they are no small rational numbers. */
 static bool whole_exponents(long *exponents, long *denominator, const ulong *residues, size_t count, nmod_t mod)
 {
     bool good = true;
@@ -197,7 +196,7 @@ void ttc_relations_find(ttc_discovery *d, const ttc_factors *invariant, const tt
     long *exponents = flint_calloc((size_t)width, sizeof *exponents), denominator = 1;
     const slong rank = fill(rows, f) ? nmod_mat_rref(rows) : width;
     slong pivot = 0;
-    for (slong j = 0; j < width; j++) { /* the divergence is the last column: it stands in the last relation alone */
+    for (slong j = 0; j < width; j++) { /* the divergence, the last column, is in the last relation alone */
         if (pivot < rank && nmod_mat_entry(rows, pivot, j) != 0) {
             pivot++;
             continue;

@@ -12,7 +12,7 @@ static void tell(ttc_discovery *d, const ttc_question *question, size_t sector, 
     d->host.progress(d->host.context, text);
 }
 
-/* The changes of sign that keep sectors apart: a number as cofactor changes its sign with time. */
+/* How many sign changes keep sectors apart: not the backward one if there is a cofactor, which changes its sign with time. */
 static size_t changes_of(const ttc_discovery *d, const ttc_question *question)
 {
     return !question->keeps_signs ? 0 : d->changes.count - (question->has_cofactor && d->changes.last_is_backwards);
@@ -23,7 +23,7 @@ static bool is_graded(const ttc_discovery *d, const ttc_question *question)
     return d->grading.weights != NULL && question->keeps_signs && !question->has_cofactor && question->divisor == NULL;
 }
 
-/* A matrix with the copies of its quarters that fast multiplication makes; and the list of all monomials. */
+/* A matrix with the copies of its quarters that fast multiplication makes, and the list of all monomials. */
 double ttc_search_bytes(const ttc_discovery *d, const ttc_question *question, bool graded, size_t *columns)
 {
     double total, largest;
@@ -46,9 +46,9 @@ static bool make_ansatz(ttc_ansatz *ansatz, ttc_discovery *d, const ttc_question
     return true;
 }
 
-/* Dimension of the solutions at most: of the leading part, weight by weight, or of the motion itself. The leading part, that of
- * greatest weight, of a solution solves the equation of the leading part of the motion; solutions with independent leading parts
- * are all there are. by_sector: receives the bounds, shape (sector_count,), for the caller to free; NULL: it is not wanted. */
+/* Upper bound of the dimension of solutions; -1 if no points were found. With `graded`, of leading parts, weight by weight: the
+ * leading part of a solution solves the equation of the motion's leading part, and solutions have a basis with independent leading
+ * parts. by_sector: receives the bounds, shape (sector_count,), for the caller to free; may be NULL. */
 static slong bound_of(ttc_discovery *d, const ttc_question *question, const ttc_ansatz *ansatz, bool graded, slong **by_sector)
 {
     slong sum = 0;
@@ -64,8 +64,8 @@ static slong bound_of(ttc_discovery *d, const ttc_question *question, const ttc_
     return sum;
 }
 
-/* Products of what is known that are of the form asked for, for certain: polynomials where radicands are polynomials, so that their
- * products are; and over a divisor Q of degree q, K Q/Q and K P/Q. Where `beyond`, also others, so that no find is said twice. */
+/* Choose products of known functions that certainly have the form asked for: polynomials K, of several factors only where
+ * radicands are polynomials; over a divisor Q, K Q/Q and K P/Q. With `beyond` also others, so that no find is reported twice. */
 static void choose_products(ttc_products *which, const ttc_discovery *d, const ttc_question *question, bool beyond)
 {
     const ttc_knowns *knowns = question->products;
@@ -92,7 +92,7 @@ static void choose_products(ttc_products *which, const ttc_discovery *d, const t
     ttc_ratio_clear(d->flow->ring, &numerator);
 }
 
-/* Values of these products at the points, to a span that has no vectors yet, or is to have more. */
+/* Add values of these products at the points to the span. */
 static void explain(ttc_span *span, const ttc_discovery *d, const ttc_question *question, const ttc_points *points, bool beyond)
 {
     ttc_products which;
@@ -103,7 +103,7 @@ static void explain(ttc_span *span, const ttc_discovery *d, const ttc_question *
     flint_free(which.degrees);
 }
 
-/* Values of a solution at the points. False: the factor has a pole at one. */
+/* Returns false if the factor has a pole at a point. */
 static bool values_of(ulong *out, const ttc_discovery *d, const ttc_question *question, const ttc_ansatz_sector *sector,
                       const mp_limb_t *vector,
                       const ttc_points *points)
@@ -124,8 +124,8 @@ static bool values_of(ulong *out, const ttc_discovery *d, const ttc_question *qu
     return good;
 }
 
-/* Of the candidates that are new, sparsest first, the one whose polynomial has the fewest terms when it is lifted. Returns its
- * number, or -1 where none is new; `best` is then empty, as where none can be lifted. */
+/* Choose, of the first new candidates, sparsest first, the one with the fewest terms when lifted, and add it to the span. Returns
+ * its index, or -1 if none is new. *best is set if *lifted: some could be lifted. */
 static slong choose(ttc_solution_exact *best, bool *lifted, ttc_discovery *d, const ttc_question *question,
                     const ttc_ansatz_sector *sector,
                     const nmod_mat_t candidates, ttc_span *span, const ttc_points *points)
@@ -159,7 +159,7 @@ static slong choose(ttc_solution_exact *best, bool *lifted, ttc_discovery *d, co
     return chosen;
 }
 
-/* New solutions of one sector: each that is independent of what is known, and of those before it. */
+/* Pass to `take` the new solutions of one sector: independent of what is known, and of those before. */
 static void take_sector(ttc_discovery *d, const ttc_question *question, const ttc_ansatz_sector *sector, const nmod_mat_t null,
                         ttc_span *span,
                         const ttc_points *points, ttc_search_taker take, void *context)
@@ -170,10 +170,10 @@ static void take_sector(ttc_discovery *d, const ttc_question *question, const tt
     ttc_solution_sparse(candidates, null, &d->source);
     while (choose(&exact, &lifted, d, question, sector, candidates, span, points) >= 0) {
         if (!lifted) {
-            d->unproved += !question->has_cofactor; /* most of those are irrational */
+            d->unproved += !question->has_cofactor; /* most cofactors that cannot be lifted are irrational */
             continue;
         }
-        /* Products with it are known as well. */
+        /* Products with the new solution are known as well. */
         if (take(d, context, &exact, question->degree)) explain(span, d, question, points, true);
         ttc_solution_clear(&exact, d->flow);
     }
@@ -207,7 +207,8 @@ static void take_all(ttc_discovery *d, const ttc_question *question, const ttc_a
     ttc_points_clear(&points);
 }
 
-/* How many solutions products of the known are, for certain: a rank of values, which is no larger than that of the functions. */
+/* The dimension of solutions that are certainly products of known functions: the rank of values, at most that of functions; -1 if
+ * no points were found. */
 static slong explained_by(ttc_discovery *d, const ttc_question *question, slong bound)
 {
     ttc_points points;

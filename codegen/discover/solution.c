@@ -26,7 +26,7 @@ static int fewest_first(const void *left, const void *right)
 {
     const candidate *a = left, *b = right;
     if (a->size != b->size) return a->size < b->size ? -1 : 1;
-    for (slong j = a->count; j-- > 0;) /* of low degree first */
+    for (slong j = a->count; j-- > 0;) /* of the same size, those of low degree first */
         if ((a->row[j] != 0) != (b->row[j] != 0)) return a->row[j] == 0 ? -1 : 1;
     return memcmp(a->row, b->row, (size_t)a->count * sizeof *a->row);
 }
@@ -113,18 +113,18 @@ bool ttc_solution_cofactors(ulong *out, size_t *count, const ttc_flow *flow, con
     return good;
 }
 
-/* The polynomial at any parameters: its monomials alone are kept. */
+/* A solution at variable parameters, with fixed monomials. */
 typedef struct {
     const ttc_flow *flow;
     ttc_ansatz_sector sector;
     const ttc_modular_ratio *twist;
     bool has_cofactor;
-    ulong cofactor;   /* where there are no parameters that it could depend on */
+    ulong cofactor;   /* if there are no parameters to depend on */
     size_t reference; /* the monomial whose coefficient is 1 */
     uint64_t *source;
 } family;
 
-/* out = coefficients over that of the reference: the one solution with this shift. */
+/* out = coefficients over that of the reference. Returns false unless there is one solution with this shift, without zeros. */
 static bool coefficients_at(const family *f, ulong *out, ulong *parameters, ulong shift)
 {
     nmod_mat_t null;
@@ -157,7 +157,7 @@ static bool sample(void *context, ulong *out, ulong *parameters)
     return matches == 1;
 }
 
-/* polynomial = sum of coefficients times monomials, denominators and common factors removed, with more plus than minus signs. */
+/* Sum of coefficients times monomials, without denominators and common factors, with no more minus than plus signs. */
 static bool assemble(ttc_solution_exact *out, const family *f, const ttc_ratio *coefficients)
 {
     const ttc_flow *flow = f->flow;

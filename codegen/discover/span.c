@@ -148,7 +148,7 @@ void ttc_span_add_products(ttc_span *span, const ttc_knowns *knowns, const ttc_p
             usable[k] &= ttc_modular_ratio_value(&cofactors[k], &known->cofactor, points->values, span->mod);
     }
     const products p = { span, knowns, which, count, values, usable, cofactors, cofactor };
-    for (size_t k = 0; k <= knowns->count; k++) { /* the single one, or none */
+    for (size_t k = 0; k <= knowns->count; k++) { /* k: the single function, or none */
         const bool has_single = k < knowns->count;
         if (has_single && (!usable[k] || !which->single[k])) continue;
         const int left = which->budget - (has_single ? which->degrees[k] : 0);

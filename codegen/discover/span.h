@@ -1,4 +1,4 @@
-/** Functions known already, and what their products span: by values at points that all share. */
+/** Known functions, and the span of their products, by values at common points. */
 #ifndef TTC_SPAN_H
 #define TTC_SPAN_H
 
@@ -17,14 +17,14 @@ typedef struct {
     size_t count;
 } ttc_knowns;
 
-/* cofactor: NULL for an integral. */
+/* Add a function. cofactor: NULL for an integral. */
 void ttc_knowns_add(ttc_knowns *knowns, const ttc_flow *flow, const char *name, const ttc_ratio *value, const ttc_ratio *cofactor,
                     int degree);
 void ttc_knowns_clear(ttc_knowns *knowns, const ttc_flow *flow);
 /* Their images in the field that the flow has taken. */
 void ttc_knowns_reduce(ttc_knowns *knowns, const ttc_flow *flow);
 
-/* Vectors of values, in echelon form: what is in their span is told. */
+/* A span of vectors of values, in echelon form. */
 typedef struct {
     nmod_t mod;
     ulong *rows; /* shape (count, width) */
@@ -34,9 +34,9 @@ typedef struct {
 
 void ttc_span_init(ttc_span *span, size_t width, nmod_t mod);
 void ttc_span_clear(ttc_span *span);
-/* True: the vector, shape (width,), was not in the span, and is now. */
+/* Add a vector, shape (width,). Returns false if the span had it. */
 bool ttc_span_add(ttc_span *span, const ulong *vector);
-void ttc_span_drop_last(ttc_span *span); /* the last one that was not in the span */
+void ttc_span_drop_last(ttc_span *span); /* removes the vector that was added last */
 
 /* Points: values of the ring's variables, shape (count, variable_count), all with the same parameters. */
 typedef struct {
@@ -44,19 +44,20 @@ typedef struct {
     size_t count, width;
 } ttc_points;
 
+/* parameters: as in ttc_flow_draw. Returns false if no point was found; clear in any case. */
 bool ttc_points_draw(ttc_points *points, size_t count, const ttc_flow *flow, ulong *parameters, uint64_t *source);
 void ttc_points_clear(ttc_points *points);
 
-/* Which products are meant: of degree <= budget, where known k has degree degrees[k], 0: it is not used; of those that are
- * `single`, whose degrees may be of any sign, one stands in a product at most, and once. */
+/* Which products are formed: of degree <= budget, where function k has degree degrees[k], or is not used if that is 0. A product
+ * has at most one of the `single` functions, once; their degrees may have any sign. */
 typedef struct {
     int budget;
     int *degrees;
     bool *single;
 } ttc_products;
 
-/** Add all products of the knowns that are meant, and whose cofactors add up to `cofactor`; the constant 1 among them where that
- *  is 0 and the budget is not negative. A known with a pole at a point is left out. */
+/** Add all these products whose cofactors add up to `cofactor`; the constant 1 among them if that is 0 and the budget is not
+ *  negative. A function with a pole at a point is left out. */
 void ttc_span_add_products(ttc_span *span, const ttc_knowns *knowns, const ttc_points *points, const ttc_products *which,
                            ulong cofactor);
 

@@ -5,7 +5,7 @@
 
 #include <stdlib.h>
 
-/* Linear conditions on the weights of the ring's variables and, last, of time: each rate, and each radicand, is homogeneous. */
+/* Linear conditions on weights of the ring's variables and, last, of time: each rate and radicand is homogeneous. */
 typedef struct {
     const ttc_flow *flow;
     long *rows; /* shape (count, variable_count + 1) */
@@ -90,7 +90,7 @@ static size_t null_space(uint64_t *basis, size_t most, uint64_t *rows, size_t ro
     return count;
 }
 
-/* Free bits are taken from the lowest, and time is the highest: it is in the last element alone, or in one whose pivot it is. */
+/* Combine changes so that at most the last one contains `time`, the bit of backward ones. */
 static void put_backwards_last(ttc_sign_changes *out, uint64_t time)
 {
     size_t last = out->count;
@@ -146,11 +146,11 @@ bool ttc_sign_changes_keep(const ttc_sign_changes *changes, const ttc_flow *flow
     return keep(changes, flow, a->numerator) && keep(changes, flow, a->denominator);
 }
 
-/* The weights of a null vector, as far as they are a grading. column: of the matrix, by quantity; last but one the parameter. */
+/* The weights in a column of `null`, of either sign, if they are a grading. Rows: quantities, the parameter, time. */
 static bool accept(ttc_grading *out, const ttc_flow *flow, const fmpz_mat_t null, slong column, slong parameter)
 {
     const slong count = (slong)flow->count;
-    long common = 0; /* of all weights, so that they are as small as they can be */
+    long common = 0; /* greatest common divisor of all weights */
     for (slong i = 0; i <= count + 1; i++)
         common = (long)n_gcd((ulong)common, (ulong)labs((long)fmpz_get_si(fmpz_mat_entry(null, i, column))));
     for (long sign = 1; sign >= -1 && common > 0; sign -= 2) {
@@ -170,7 +170,7 @@ static bool accept(ttc_grading *out, const ttc_flow *flow, const fmpz_mat_t null
     return false;
 }
 
-/* A parameter of positive weight is 0 in the leading part, which must have a meaning there; roots must be free of it. */
+/* Whether the leading part, where this parameter is 0, is defined: no denominator vanishes, no radicand contains it. */
 static bool may_vanish(const ttc_flow *flow, slong parameter)
 {
     for (size_t i = 0; i < flow->ring->generator_count; i++)

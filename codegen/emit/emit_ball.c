@@ -1,4 +1,4 @@
-/* Ball-arithmetic kernels: the expressions as they stand, operation by operation in Arb. */
+/* Writes ball-arithmetic kernels: the expressions as they stand, operation by operation in Arb. */
 #include "emit/emit.h"
 
 #include <stdlib.h>
@@ -89,7 +89,7 @@ static void add_names(ball *b, const char *name, const uint32_t *claims, size_t 
     ttc_text_format(b->entry, "    .%s_count = %zu,\n    .%s = %s_%s,\n", name, count, name, b->stem, name);
 }
 
-/* All integrals, conditional ones too: they hold where the caller's parameters satisfy their condition. */
+/* All integrals but those with `modulo`. Conditional ones hold where the caller's parameters satisfy their condition. */
 static bool add_integrals(ball *b)
 {
     const ttc_model *model = b->field->model;

@@ -1,4 +1,4 @@
-/* A program as C statements, each temporary with the formula it stands for. */
+/* Writes a program as C statements, with the formula that each temporary stands for. */
 #include "emit/emit.h"
 
 #include "optimize/lower.h"
@@ -28,7 +28,7 @@ typedef struct {
     size_t *numbers;    /* by value: number of its temporary */
     ttc_text *formulas; /* by value */
     binding *bindings;
-    size_t *first_output, *next_output; /* by value, and by output: 1 + the next output of the same value */
+    size_t *first_output, *next_output; /* by value and by output: 1 + the next output of the value */
 } body;
 
 static void add_operand(body *b, ttc_value value)
@@ -80,7 +80,7 @@ static void add_operation(body *b, const ttc_instruction *i)
     ttc_text_add(b->text, shape[arity]);
 }
 
-/* The operand's formula, in brackets where it binds more loosely than it must. */
+/* An operand's formula, in brackets if it binds more loosely than needed. */
 static void add_formula(body *b, ttc_text *formula, ttc_value value, binding needed)
 {
     const char *label = ttc_program_label_of(b->program, value);
@@ -193,7 +193,7 @@ static void add_statement(body *b, ttc_value value, size_t *count)
     ttc_text_add(b->text, " */\n");
 }
 
-/* An output is written out at once, so that its temporary need not be kept. */
+/* An output is stored at once, so that its temporary need not be kept. */
 static void add_outputs(body *b, ttc_value value, size_t offset)
 {
     for (size_t k = b->first_output[value]; k != 0; k = b->next_output[k - 1]) {

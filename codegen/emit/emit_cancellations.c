@@ -1,4 +1,4 @@
-/* Where terms of a kernel's sums may nearly cancel, named for a reader: by labels, as outputs, or as formulas. */
+/* Names for readers where terms of a kernel's sums may nearly cancel: by labels, outputs, or formulas. */
 #include "emit/emit.h"
 
 #include "optimize/program_cancel.h"
@@ -14,8 +14,8 @@ typedef struct {
     ttc_kernel_kind kind;
     const ttc_program *program;
     ttc_loss *losses;      /* by value */
-    ttc_value *users;      /* by value: the one value that uses it */
-    unsigned *use_counts;  /* by value; outputs count */
+    ttc_value *users;      /* by value: the last value that uses it */
+    unsigned *use_counts;  /* by value; an output counts as two uses */
     size_t found;
 } survey;
 
@@ -24,7 +24,7 @@ static bool is_sum(ttc_op op)
     return op == TTC_OP_ADD || op == TTC_OP_SUBTRACT || op == TTC_OP_FMA || op == TTC_OP_FMS || op == TTC_OP_FNMA;
 }
 
-/* True when `user` adds the value to something, rather than multiplying it. */
+/* Whether `user` adds the value to something. */
 static bool is_term_of(const survey *s, ttc_value value, ttc_value user)
 {
     const ttc_instruction *i = ttc_program_at(s->program, user);
@@ -33,7 +33,7 @@ static bool is_term_of(const survey *s, ttc_value value, ttc_value user)
     return i->c == value && i->a != value && i->b != value;
 }
 
-/* The whole of the sum that an addition is a part of. */
+/* The last addition of the sum that an addition belongs to. */
 static ttc_value whole_of(const survey *s, ttc_value value)
 {
     while (s->use_counts[value] == 1 && s->users[value] != TTC_NO_VALUE && ttc_program_label_of(s->program, value) == NULL
@@ -48,7 +48,7 @@ static const char *state_name(const survey *s, size_t position)
     return field->symbols[field->states[position]].name;
 }
 
-/* What output `index` of the kernel is. */
+/* Append the name of the kernel's output `index`. */
 static void add_output_name(survey *s, size_t index)
 {
     const ttc_field *field = s->kernels->field;
@@ -139,7 +139,8 @@ static void add_operation(const survey *s, ttc_text *out, const ttc_instruction 
     add_formula(s, out, i->c, false, i->op == TTC_OP_FMS);
 }
 
-/* The formula of a value, names in it not written out; what is longer than the limit is of no use, and not finished. */
+/* Append the formula of a value. Labelled operands stand by their labels; so does the value itself unless is_whole. A formula
+ * beyond the limit is not used, and so not finished. */
 static void add_formula(const survey *s, ttc_text *out, ttc_value value, bool is_whole, bool bracket)
 {
     const ttc_field *field = s->kernels->field;
@@ -165,7 +166,7 @@ static void add_formula(const survey *s, ttc_text *out, ttc_value value, bool is
     }
 }
 
-/* Values that need this one, in outputs: each named. */
+/* The names of the outputs that depend on the value or, if `alone`, are equal to it. */
 static void add_outputs_of(survey *s, ttc_value value, bool alone)
 {
     size_t n = ttc_program_size(s->program), named = 0;
@@ -228,11 +229,11 @@ static void count_uses(survey *s)
     for (size_t k = 0; k < ttc_program_output_count(s->program); k++) s->use_counts[ttc_program_output_at(s->program, k)] += 2;
 }
 
-/* Sums of the program, each once; then prepared values, which are expressions in parameters alone. */
+/* Name sums that may cancel, each once, and prepared values with such sums. */
 static void name_sums(survey *s)
 {
     size_t n = ttc_program_size(s->program);
-    for (size_t v = 0; v < n; v++) /* the wholes of sums take the losses of their parts */
+    for (size_t v = 0; v < n; v++) /* a whole sum takes the losses of its parts */
         if (s->losses[v] == TTC_CANCELS) s->losses[whole_of(s, (ttc_value)v)] = TTC_CANCELS;
     for (size_t v = 0; v < n; v++) {
         const ttc_instruction *i = ttc_program_at(s->program, (ttc_value)v);

@@ -1,5 +1,5 @@
-/* The field from the table's terms as they stand, in complex arithmetic on unprepared parameters: it shares neither the
- * optimizer nor the symbolic derivative with the other kernels. */
+/* Writes the field in complex arithmetic on raw parameters, from the table's terms as they stand: without the optimizer and the
+ * symbolic derivatives of other kernels. */
 #include "emit/emit.h"
 
 #include <stdlib.h>
@@ -92,7 +92,7 @@ static void emit_equation(emitter *e, const ttc_equation *equation)
     ttc_text_add(e->text, field->time != NULL ? ");\n" : ";\n");
 }
 
-/* r' = sum_j dq/dx_j x_j' / (2 r), from the derivatives already written. */
+/* r' = sum_j dq/dx_j x_j' / (2 r), from the derivatives written before. */
 static void emit_lifted(emitter *e, uint32_t root)
 {
     const ttc_field *field = e->field;

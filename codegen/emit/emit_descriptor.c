@@ -1,4 +1,4 @@
-/* The file of one descriptor: header, kernels, tables. */
+/* Writes the file of one descriptor: header, kernels, tables. */
 #include "emit/emit.h"
 #include "fields/dimensions.h"
 
@@ -44,7 +44,7 @@ static void describe_field(ttc_text *text, ttc_field *field)
     text->failed |= line.failed;
 }
 
-/* A line of the header, broken after commas where it is long. */
+/* A line of the header, broken after commas if it is long. */
 static void add_wrapped(ttc_text *text, char *line)
 {
     enum { WIDTH = 112 };
@@ -88,7 +88,6 @@ void ttc_emit_command(ttc_text *text, const ttc_kernels *k)
                     k->unproved != NULL ? " --unproved" : "", ttc_model_base_name(k->field->model), JLT_VERSION);
 }
 
-/* The generator's name for the descriptor. */
 static void write_generator(ttc_text *text, const ttc_kernels *k)
 {
     ttc_text_format(text, "ttc %s%s", JLT_VERSION, effort_option(k));

@@ -1,6 +1,6 @@
-/* What the equations divide by, as the table writes them, before anything is cancelled: it is not zero in the domain. Kernels show
- * no zero of what is cancelled in them, so that starts are held against these values. And what is made of parameters alone and
- * integrals and densities divide by, without which no kernel could be prepared. */
+/* Writes the divisors of the equations as the table has them, before anything cancels; they are nonzero in the domain. A kernel in
+ * which a divisor cancels shows nothing of its zeros, so starts are checked against these values. Also the divisors of integrals
+ * and densities in parameters alone: where they vanish, no kernel can be prepared. */
 #include "emit/emit.h"
 
 #include <stdlib.h>
@@ -9,9 +9,9 @@
 #include "show/print.h"
 
 typedef struct {
-    const ttc_claim *claim; /* that divides by it; NULL: the equations do */
-    ttc_id written;         /* as the table writes it, */
-    ttc_id outputs[2];      /* and in the field's symbols, with the squares of what it adds up */
+    const ttc_claim *claim; /* the claim that divides by it; NULL: the equations do */
+    ttc_id written;         /* as the table writes it */
+    ttc_id outputs[2];      /* in the field's symbols, and `squares` of it */
 } factor;
 
 typedef struct {
@@ -21,7 +21,7 @@ typedef struct {
     bool failed;
 } factor_list;
 
-/* The sum of squares of all that an expression adds up: a value that is small against its root is lost in rounding. */
+/* The expression with each number and symbol squared: a value far below the square root of this is lost in rounding. */
 static ttc_id squares(ttc_graph *graph, ttc_id id)
 {
     ttc_id result;
@@ -55,7 +55,7 @@ static void add_factor(factor_list *list, const ttc_claim *claim, ttc_id written
     for (size_t i = 0; i < list->count; i++)
         if (list->factors[i].outputs[0] == id) return;
     const ttc_id sum = squares(graph, id);
-    if (sum == TTC_NONE) ttc_graph_clear_error(graph); /* of powers beyond the graph's: a start shows it, or nothing does */
+    if (sum == TTC_NONE) ttc_graph_clear_error(graph); /* a power exceeds the graph's limits: leave it out */
     if (sum == TTC_NONE) return;
     factor *factors = ttc_array_more(list->factors, list->count, sizeof *factors);
     list->failed |= factors == NULL;
@@ -80,7 +80,7 @@ static bool find_factors(factor_list *list)
     return !list->failed;
 }
 
-/* A divisor too long to be printed is refused without it. */
+/* The condition that a divisor is not zero; general words if that is too long. */
 static void add_text(ttc_text *text, const ttc_model *model, ttc_id id)
 {
     char *written = ttc_print_relation(model, id, " != 0");

@@ -1,4 +1,4 @@
-/* Families of equilibria: kernels on raw parameters, and their table. */
+/* Writes families of equilibria: kernels on raw parameters, and their table. */
 #include "emit/emit.h"
 #include "fields/coefficients.h"
 
@@ -21,7 +21,7 @@ static const ttc_binding *binding_of(const ttc_bindings *bindings, uint32_t symb
     return NULL;
 }
 
-/* A kernel of the family, states of its bindings put in. */
+/* A kernel of the family, with its states, and with_condition its parameters, replaced by what they are bound to. */
 static bool emit_program(family_emitter *e, const char *name, const ttc_id *ids, size_t count, bool with_condition)
 {
     ttc_text function = { 0 };
@@ -118,7 +118,7 @@ static void find_members(family_emitter *e)
     }
 }
 
-/* Note whose kernels cannot be written. */
+/* Record the claim whose kernels cannot be written. */
 static bool is_done(family_emitter *e, const ttc_claim *claim, bool ok)
 {
     if (!ok) e->kernels->failed_claim = claim;

@@ -1,6 +1,6 @@
-/* Taylor coefficients of the solution, order by order, from the program of the field: each operation becomes the recurrence of
- * its series (R. E. Moore, Interval Analysis, 1966; A. Griewank, A. Walther, Evaluating Derivatives, 2nd ed., 2008, ch. 13).
- * What depends on parameters alone stays a number. A coefficient is one double, or a vector of lanes, and so is a number. */
+/* Writes Taylor coefficients of the solution, order by order: each operation of the field's program becomes the recurrence of its
+ * series (R. E. Moore, Interval Analysis, 1966; A. Griewank, A. Walther, Evaluating Derivatives, 2nd ed., 2008, ch. 13). What
+ * depends on parameters alone is a number. Coefficients and numbers are doubles, or vectors of lanes. */
 #include "emit/emit.h"
 
 #include <stdlib.h>
@@ -22,7 +22,7 @@ static void add_name(jet *j, ttc_value value)
     else ttc_text_format(j->text, "t%u", value);
 }
 
-/* The same as a number: on lanes a constant becomes a vector. */
+/* A value's name; on lanes, a constant as a vector. */
 static void add_as_number(jet *j, ttc_value value)
 {
     const ttc_op op = ttc_program_at(j->program, value)->op;
@@ -33,7 +33,7 @@ static void add_as_number(jet *j, ttc_value value)
     ttc_text_add(j->text, is_constant ? ")" : "");
 }
 
-/* A number as a series: it has only the coefficient of order 0. */
+/* A number as coefficient k of a series: only that of order 0 is not zero. */
 static void open_number(jet *j)
 {
     ttc_text_add(j->text, "(k == 0 ? ");
@@ -44,7 +44,7 @@ static void close_number(jet *j)
     ttc_text_add(j->text, j->lanes ? " : jlt_lanes_of(0))" : " : 0)");
 }
 
-/* Coefficient k of an operand. */
+/* Append coefficient k of an operand. */
 static void add_coefficient(jet *j, ttc_value value)
 {
     if (j->series[value]) {
@@ -160,7 +160,7 @@ static void add_number_product(jet *j, const ttc_instruction *i)
     add_as_number(j, i->b);
 }
 
-/* The function of one number. */
+/* How an operation on one number is spelled. */
 static const char *number_function(const jet *j, ttc_op op)
 {
     static const char *const on_lanes[] = { [TTC_OP_ROOT] = "jlt_lanes_root",
@@ -173,7 +173,7 @@ static const char *number_function(const jet *j, ttc_op op)
     return j->lanes ? on_lanes[op] : ttc_emit_function_name(op);
 }
 
-/* The numbers: what depends on parameters alone. */
+/* A number: a value that depends on parameters alone. */
 static void add_number(jet *j, ttc_value value, const ttc_instruction *i)
 {
     static const char *const signs[] = {
@@ -243,7 +243,7 @@ static bool find_series(jet *j)
     return true;
 }
 
-/* From the coefficients of order 0 to all. */
+/* The coefficients of order 0, and the loop over higher orders. */
 static void add_orders(jet *j, size_t states, size_t columns)
 {
     const char *stride = j->lanes ? "*stride" : "";

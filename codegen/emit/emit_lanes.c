@@ -1,4 +1,4 @@
-/* Kernels on vectors of lanes: the same programs as the scalar ones, spelled for a vector type. */
+/* Writes kernels on vectors of lanes: the programs of the scalar ones, spelled for a vector type. */
 #include "emit/emit.h"
 
 const char *const ttc_isa_names[TTC_ISA_COUNT] = { "baseline", "avx2", "avx512" };
@@ -24,7 +24,7 @@ static bool reads_input(const ttc_program *program, unsigned index)
     return false;
 }
 
-/* A kernel for a vector that stands in registers: STEM_NAME. */
+/* STEM_NAME, an inline kernel with its states in registers. */
 static void add_inline(ttc_text *text, const ttc_kernels *kernels, ttc_kernel_kind kind, const char *name)
 {
     const ttc_program *program = kernels->kernels[kind].optimized;
@@ -57,7 +57,7 @@ static void add_kernel(ttc_text *text, const ttc_kernels *kernels, ttc_kernel_ki
     ttc_text_add(text, "}\n");
 }
 
-/* The kernel called `name`: what the inline one makes of what is loaded. */
+/* The kernel `name`, which loads the states for the inline kernel `inlined`. */
 static void add_loading(ttc_text *text, const ttc_field *field, const char *name, const char *inlined)
 {
     ttc_text_add(text, "\nstatic void ");
@@ -70,10 +70,10 @@ static void add_loading(ttc_text *text, const ttc_field *field, const char *name
     ttc_text_add(text, "p, out, stride);\n}\n");
 }
 
-/* Accumulators of both vectors, a weight and a slope must find room among the 16 registers of the narrower sets. */
+/* Up to so many states, the accumulators of two vectors, a weight and a slope fit in the 16 registers of the narrower sets. */
 enum { SIDE_BY_SIDE_MAX = 7 };
 
-/* What is done to vector `at` (a C expression) of every row, whose accumulators are called LETTER0, LETTER1, ... */
+/* A vector of each row: `at`, a C expression, is its offset, and its accumulators are LETTER0, LETTER1, ... */
 typedef struct {
     char letter;
     const char *at;
@@ -100,8 +100,8 @@ static void add_arguments(ttc_text *text, const ttc_field *field, const char *na
     for (size_t i = 0; i < field->state_count; i++) ttc_text_format(text, "%c%zu, ", letter, i);
 }
 
-/* columns: states, and one more where the clock is carried, whose slope is dt/dtau. Vectors have prepared values of their own, one
- * vector's behind the other's. */
+/* Slopes at x + h * sum. columns: the states, and one more for the clock, if carried, whose slope is dt/dtau. Each vector has
+ * prepared values of its own, one vector's after the other's. */
 static void add_slope_of_sum(ttc_text *text, const ttc_kernels *kernels, size_t columns, const side *s)
 {
     const ttc_field *field = kernels->field;
@@ -124,7 +124,7 @@ static void add_slope_of_sum(ttc_text *text, const ttc_kernels *kernels, size_t 
     ttc_text_add(text, "        }\n");
 }
 
-/* The loop over stages, for vectors whose sums are taken together. */
+/* The loop over stages, for vectors whose sums are computed side by side. */
 static void add_stage_loop(ttc_text *text, const ttc_kernels *kernels, size_t columns, const side *sides, size_t count)
 {
     const size_t n = kernels->field->state_count;
@@ -143,7 +143,7 @@ static void add_stage_loop(ttc_text *text, const ttc_kernels *kernels, size_t co
     ttc_text_add(text, "    }\n");
 }
 
-/* The clock at the end, which no stage but the last one asks for. */
+/* The clock at the end, which only the last stage needs. */
 static void add_clock_end(ttc_text *text, size_t n)
 {
     ttc_text_format(text, "    for (unsigned at = 0; at < row; at += JLT_LANES) {\n"

@@ -1,15 +1,15 @@
-/* Runge-Kutta stages of the variational equations on lanes: field and Jacobian once a stage, and their products with the tangent
- * vectors, of which the entries that are identically zero have no part. A vector of lanes goes through all stages before the
- * next one does, so that its slopes stay near. Two tangent vectors, those of a section of two coordinates, have a function of
- * their own: their sums are taken with those of the states, and the Jacobian stays in registers as far as it can. */
+/* Writes Runge-Kutta stages of the variational equations on lanes: field and Jacobian once a stage, and the products of the
+ * Jacobian, without its identically zero entries, with the tangent vectors. A vector of lanes goes through all stages before the
+ * next one, so that its slopes stay in cache. Two tangent vectors, as for a section with two coordinates, have a function of their
+ * own: they are summed with the states, and the Jacobian stays in registers as far as it can. */
 #include "emit/emit.h"
 
 #include <stdio.h>
 
-/* So many states that the sums of one stage find room among 32 registers. */
+/* Up to so many states, the sums of one stage fit in 32 registers. */
 enum { TOGETHER_MAX = 7 };
 
-/* The columns from BASE (a C expression) on, whose sums stand in LETTER0, LETTER1, ... */
+/* One column for each state, from `base`, a C expression, on, with sums LETTER0, LETTER1, ... */
 typedef struct {
     char letter;
     const char *base;
@@ -49,7 +49,7 @@ static void add_sums(ttc_text *text, size_t n, const columns *c, size_t count, c
     ttc_text_format(text, "%s}\n", indent);
 }
 
-/* With the prepared values of the vector of lanes. */
+/* A call with the prepared values of the vector of lanes. */
 static void add_call(ttc_text *text, const ttc_field *field, const char *name, const char *out)
 {
     ttc_text_add(text, "            ");
@@ -59,7 +59,7 @@ static void add_call(ttc_text *text, const ttc_field *field, const char *name, c
     ttc_text_format(text, "own, %s);\n", out);
 }
 
-/* Slopes of the states and of the integrals, from field and Jacobian in `linear`. */
+/* Slopes of the states, the integral of the divergence, and t, from field and Jacobian in `linear`. */
 static void add_slopes(ttc_text *text, const ttc_kernels *kernels)
 {
     const ttc_field *field = kernels->field;
@@ -80,7 +80,7 @@ static void add_slopes(ttc_text *text, const ttc_kernels *kernels)
     else ttc_text_add(text, "            jlt_lanes_store(out + (columns - 1)*row, jlt_lanes_of(1));\n");
 }
 
-/* The Jacobian times these columns. */
+/* Emit the product of the Jacobian and these columns. */
 static void add_product(ttc_text *text, const ttc_kernels *kernels, const columns *c, const char *indent)
 {
     const ttc_program *program = kernels->kernels[TTC_KERNEL_RHS_JACOBIAN].optimized;
@@ -103,7 +103,7 @@ static void add_product(ttc_text *text, const ttc_kernels *kernels, const column
     }
 }
 
-/* What no stage but the last one asks for. */
+/* The two integrals at the end, which only the last stage needs. */
 static void add_integrals(ttc_text *text)
 {
     ttc_text_add(text, "        for (size_t i = columns - 2; i < columns; i++) {\n"
@@ -125,7 +125,6 @@ static void begin_stages(ttc_text *text, const ttc_field *field, const char *nam
                           "    enum { row = JLT_BATCH_VECTORS*JLT_LANES };\n", name, tangents);
 }
 
-/* The loops over vectors of lanes and stages. */
 static void begin_loops(ttc_text *text, const ttc_kernels *kernels)
 {
     const size_t n = kernels->field->state_count;
@@ -146,7 +145,7 @@ static void end_stages(ttc_text *text)
     ttc_text_add(text, "    }\n}\n");
 }
 
-/* Two tangent vectors. */
+/* The function for two tangent vectors. */
 static void add_pair(ttc_text *text, const ttc_kernels *kernels)
 {
     const size_t n = kernels->field->state_count;

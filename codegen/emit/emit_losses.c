@@ -1,11 +1,11 @@
-/* Where a kernel loses digits: what it divides by and takes roots of, and whether that can vanish; then its sums. */
+/* Describes where a kernel loses digits: first the divisors and roots that can vanish, then the sums. */
 #include "emit/emit.h"
 
 #include <stdlib.h>
 
 static bool is_nonnegative(ttc_field *field, ttc_id id) { return ttc_extent_is_nonnegative(ttc_field_extent(field, id)); }
 
-/* True when no term of a sum is ever negative. */
+/* Whether no term of a sum is ever negative. */
 static bool has_nonnegative_terms(ttc_field *field, ttc_id sum)
 {
     const ttc_graph *graph = field->graph;
@@ -57,7 +57,7 @@ static ttc_id definition_of(const ttc_field *field, ttc_id id)
     return s->role == TTC_ROLE_UNIT ? s->definition : id;
 }
 
-/* A sum of non-negative terms one of which is a positive constant stays away from zero. */
+/* Whether a value stays away from zero: by bounds, or as a sum of nonnegative terms with a positive constant. */
 static bool is_bounded_below(ttc_field *field, ttc_id sum)
 {
     const ttc_graph *graph = field->graph;

@@ -1,10 +1,10 @@
-/* The file table.c of a model: what its descriptors share, which is the table itself, its claims with their verdicts, and the list
- * of the descriptors. */
+/* Writes the file table.c of a model, which its descriptors share: the table itself, its claims with their verdicts, the list of
+ * descriptors. */
 #include "emit/emit.h"
 
 #include "prove/section_chart.h"
 
-/* A string literal may be too long for a conforming compiler; an array of characters may not. */
+/* An array of characters: a conforming compiler need not accept so long a string literal. */
 static void add_table(ttc_text *text, const ttc_model *model)
 {
     ttc_text_add(text, "[] = {");
@@ -18,8 +18,7 @@ static void add_table(ttc_text *text, const ttc_model *model)
     ttc_text_add(text, "\n    '\\0'\n};\n");
 }
 
-/* SHA-256 of the table that a claim leads to, and the parameter of it that has another name, in quotation marks; NULL where there
- * is none. */
+/* SHA-256 of a claim's target, and the name that ttc_emit_renamed finds, in quotation marks; NULL where there is none. */
 static void add_target(ttc_text *text, const ttc_model *model, const ttc_claim *claim)
 {
     ttc_diagnostics *ignored = claim != NULL && claim->target != NULL ? ttc_diagnostics_create() : NULL;

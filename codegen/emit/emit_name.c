@@ -1,4 +1,4 @@
-/* Names that emitted files give each other. */
+/* Makes the names by which emitted files refer to each other. */
 #include "emit/emit.h"
 
 static void add_stem(ttc_text *text, const char *variant, const ttc_field *field)

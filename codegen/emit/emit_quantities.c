@@ -1,4 +1,4 @@
-/* The table of quantities: name, unit, meaning, interval, sign, default, period. */
+/* Writes an array of quantities: name, unit, meaning, interval, sign, default, period. */
 #include "emit/emit.h"
 
 static void add_double(ttc_text *text, const ttc_graph *graph, ttc_id id, const char *otherwise)

@@ -4,13 +4,13 @@
 
 #include <string.h>
 
-/* The columns of one row, not terminated. */
+/* Columns of one row, as pointers into the list and lengths. */
 typedef struct {
     const char *model, *hash, *file;
     int model_length, hash_length, file_length;
 } row;
 
-/* Read the row at `line`, and step to the next one; false at the end of the list. Columns that are missing are empty. */
+/* Read the row at *line, and advance *line. Returns false at the end. Missing columns are empty. */
 static bool next_row(const char **line, row *out)
 {
     const char *columns[6] = { 0 };
@@ -31,7 +31,7 @@ static bool next_row(const char **line, row *out)
     return true;
 }
 
-/* MODEL_STEM of a row MODEL/STEM.c; false for a field without files. */
+/* MODEL_STEM of a row MODEL/STEM.c. Returns false for a field without a file. */
 static bool add_name(ttc_text *name, const row *r)
 {
     int stem = r->file_length - r->model_length - 3;

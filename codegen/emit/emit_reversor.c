@@ -1,7 +1,7 @@
-/* What reversors of the table do to the states, where that is a change of signs. */
+/* Writes the reversors of the table that only change signs of states. */
 #include "emit/emit.h"
 
-/* It changes signs of states and no more, and holds for all parameters. */
+/* A reversor without condition that only changes signs of states; for fields with all states, in the model's own time. */
 static bool changes_signs(const ttc_field *field, const ttc_claim *claim)
 {
     const ttc_model *model = field->model;

@@ -1,5 +1,5 @@
-/* Lifted roots of a field: root^2 - radicand, which orbits keep at zero, and its gradient; and, where a state is eliminated, which
- * one, and by which integral. */
+/* Writes kernels for lifted roots: root^2 - radicand, which orbits keep at zero, and its gradient; and which state is eliminated,
+ * by which integral. */
 #include "emit/emit.h"
 
 #include <stdlib.h>

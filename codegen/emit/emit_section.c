@@ -1,5 +1,5 @@
-/* Poles, and sections with coordinates of their own: kernels on raw parameters with the levels after them, and their tables. What
- * is a function of the coordinates comes from their table, whose expressions are in a graph of its own. */
+/* Writes poles, and sections with coordinates of their own: tables, and kernels on raw parameters followed by the levels.
+ * Functions of the coordinates come from their table, the chart, whose expressions are in its own graph. */
 #include "emit/emit.h"
 
 #include "prove/section_chart.h"
@@ -30,16 +30,16 @@ typedef struct {
     const ttc_kernels *kernels;
     const ttc_section *section;
     const ttc_claim *claim;
-    size_t number; /* among those that are written */
+    size_t number; /* index among the sections that are written */
     ttc_model *chart;
     ttc_field *field;   /* of the chart */
     uint32_t *slopes;   /* symbols of the chart: coordinates, then levels */
     size_t slope_count;
-    bool *is_angle;     /* by coordinate, as the chart has them */
+    bool *is_angle;     /* by coordinate, in the order of the chart */
     ttc_id *ids;        /* room for the outputs of any kernel */
 } section_emitter;
 
-/* The expressions in `ids`, those of `field`. */
+/* A kernel of the first `count` expressions in e->ids, in the symbols of `field`. */
 static bool emit_program(section_emitter *e, const char *name, ttc_field *field, size_t count)
 {
     return ttc_emit_numbered(e->text, "section", e->number, name, field, e->ids, count);
@@ -200,7 +200,7 @@ static void add_entry(ttc_text *table, const section_emitter *e)
     ttc_text_add(table, "\" },\n");
 }
 
-/* Memory, the chart's field on the values that kernels get, and what is differentiated by. */
+/* Allocate memory, place the chart's parameters among those that kernels get, and list the symbols to differentiate by. */
 static bool prepare(section_emitter *e)
 {
     const ttc_model *model = e->kernels->field->model, *chart = e->chart;

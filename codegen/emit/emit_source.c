@@ -1,4 +1,4 @@
-/* What gives the parameters of a table to which a claim leads: those of this table by their names, or something else. */
+/* Finds what gives the parameters of a claim's target: parameters of this table with their names, or others. */
 #include "emit/emit.h"
 
 #include "prove/image.h"
@@ -8,7 +8,7 @@
 
 enum { OWN, PARAMS, LEVEL, OTHER_LEVEL }; /* jlt_source */
 
-/* Whether an integral has this name and is another quantity. */
+/* Whether an integral has this name but is another quantity. */
 static bool is_other_integral(const ttc_model *model, const char *name, ttc_id value, bool is_root)
 {
     uint32_t claim;

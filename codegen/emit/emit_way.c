@@ -1,6 +1,5 @@
-/* What a field says of tables that serve in place of its own: its tier, the ways to the others and back, all on raw
- * parameters, and its states with their lifted roots. What is a function of the other table's states is in a graph of its
- * own. */
+/* Writes what a field says of tables that serve in place of its own: its tier, the ways to them and back, all on raw parameters,
+ * and its states completed by lifted roots. Functions of another table's states are in that table's graph. */
 #include "emit/emit.h"
 
 #include "prove/way_table.h"
@@ -77,10 +76,10 @@ typedef struct {
     const ttc_kernels *kernels;
     const ttc_way *way;
     const ttc_claim *claim;
-    size_t number;           /* among those that are written */
-    ttc_model *table;        /* the other one, */
-    const ttc_claim *back;   /* what leads back from it, */
-    ttc_field *field;        /* and its field, in the time of the same name */
+    size_t number;           /* index among the ways that are written */
+    ttc_model *table;        /* the other table */
+    const ttc_claim *back;   /* the other table's claim that leads back */
+    ttc_field *field;        /* its field, in the time of the same name */
     ttc_id *ids;             /* room for the outputs of any kernel */
     unsigned char *is_root;  /* by parameter of the other table */
     unsigned char *sources;

@@ -1,5 +1,5 @@
-/** The files that emitted code includes, the same for all models. They stand in codegen/runtime/ as they are written, byte for
- *  byte; the build makes the table below of them (tools/cmake/Embed.cmake), so that ttc is one file that needs no others. */
+/** The files that emitted code includes, the same for all models. The build embeds those in codegen/runtime/, byte for byte, in
+ *  the table below (tools/cmake/Embed.cmake), so that ttc is one file that needs no others. */
 #ifndef TTC_RUNTIME_H
 #define TTC_RUNTIME_H
 

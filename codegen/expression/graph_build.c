@@ -1,4 +1,4 @@
-/* Sums and products in normal form. */
+/* Construction of sums and products in normal form. */
 #include "expression/graph_node.h"
 
 #include <stdlib.h>
@@ -35,7 +35,7 @@ static void parts_clear(parts *p)
     free(p->ids);
 }
 
-/* Position of id in the ascending list, or where it belongs. */
+/* Position of id in the ascending list, or the position at which it would be inserted. */
 static size_t find(const parts *p, ttc_id id)
 {
     size_t low = 0, high = p->count;
@@ -106,7 +106,7 @@ static bool add_factor(ttc_graph *graph, parts *p, ttc_id id, long exponent)
     return true;
 }
 
-/* coefficient *= base^exponent, refused before it grows beyond what is allowed. */
+/* coefficient *= base^exponent. Refused before it is computed if the power would be far beyond TTC_COEFFICIENT_BITS. */
 static bool multiply_power(ttc_graph *graph, fmpq_t coefficient, const fmpq *base, long exponent)
 {
     if (fmpq_is_one(base)) return true;
@@ -178,7 +178,7 @@ static ttc_id build_sum(ttc_graph *graph, const parts *p, const fmpq_t constant)
     return ttc_graph_intern(graph, &n);
 }
 
-/* The coefficient-free part of a PRODUCT. */
+/* A PRODUCT with its coefficient replaced by 1. */
 static ttc_id strip(ttc_graph *graph, ttc_id id)
 {
     const ttc_node *n = graph->nodes[id];
@@ -253,12 +253,11 @@ ttc_id ttc_add(ttc_graph *graph, ttc_id a, ttc_id b)
 ttc_id ttc_subtract(ttc_graph *graph, ttc_id a, ttc_id b)
 {
     const ttc_id terms[2] = { a, b };
-    const fmpq weights[2] = { { 1, 1 }, { -1, 1 } }; /* small integers stand for themselves */
+    const fmpq weights[2] = { { 1, 1 }, { -1, 1 } }; /* a small fmpz is its own value */
     return ttc_sum(graph, terms, weights, 2);
 }
 
-/* A sum is split into its content (with the sign of its leading term) and a primitive sum, so that 2*a + 2*b and
- * a + b share the base a + b in a product. */
+/* Content of a sum, with the sign of its first term. Products divide it out, so that 2*a + 2*b and a + b have one base there. */
 static bool content(ttc_graph *graph, const ttc_node *n, fmpq_t c)
 {
     fmpq_set(c, n->coefficients);

@@ -1,5 +1,5 @@
-/* Walks over the graph: substitution, derivative, dependence. Parts have smaller ids than their node, so one sweep
- * down from a node marks what it reaches, and one sweep up visits parts before wholes: no recursion. */
+/* Walks over the graph: substitution, derivative, dependence. Parts have smaller ids than their node, so that one sweep
+ * down marks all nodes reachable from a node, and one sweep up visits parts before what contains them, without recursion. */
 #include "expression/graph_node.h"
 
 #include <stdlib.h>
@@ -10,10 +10,10 @@ typedef struct {
     ttc_symbol_definition definition; /* in a walk through definitions, with value; else NULL */
     ttc_symbol_value value;
     void *context;
-    ttc_id *memo; /* by id of the source node */
+    ttc_id *memo; /* result for each node that was visited, by its id */
     ttc_id *ids;  /* parts of the node under construction */
     long *exponents;
-    fmpq *weights; /* shallow copies */
+    fmpq *weights; /* borrowed from nodes, not to be cleared */
 } walk;
 
 static unsigned char *mark_reachable(const ttc_graph *graph, ttc_id id, ttc_symbol_definition definition, void *context)
@@ -25,7 +25,7 @@ static unsigned char *mark_reachable(const ttc_graph *graph, ttc_id id, ttc_symb
         if (!seen[at]) continue;
         for (size_t i = 0; i < ttc_part_count(graph, at); i++) seen[ttc_part_at(graph, at, i).id] = 1;
         if (definition != NULL && ttc_kind_of(graph, at) == TTC_SYMBOL)
-            seen[definition(context, ttc_symbol_of(graph, at))] = 1; /* entry 0 takes those without */
+            seen[definition(context, ttc_symbol_of(graph, at))] = 1; /* TTC_NONE marks the unused entry 0 */
     }
     return seen;
 }

@@ -2,7 +2,7 @@
 
 #include <stdlib.h>
 
-/* Polynomials as arrays by power, lowest first, each with room for degree + 1 coefficients. */
+/* Polynomials in `symbol` are arrays of degree + 1 coefficients, lowest power first. */
 typedef struct {
     ttc_graph *graph;
     size_t degree;

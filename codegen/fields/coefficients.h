@@ -4,8 +4,8 @@
 
 #include "expression/graph.h"
 
-/** coefficients, shape (degree + 1,): of symbol^degree first, down to the constant one.
- *  Returns false when the expression is no polynomial in the symbol, has a higher degree, or memory is out. */
+/** Compute the coefficients, shape (degree + 1,), from that of symbol^degree down to the constant term.
+ *  Returns false if the expression is not a polynomial in the symbol, has a higher degree, or memory is out. */
 bool ttc_polynomial_coefficients(ttc_graph *graph, ttc_id *coefficients, size_t degree, ttc_id expression, uint32_t symbol);
 
 #endif

@@ -3,16 +3,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { UNITS = 3, WHOLE = 1 << 10 /* an exponent of 1: roots halve it */ };
+enum { UNITS = 3, WHOLE = 1 << 10 /* stands for the exponent 1, so that roots can halve it ten times */ };
 
 typedef struct {
     enum { UNSEEN, KNOWN, OF_ZERO, WRONG } state; /* zero has every dimension */
-    int of[UNITS];                                /* of kg, m, s */
+    int of[UNITS];                                /* exponents of kg, m, s, times WHOLE */
 } dimension;
 
 typedef struct {
     ttc_field *field;
-    dimension *nodes; /* by id; those that come later have no entry */
+    dimension *nodes; /* by id; nodes that are created later have no entry */
     size_t count;
 } reader;
 
@@ -34,7 +34,7 @@ static dimension sum(const dimension *a, const dimension *b)
     return memcmp(a->of, b->of, sizeof a->of) == 0 ? *a : wrong;
 }
 
-/* ---- units as they are written: kg*m^2/s^2, kg m^2, 1/(m*s^2), rad/s ---- */
+/* ---- texts of units: kg*m^2/s^2, kg m^2, 1/(m*s^2), rad/s ---- */
 
 static dimension unit_of_name(const char *name, size_t length)
 {
@@ -45,7 +45,7 @@ static dimension unit_of_name(const char *name, size_t length)
     return unit;
 }
 
-/* Of the product that begins here, to its end or to the parenthesis that closes it; *at is moved there. */
+/* Dimension of the product that begins at *at. Moves *at to its end, which is the end of the text or a closing parenthesis. */
 static dimension read_product(const char **at)
 {
     dimension product = number;
@@ -85,7 +85,7 @@ static dimension of_unit(const char *unit)
     while (unit != NULL && *unit != '\0') {
         const dimension part = read_product(&unit);
         multiply(&product, &part, 1);
-        if (*unit == ')') unit++; /* which nothing opens */
+        if (*unit == ')') unit++; /* an unmatched parenthesis is ignored */
     }
     return product;
 }
@@ -150,7 +150,7 @@ static dimension visit(reader *self, ttc_id id)
     return self->nodes[id];
 }
 
-/* A condition, an end of an interval, an integral, in the field's symbols. */
+/* Dimension of an expression of the model, such as a condition, an end of an interval or an integral. */
 static dimension of_record(reader *self, ttc_id expression)
 {
     const ttc_id own = ttc_field_specialise(self->field, expression);

@@ -10,7 +10,7 @@
 
 const ttc_extent ttc_extent_any = { TTC_SIGN_ANY, -INFINITY, INFINITY };
 
-/* Signs and bounds tell of each other. */
+/* Tighten signs by bounds, and bounds by signs. */
 static ttc_extent settle(ttc_extent a)
 {
     unsigned signs = a.signs;
@@ -56,7 +56,7 @@ ttc_extent ttc_extent_negate(ttc_extent a)
     return (ttc_extent){ (unsigned char)signs, -a.high, -a.low };
 }
 
-/* A bound on the exact sum: one step outwards, unless nothing was rounded away (Knuth's two-sum). */
+/* A bound on the exact sum: the rounded sum moved outwards by one ulp, unless it is exact (Knuth's two-sum). */
 static double add_bound(double a, double b, double outwards)
 {
     if (isinf(a) || isinf(b)) return outwards;
@@ -73,7 +73,7 @@ ttc_extent ttc_extent_add(ttc_extent a, ttc_extent b)
     return settle(result);
 }
 
-/* The least or greatest product of an end of one and an end of the other; zero times no bound is zero. */
+/* A bound on the least (outwards = -infinity) or greatest product of an end of a and an end of b; zero times infinity is zero. */
 static double multiply_bound(ttc_extent a, ttc_extent b, double outwards)
 {
     const double left[] = { a.low, a.high }, right[] = { b.low, b.high };
@@ -108,7 +108,7 @@ static ttc_extent square(ttc_extent a)
     return settle(result);
 }
 
-/* 1/a: of its bounds only the signs are kept. */
+/* 1/a, by signs alone: bounds are dropped. */
 static ttc_extent invert(ttc_extent a)
 {
     unsigned signs = a.signs & ~(unsigned)TTC_SIGN_ZERO;

@@ -22,7 +22,7 @@ ttc_id ttc_field_specialise(ttc_field *field, ttc_id expression)
     return id;
 }
 
-/* A named expression: a unit when it is a sum, written out otherwise. */
+/* Let a symbol stand for an expression: it is a unit if this is a sum, otherwise it is replaced by the expression. */
 static void name_expression(ttc_field *field, ttc_field_symbol *symbol, ttc_id expression)
 {
     symbol->definition = expression;
@@ -48,7 +48,7 @@ static ttc_role role_of(ttc_symbol_kind function)
     }
 }
 
-/* What a model's symbol is written as in this field; decided on first use. */
+/* The node that represents a symbol of the model in this field. Role and definition of the symbol are set at the first call. */
 static ttc_id resolve(ttc_field *field, uint32_t symbol)
 {
     ttc_field_symbol *s = field->symbols + symbol;
@@ -64,7 +64,7 @@ static ttc_id resolve(ttc_field *field, uint32_t symbol)
         return definition;
     }
     if (field->elimination != NULL && field->elimination->state == symbol) {
-        /* Kept as a unit even where it is a product: its denominators stay in one place. */
+        /* The eliminated state is a unit even if it is a product, so that what it divides by occurs only once. */
         definition = ttc_field_specialise(field, field->elimination->solution);
         s->role = TTC_ROLE_UNIT;
         s->definition = definition;

@@ -1,4 +1,4 @@
-/* Making a field: its states and parameters, and their rates. */
+/* Creation of a field: its states and parameters, and its right-hand sides. */
 #include "fields/field.h"
 
 #include "fields/scratch.h"
@@ -83,7 +83,7 @@ static void make_rhs(ttc_field *field)
     }
 }
 
-/* A definition that came out as the number zero is written out, and dividing by it fails in the graph. */
+/* The status after a failure. A definition that becomes zero is replaced by 0, so that the graph reports division by it. */
 static ttc_field_status status_of(ttc_graph *graph)
 {
     ttc_graph_status error = ttc_graph_error(graph);

@@ -6,7 +6,7 @@
 
 static ttc_extent extent_of(ttc_field *field, ttc_id id);
 
-/* A state stands strictly between the ends of its interval. */
+/* Extent of a state, which lies strictly between the ends of its interval, or of a lifted root. */
 static ttc_extent extent_of_state(ttc_field *field, const ttc_symbol_entry *entry)
 {
     ttc_extent result = ttc_extent_any;

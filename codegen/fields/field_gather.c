@@ -1,10 +1,10 @@
-/* Fractions gathered: n_1/d + n_2/d + rest = (n_1 + n_2)/d + rest. The derivative of such a sum then holds the sum itself,
- * as n'/d - (n/d) d'/d, where that of the single terms holds each of them. */
+/* Gathering of fractions: n_1/d + n_2/d + rest = (n_1 + n_2)/d + rest. The derivative n'/d - (n/d) d'/d of the first term on the
+ * right then uses the fraction n/d itself, where derivatives of the single fractions would use each of them. */
 #include "fields/field.h"
 
 #include "base/text.h"
 
-/* True when a term is a fraction with denominator d, to the first power. */
+/* Returns true if d to the power -1 is a factor of the term. */
 static bool is_over(const ttc_graph *graph, ttc_id term, ttc_id d)
 {
     if (ttc_kind_of(graph, term) != TTC_PRODUCT) return false;

@@ -1,11 +1,11 @@
-/* Partial derivatives of a field's expressions: those of a unit are units of their own, named after it, and made once. */
+/* Partial derivatives of a field's expressions. Derivatives of a unit that are sums are units themselves, made once each. */
 #include "fields/field.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* d(NAME)/d(BY) */
+/* Add a unit with the name d(NAME)/d(BY). */
 static ttc_id add_derivative(ttc_field *field, const char *name, const char *by, ttc_id expression)
 {
     size_t length = strlen(name) + strlen(by) + 8;
@@ -24,7 +24,7 @@ typedef struct {
 
 static ttc_id slope(void *context, uint32_t symbol);
 
-/* A product's derivative is written out, so that its factors are shared with the product itself. */
+/* Derivative of a unit: a new unit if it is a sum; a product is used as it is, so that its factors can be shared. */
 static ttc_id unit_slope(direction *d, uint32_t symbol)
 {
     ttc_field *field = d->field;
@@ -42,7 +42,7 @@ static ttc_id unit_slope(direction *d, uint32_t symbol)
     return partial;
 }
 
-/* The sine of a cosine, and the other way round, which may occur in derivatives alone. */
+/* The sine for a cosine, the cosine for a sine. It may be used here first, if the equations do not use it. */
 static ttc_id partner_of(ttc_field *field, const ttc_field_symbol *s)
 {
     return ttc_field_specialise(field, field->model->symbols[s->partner].node);
@@ -53,7 +53,7 @@ static ttc_id slope(void *context, uint32_t symbol)
     direction *d = context;
     ttc_field *field = d->field;
     ttc_graph *graph = field->graph;
-    const ttc_field_symbol s = field->symbols[symbol]; /* a copy: derivatives of units are new symbols, and the array moves */
+    const ttc_field_symbol s = field->symbols[symbol]; /* a copy, because adding units reallocates the array */
     ttc_id inner = TTC_NONE, outer = TTC_NONE;
     if (s.is_constant) return TTC_NONE;
     switch (s.role) {

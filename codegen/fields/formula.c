@@ -1,5 +1,5 @@
-/* Constants and expressions as C, and as formulas for readers. */
-/* Before FLINT's headers: FLINT 3 declares fmpq_get_mpfr only where it has been. */
+/* Writing constants and expressions, as C or as formulas for readers.
+ * mpfr.h must precede FLINT's headers: FLINT 3 declares fmpq_get_mpfr only if it is included before. */
 #include <mpfr.h>
 
 #include "fields/formula.h"

@@ -4,7 +4,7 @@
 
 enum { PASSES = 64 };
 
-/* A term has factors, whether it is a product or not. */
+/* The number of factors of a term; a symbol or a sum is a single factor, a number has none. */
 static size_t factor_count(const ttc_graph *graph, ttc_id term)
 {
     ttc_kind kind = ttc_kind_of(graph, term);
@@ -91,7 +91,8 @@ ttc_id ttc_common_factor(ttc_graph *graph, const ttc_id *terms, size_t count)
     return ttc_product(graph, bases, exponents, found);
 }
 
-/* factor * rest, the factor multiplied out by one power, a root by two; `rest` has been divided by these. */
+/* content * rest, term by term where the content is a sum. It is the definition of one factor of a term, or the radicand for the
+ * square of a root; rest is the term divided by that. */
 static ttc_id distribute(ttc_graph *graph, ttc_id content, ttc_id rest)
 {
     ttc_id terms[TTC_TERMS_LIMIT];
@@ -101,7 +102,7 @@ static ttc_id distribute(ttc_graph *graph, ttc_id content, ttc_id rest)
     return count == 0 ? TTC_NONE : ttc_sum(graph, terms, NULL, count);
 }
 
-/* The sum that a factor is, or stands for; TTC_NONE: it is a plain symbol, or a root. */
+/* A factor that is a sum, or the definition of one that is a unit; TTC_NONE for other symbols. */
 static ttc_id sum_of(ttc_scratch *scratch, ttc_id factor)
 {
     if (ttc_kind_of(scratch->graph, factor) == TTC_SUM) return factor;
@@ -122,7 +123,7 @@ ttc_id ttc_compound_factor(ttc_scratch *scratch, ttc_id id, size_t k)
     return TTC_NONE;
 }
 
-/* One factor of a term multiplied out; the term itself when it has none to multiply out. */
+/* Multiply out one factor of a term. Returns the term itself if there is none to multiply out. */
 static ttc_id multiply_out_once(ttc_scratch *scratch, ttc_id term, unsigned height, ttc_id chosen)
 {
     ttc_graph *graph = scratch->graph;

@@ -19,7 +19,7 @@ ttc_id ttc_prepared_at(const ttc_prepared *prepared, uint32_t index)
     return prepared->entries[index - field->param_count];
 }
 
-/* The position of an expression that is there already; UINT32_MAX otherwise. */
+/* Index of an expression that was added before, or of a parameter; UINT32_MAX for any other. */
 static uint32_t find(const ttc_prepared *prepared, ttc_id expression)
 {
     const ttc_field *field = prepared->field;

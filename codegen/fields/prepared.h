@@ -1,5 +1,5 @@
-/** The prepared values of a field: what kernels need that depends on parameters alone, computed once. The parameters
- *  themselves come first, then expressions in the order in which kernels first asked for them. */
+/** The prepared values of a field: values used by kernels that depend on parameters alone and are computed once for given
+ *  parameters. The parameters themselves come first, then expressions in the order in which kernels first used them. */
 #ifndef TTC_PREPARED_H
 #define TTC_PREPARED_H
 
@@ -7,17 +7,17 @@
 
 typedef struct {
     ttc_field *field;
-    ttc_id *entries; /* entry k stands at param_count + k */
+    ttc_id *entries; /* entry k has index param_count + k among the prepared values */
     size_t count;
     bool failed;
 } ttc_prepared;
 
 void ttc_prepared_clear(ttc_prepared *prepared); /* legal on a zeroed object */
 
-/* Position of an expression in parameters alone, which is added if it is new; a plain parameter stands at its own index. */
+/* Index of an expression that depends on parameters alone; it is added if it is new. A parameter has its own index. */
 uint32_t ttc_prepared_index(ttc_prepared *prepared, ttc_id expression);
 
-/* The expression at a position. */
+/* The expression with this index. */
 ttc_id ttc_prepared_at(const ttc_prepared *prepared, uint32_t index);
 
 /* Number of entries, parameters included. */

@@ -33,7 +33,7 @@ ttc_scratch *ttc_scratch_of(ttc_field *field)
     return NULL;
 }
 
-/* The node with its parts carried over; parts come first, to a depth that the graph bounds. */
+/* Copy a node from one graph to another, parts first; TTC_DEPTH_LIMIT bounds the recursion. images: copies, by id in `from`. */
 static ttc_id carry(ttc_graph *to, const ttc_graph *from, ttc_id id, ttc_id *images)
 {
     ttc_kind kind = ttc_kind_of(from, id);
@@ -43,7 +43,7 @@ static ttc_id carry(ttc_graph *to, const ttc_graph *from, ttc_id id, ttc_id *ima
     if (kind == TTC_SYMBOL) return images[id] = ttc_symbol(to, ttc_symbol_of(from, id));
     ttc_id *parts = malloc((count + 1) * sizeof *parts);
     long *exponents = malloc((count + 1) * sizeof *exponents);
-    fmpq *weights = malloc((count + 1) * sizeof *weights); /* shallow copies */
+    fmpq *weights = malloc((count + 1) * sizeof *weights); /* borrowed from `from`, not to be cleared */
     bool failed = parts == NULL || exponents == NULL || weights == NULL;
     for (size_t i = 0; i < count && !failed; i++) {
         ttc_part part = ttc_part_at(from, id, i);
@@ -105,7 +105,7 @@ ttc_id ttc_scratch_definition(ttc_scratch *scratch, ttc_id symbol, ttc_role role
     return s->role == role ? ttc_scratch_import(scratch, s->definition) : TTC_NONE;
 }
 
-/* Room for what is known of every node there is. */
+/* Grow `extents` and `heights` to the number of nodes of the graph. */
 static bool make_room(ttc_scratch *scratch)
 {
     size_t size = ttc_graph_size(scratch->graph) + 1, used = scratch->capacity;
@@ -140,7 +140,7 @@ ttc_extent ttc_scratch_extent(ttc_scratch *scratch, ttc_id id)
     return result;
 }
 
-/* A definition is imported before room is made, for it brings nodes with it. */
+/* Definitions are imported before `heights` grows, as importing adds nodes. */
 unsigned ttc_scratch_height(ttc_scratch *scratch, ttc_id id)
 {
     ttc_id unit = ttc_scratch_definition(scratch, id, TTC_ROLE_UNIT), root = ttc_scratch_definition(scratch, id, TTC_ROLE_ROOT);

@@ -1,6 +1,6 @@
 #include "fields/simplify.h"
 
-/* ratio -> factor: a pair t, ratio t is factor t */
+/* t + ratio t = factor t */
 typedef struct {
     ttc_id ratio, factor;
 } identity;
@@ -9,7 +9,7 @@ enum { IDENTITIES = 3 };
 
 static ttc_id minus(ttc_graph *graph, ttc_id id) { return ttc_multiply(graph, id, ttc_integer(graph, -1)); }
 
-/* False when the radicand has not exactly two terms. */
+/* The identities of a root. Returns false if the symbol is no root that depends on the state, or its radicand has not two terms. */
 static bool identities_of(ttc_field *field, uint32_t symbol, identity *list)
 {
     ttc_graph *graph = field->graph;
@@ -22,7 +22,7 @@ static bool identities_of(ttc_field *field, uint32_t symbol, identity *list)
                             : ttc_scale(graph, first.id, first.coefficient);
     ttc_id b = ttc_scale(graph, last.id, last.coefficient);
     ttc_id square = ttc_power(graph, s->node, 2);
-    /* One new node a statement: C leaves the order within an expression open, and ids follow it. */
+    /* One new node in each declarator or statement: C leaves the order within an expression open, and ids depend on it. */
     ttc_id b_over_a = ttc_divide(graph, b, a), square_over_a = ttc_divide(graph, square, a);
     ttc_id a_over_b = ttc_divide(graph, a, b), square_over_b = ttc_divide(graph, square, b);
     list[0] = (identity){ b_over_a, square_over_a };
@@ -39,7 +39,7 @@ static ttc_id term_at(ttc_graph *graph, ttc_id sum, size_t index)
     return ttc_scale(graph, part.id, part.coefficient);
 }
 
-/* One pair merged; the sum itself when there is none. */
+/* Merge one pair of terms. Returns the sum itself if there is none to merge. */
 static ttc_id merge_once(ttc_graph *graph, ttc_id sum, const identity *list)
 {
     size_t n = ttc_part_count(graph, sum);

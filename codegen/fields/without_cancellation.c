@@ -1,14 +1,13 @@
-/* Sums written so that no terms of opposite signs meet. */
+/* Rewriting of sums so that terms of opposite signs do not cancel. */
 #include "fields/numerator.h"
 #include "fields/simplify.h"
 
 #include <stdlib.h>
 
-/* Attempts at another form in one field. The tables of this project take some hundreds each; a table made to be hard ends
- * with the forms found so far. */
+/* Bound on attempts in one field, after which sums stay as they are. The tables of this project need some hundreds each. */
 enum { ATTEMPT_LIMIT = 20000 };
 
-/* A sum taken apart. `members` are the terms under trial, by their numbers. */
+/* The terms of a sum. `members` are the indices of the terms that are being rewritten. */
 typedef struct {
     ttc_scratch *scratch;
     ttc_id terms[TTC_TERMS_LIMIT];
@@ -20,7 +19,7 @@ typedef struct {
 
 static ttc_graph *graph_of(const trial *t) { return t->scratch->graph; }
 
-/* factor * sum, what all terms of the sum share drawn into the factor. */
+/* factor * sum, with common factors of the sum's terms taken out of the sum. */
 static ttc_id product_of(ttc_graph *graph, ttc_id factor, ttc_id sum)
 {
     ttc_id terms[TTC_TERMS_LIMIT];
@@ -32,7 +31,7 @@ static ttc_id product_of(ttc_graph *graph, ttc_id factor, ttc_id sum)
     return ttc_multiply(graph, ttc_multiply(graph, factor, common), rest);
 }
 
-/* The expression with one more of its factors multiplied out, if this makes it like-signed; else TTC_NONE. */
+/* Multiply out one further factor of the expression so that it becomes like-signed. Returns TTC_NONE if none makes it so. */
 static ttc_id with_one_factor_more(trial *t, ttc_id form, unsigned height)
 {
     ttc_id chosen = TTC_NONE;
@@ -43,8 +42,8 @@ static ttc_id with_one_factor_more(trial *t, ttc_id form, unsigned height)
     return TTC_NONE;
 }
 
-/* The expression multiplied out as little as makes it like-signed: the highest sums first, for what holds a square is
- * higher than what is squared. TTC_NONE: it does not become so. */
+/* Multiply out an expression as little as makes it like-signed, the highest sums first: a sum that contains a square is higher
+ * than what is squared. Returns TTC_NONE if it does not become like-signed. */
 static ttc_id like_signed_form(trial *t, ttc_id id)
 {
     unsigned height = id == TTC_NONE ? 0 : ttc_scratch_height_inside(t->scratch, id) + 1;
@@ -61,7 +60,7 @@ static ttc_id like_signed_form(trial *t, ttc_id id)
     return TTC_NONE;
 }
 
-/* The members over their common denominator. */
+/* The members over their common denominator, with a like-signed numerator; TTC_NONE if there is none. */
 static ttc_id over_common_denominator(trial *t)
 {
     ttc_graph *graph = graph_of(t);
@@ -85,7 +84,8 @@ static bool has_odd_root(ttc_scratch *scratch, ttc_id id)
     return false;
 }
 
-/* The members, A - B with A and B like-signed, as (A^2 - B^2)/(A + B): one of the two must be positive. */
+/* The members, A - B, as (A^2 - B^2)/(A + B), if A + B is like-signed and never zero, and A or B contains an odd power of a root;
+ * otherwise TTC_NONE. sides = { A, -B }, divided by their common factor. */
 static ttc_id by_conjugate(trial *t)
 {
     ttc_graph *graph = graph_of(t);
@@ -110,7 +110,7 @@ static ttc_id by_conjugate(trial *t)
     return ttc_divide(graph, product_of(graph, common, numerator), conjugate);
 }
 
-/* The sum with the members in another form; TTC_NONE when there is none that is better. */
+/* The sum with its members rewritten; TTC_NONE if no better form is found. */
 static ttc_id replace_members(trial *t, ttc_id sum)
 {
     ttc_graph *graph = graph_of(t);
@@ -126,8 +126,8 @@ static bool can_cancel(const ttc_signature *a, const ttc_signature *b)
     return a->sign * b->sign < 0 && ttc_signature_same(a, b);
 }
 
-/* Terms that have the same sign as term `first`, or the opposite one, whatever the state. Not the whole sum, and not one
- * that has been met before. */
+/* Make members of all terms whose sign is, at every state, that of term `first` or its opposite. Returns false if these are the
+ * whole sum, have one sign, or include an earlier term, so that they were tried before. */
 static bool choose_class(trial *t, size_t first)
 {
     bool cancels = false;
@@ -141,7 +141,7 @@ static bool choose_class(trial *t, size_t first)
     return cancels && t->member_count < t->count;
 }
 
-/* All terms, then classes, then pairs: the first change that serves. TTC_NONE when none does. */
+/* Rewrite all terms, else a class of terms, else a pair: the first that gives a better form. Returns TTC_NONE if none does. */
 static ttc_id improve(trial *t, ttc_id sum)
 {
     ttc_id better = TTC_NONE;

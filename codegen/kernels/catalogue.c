@@ -27,7 +27,7 @@ static const char *reason_of(const ttc_model *model, const ttc_catalogue_entry *
     return error != TTC_GRAPH_OK ? ttc_graph_status_text(error) : "memory is out, or a number is divided by zero";
 }
 
-/* After all fields are there: what one of them gains adds nodes to the graph, on whose ids the others' programs rest. */
+/* Comes after all fields are made: it adds nodes to the graph, on whose ids the programs of other fields depend. */
 static bool keep_digits(ttc_catalogue *catalogue, ttc_effort effort)
 {
     for (size_t i = 0; i < catalogue->count; i++)

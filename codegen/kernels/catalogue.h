@@ -14,18 +14,17 @@ typedef struct {
 
 typedef struct {
     const ttc_model *model;
-    ttc_catalogue_entry *fields; /* general first; variants slowest, eliminations fastest */
+    ttc_catalogue_entry *fields; /* general first; the variant varies slowest, the elimination fastest */
     size_t count;
-    ttc_place failed_at;     /* after a failure: the record that asks for the field which cannot be made, */
-    const char *failure;     /* and why; NULL otherwise */
+    ttc_place failed_at;     /* after a failure: the record that asks for the failed field */
+    const char *failure;     /* after a failure: the reason; NULL otherwise */
 } ttc_catalogue;
 
-/* Which fields a catalogue has. */
 typedef enum { TTC_ALL_FIELDS, TTC_WITHOUT_ELIMINATIONS } ttc_catalogue_extent;
 
-/** Every product variant x time x elimination of the model. A field that divides by zero identically is skipped, but for the
- *  equations' own. Returns false where these do, when memory is out or an expression outgrows the graph; the catalogue is then
- *  empty but for the failure. */
+/** Make the fields of all combinations of a variant, a time and an elimination, or none of each. A field that divides by zero
+ *  identically is skipped. Returns false if the general field does so, when memory is out, or when an expression outgrows the
+ *  graph; only failed_at and failure are then set. */
 bool ttc_catalogue_create(ttc_catalogue *catalogue, const ttc_model *model, ttc_catalogue_extent extent, ttc_effort effort);
 /* The record that asks for a field: its elimination, its time, its variant, or the first equation. */
 ttc_place ttc_catalogue_place(const ttc_catalogue_entry *entry, const ttc_model *model);

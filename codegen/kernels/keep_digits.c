@@ -1,5 +1,5 @@
-/* A second program for each kernel some of whose sums can be written without cancellation, where it gains something. It
- * comes after all others: a kernel with nothing to gain is then what it would be without this pass. */
+/* Makes a second program for each kernel whose sums can be written without cancellation, and keeps it if it is better. Comes after
+ * all other passes: a kernel with nothing to gain is as it would be without this one. */
 #include "kernels/kernels.h"
 
 #include "optimize/optimize.h"
@@ -8,7 +8,7 @@
 
 #include <stdlib.h>
 
-/* What speaks against a program: outputs that some cancellation reaches, and operations. */
+/* Faults of a program: outputs that depend on a cancellation, and flops. */
 typedef struct {
     unsigned outputs, flops;
 } fault;
@@ -33,13 +33,14 @@ static bool judge(fault *f, const ttc_kernels *k, const ttc_program *program)
     return ok;
 }
 
-/* A program that loses no digits at all may cost more operations than one that does; one that still loses some may not. */
+/* Whether a is as good as b. A program that loses no digits may cost more operations than one that does; one that still loses some
+ * may not. */
 static bool is_better(const fault *a, const fault *b)
 {
     return a->outputs <= b->outputs && (a->flops <= b->flops || (a->outputs == 0 && b->outputs > 0));
 }
 
-/* True when sums of these expressions have another form. */
+/* Whether some sum can be written without cancellation. */
 static bool has_other_forms(ttc_field *field, const ttc_id *outputs, size_t count)
 {
     size_t before = field->form_count;
@@ -48,7 +49,7 @@ static bool has_other_forms(ttc_field *field, const ttc_id *outputs, size_t coun
     return field->form_count > before;
 }
 
-/* *program in other forms, where these are better. False: memory. */
+/* Make *program without cancellation, if that is better. Returns false when memory is out. */
 static bool replace(ttc_kernels *k, ttc_program **program, const ttc_id *outputs, const ttc_id *gathered, size_t count,
                     ttc_purpose purpose, ttc_effort effort, bool *changed)
 {
@@ -56,7 +57,7 @@ static bool replace(ttc_kernels *k, ttc_program **program, const ttc_id *outputs
     bool is_other = has_other_forms(k->field, outputs, count) || has_other_forms(k->field, gathered, count);
     if (!is_other) return true;
     ttc_program *other = ttc_optimize(k->field, outputs, gathered, count, purpose, effort, &k->prepared);
-    *changed = true; /* the prepared values, whatever becomes of this program */
+    *changed = true; /* ttc_optimize added prepared values, even if its program is not kept */
     bool ok = other != NULL && judge(&old, k, *program) && judge(&new, k, other);
     if (!ok || !is_better(&new, &old)) {
         ttc_program_destroy(other);
@@ -72,7 +73,7 @@ static bool replace_all(ttc_kernels *k, ttc_effort effort, bool *changed)
     bool ok = true;
     for (int kind = 0; ok && kind < TTC_KERNEL_KINDS; kind++) {
         ttc_kernel *kernel = k->kernels + kind;
-        /* The divergence of an invariant density is zero: it has no digits. */
+        /* The divergence of an invariant density is zero and has no digits to keep. */
         if (kernel->count == 0 || kind == TTC_KERNEL_MEASURE_DIVERGENCES) continue;
         ok = replace(k, &kernel->optimized, kernel->outputs, kernel->gathered, kernel->count,
                      ttc_kernel_purpose((ttc_kernel_kind)kind), effort, changed);
@@ -84,7 +85,7 @@ static bool replace_all(ttc_kernels *k, ttc_effort effort, bool *changed)
     return ok;
 }
 
-/* Rewrite *program to read `to`, prepared values of its own, to which what it needs is added. */
+/* Rewrite *program to read prepared values from `to`, to which those that it needs are added. */
 static bool move_to_prepared(ttc_program **program, const ttc_prepared *from, ttc_prepared *to)
 {
     size_t size = ttc_prepared_size(from);
@@ -102,7 +103,6 @@ static bool move_to_prepared(ttc_program **program, const ttc_prepared *from, tt
     return true;
 }
 
-/* Drop prepared values that no program needs any more. */
 static bool clear_up_prepared(ttc_kernels *k)
 {
     ttc_prepared prepared = { .field = k->field };

@@ -1,4 +1,4 @@
-/* Which kernels a field has, and the expressions of their outputs. */
+/* Makes the kernels of a field: their expressions and programs. */
 #include "kernels/kernels.h"
 
 #include <stdlib.h>
@@ -23,7 +23,7 @@ static void append(ttc_kernels *k, ttc_kernel_kind kind, ttc_id id)
     k->kernels[kind].outputs[k->kernels[kind].count++] = id;
 }
 
-/* As the table has it: a state that no right-hand side uses is not yet known to the field. */
+/* The model's node: the field does not know a state that no right-hand side uses. */
 static ttc_id eliminated_state(const ttc_field *field) { return field->model->symbols[field->elimination->state].node; }
 
 static bool add_field_kernels(ttc_kernels *k)
@@ -52,7 +52,7 @@ static bool add_field_kernels(ttc_kernels *k)
     return !field->failed && trace != TTC_NONE;
 }
 
-/* The field's kernels once more, from fractions gathered: another start for the optimizer. */
+/* The same kernels by the gathered right-hand sides: a second start for the optimizer. */
 static bool add_gathered(ttc_kernels *k)
 {
     static const ttc_kernel_kind kinds[] = { TTC_KERNEL_RHS, TTC_KERNEL_JACOBIAN, TTC_KERNEL_RHS_JACOBIAN, TTC_KERNEL_DIVERGENCE };
@@ -110,8 +110,8 @@ static bool add_integral_kernels(ttc_kernels *k)
     return !field->failed;
 }
 
-/* A density rho of the field f is rho/c for c f; on a level I = const it is rho/(dI/dz), z the eliminated state. On the
- * larger space of a lifted root there is no density that would be one on the model's. */
+/* If rho is a density of f, rho/c is one of c f, and rho/(dI/dz) one on a level I = const, z the eliminated state. A density is
+ * none on the larger space of a lifted root, so such fields have no measures. */
 static ttc_id density(ttc_kernels *k, uint32_t claim)
 {
     ttc_field *field = k->field;
@@ -151,7 +151,7 @@ static bool add_measure_kernels(ttc_kernels *k)
     return !k->field->failed;
 }
 
-/* Of the general field with all its states, from which these follow in every other. */
+/* Only for the general field: the states of any other give its states. */
 static bool add_observed_kernels(ttc_kernels *k)
 {
     ttc_field *field = k->field;

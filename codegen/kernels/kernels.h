@@ -31,44 +31,43 @@ typedef enum {
 typedef struct {
     ttc_id *outputs; /* what is computed, in the field's symbols */
     size_t count;    /* 0: the field has no such kernel */
-    ttc_id *gathered; /* the same functions from the gathered field; NULL for kernels that gain nothing from it */
-    ttc_program *naive;     /* on raw parameters, as the expressions stand, nothing shared but units */
-    ttc_program *reference; /* the same with equal subexpressions once: what ball kernels evaluate */
+    ttc_id *gathered; /* the same outputs from the gathered right-hand sides; NULL if equal */
+    ttc_program *naive;     /* on raw parameters, as the expressions stand, only units, roots and functions shared */
+    ttc_program *reference; /* the same, equal subexpressions shared: what ball kernels evaluate */
     ttc_program *optimized; /* on the prepared values */
 } ttc_kernel;
 
 typedef struct {
     ttc_field *field;
     ttc_prepared prepared;
-    ttc_program *jet;     /* the field, and dt/dtau after it in a time of its own: what Taylor recurrences are made from */
-    ttc_program *prepare; /* raw parameters -> entries of the prepared values after the parameters */
+    ttc_program *jet;     /* outputs: rhs, then dt/dtau if the field has a time of its own; for Taylor recurrences */
+    ttc_program *prepare; /* raw parameters -> prepared values after the parameters */
     ttc_kernel kernels[TTC_KERNEL_KINDS];
     uint32_t *integrals; /* claims that hold here, in order of appearance */
     size_t integral_count;
     uint32_t *measures;
     size_t measure_count;
-    uint32_t *families;  /* equilibria claims served here */
+    uint32_t *families;  /* families of equilibria served here */
     size_t family_count;
     ttc_watched *watched; /* conditions of the domain */
     size_t watched_count;
     char *unproved;      /* names of claims that these kernels rest on without a proof; NULL: none */
     ttc_effort effort;
-    const ttc_claim *failed_claim; /* of a family of equilibria, whose kernels could not be written; NULL: none */
+    const ttc_claim *failed_claim; /* the family of equilibria whose kernels could not be written; NULL: none */
 } ttc_kernels;
 
-/** All kernels of a field, which then belongs to the result (also on failure). NULL when memory is out or an
- *  expression grows beyond the graph's limits. */
+/** Make all kernels of a field, which it takes ownership of, also on failure. Returns NULL when memory is out or an expression
+ *  outgrows the graph. */
 ttc_kernels *ttc_kernels_create(ttc_field *field, ttc_effort effort);
 
-/** Every kernel once more, its sums written without cancellation (see fields/simplify.h), and kept where none
- *  loses digits any more, or fewer do for no more operations. To be called once. False, and the kernels are of no
- *  more use, when memory is out. */
+/** Make each kernel again with sums without cancellation (see fields/simplify.h); the new one is kept where no output loses
+ *  digits, or where no more outputs do than before, for no more operations. To be called once. Returns false when memory is out;
+ *  the kernels can then only be destroyed. */
 bool ttc_kernels_keep_digits(ttc_kernels *kernels, ttc_effort effort);
 
-/* What a kernel's program is for. */
 ttc_purpose ttc_kernel_purpose(ttc_kernel_kind kind);
 
-/* Outputs of the program for jets, for the caller to free; NULL: memory. */
+/* Outputs of the program for jets, for the caller to free. NULL when memory is out. */
 ttc_id *ttc_kernels_jet_outputs(const ttc_kernels *kernels);
 void ttc_kernels_destroy(ttc_kernels *kernels); /* legal on NULL */
 

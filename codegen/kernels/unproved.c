@@ -1,5 +1,5 @@
-/* A report of proofs lists the table's claims first, in its order, and then the derived ones (roots, variants, times,
- * eliminations, poles, what is looked at), by kind and name; this order is relied on here. */
+/* Finds the kernels that rest on claims without a proof. Relies on the order of a report: the table's claims in its order, then
+ * the derived ones (roots, variants, times, eliminations, poles, observed quantities) by kind and name. */
 #include "kernels/unproved.h"
 
 #include <stdlib.h>
@@ -17,7 +17,6 @@ static bool holds(const uint32_t *claims, size_t count, uint32_t claim)
     return false;
 }
 
-/* A claim of the table. */
 static void kernels_of_claim(ttc_text *text, const ttc_kernels *k, uint32_t number)
 {
     const ttc_claim *claim = k->field->model->claims + number;
@@ -32,8 +31,8 @@ static void kernels_of_claim(ttc_text *text, const ttc_kernels *k, uint32_t numb
         ttc_text_add(text, "sections");
 }
 
-/* What follows from the table: every kernel of a variant, a time or an elimination needs it; of a root or logarithm all do, and of
- * what is looked at beside the equations, as all share what is prepared. */
+/* Whether all kernels rest on a derived claim: that of the field's own variant, time or elimination; or, as all kernels share the
+ * prepared values, any of roots, logarithms and quantities beside the equations. */
 static bool field_needs(const ttc_field *field, const ttc_proof *proof)
 {
     static const char *const of_all[] = { "root", "log", "observe", "valid", "tier" };

@@ -6,12 +6,12 @@
 #include "kernels/catalogue.h"
 #include "prove/prove.h"
 
-/** The kernels of a field that rest on a proof's claim, by name and joined with ", "; "all kernels" where every one does.
- *  Adds nothing when none does. report: of the field's own table. */
+/** Append the field's kernels that rest on the claim report->proofs[proof], joined with ", ", or "all kernels"; nothing if none
+ *  does. report: of the field's own table. */
 void ttc_unproved_kernels(ttc_text *text, const ttc_kernels *kernels, const ttc_proof_report *report, size_t proof);
 
-/** Give every field of the catalogue the names of the claims that it rests on and that are not proved, "KIND NAME" joined with
- *  ", ", in the order of the report. Returns false when memory is out. */
+/** Give every field the names of the unproved claims that it rests on, "KIND NAME" joined with ", ", in the order of the report.
+ *  Returns false when memory is out. */
 bool ttc_catalogue_mark_unproved(ttc_catalogue *catalogue, const ttc_proof_report *report);
 
 #endif

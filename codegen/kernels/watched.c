@@ -5,7 +5,7 @@
 
 #include "show/print.h"
 
-/* Whether the condition is that of a root which is a state here, and cannot come to zero: it would do so by rounding alone. */
+/* Whether it is the radicand of a lifted root, which stays positive: only rounding could make it zero. */
 static bool is_radicand(ttc_field *field, ttc_id value)
 {
     for (size_t i = 0; i < ttc_field_lifted_count(field); i++)
@@ -24,7 +24,7 @@ static ttc_id put_end(void *context, uint32_t symbol)
     return symbol == self->state ? self->end : TTC_NONE;
 }
 
-/* Whether a root that is a state here is zero at the end. One whose radicand divides by zero there is not. */
+/* Whether some lifted root is zero at this end of the state's interval. A radicand that divides by zero there is not. */
 static bool is_lifted(const ttc_field *field, uint32_t state, ttc_id end)
 {
     replacement at = { state, end };
@@ -37,6 +37,7 @@ static bool is_lifted(const ttc_field *field, uint32_t state, ttc_id end)
     return false;
 }
 
+/* Whether an end needs no condition: there is none, or it is watched without a kernel. */
 static bool is_kept(const ttc_field *field, uint32_t state, ttc_id end)
 {
     if (end == TTC_NONE) return true;

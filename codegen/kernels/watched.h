@@ -1,19 +1,19 @@
-/** The conditions of the domain that kernels evaluate: the others are kept by whoever keeps parameters within their signs, lifted
- *  roots positive, and states within the ends of their intervals that are numbers. */
+/** The conditions of the domain that kernels evaluate. The others hold where callers keep the signs of parameters, lifted roots
+ *  positive, and states within ends of intervals that are numbers. */
 #ifndef TTC_WATCHED_H
 #define TTC_WATCHED_H
 
 #include "fields/field.h"
 
 typedef struct {
-    const char *name; /* of the record, or of the state whose interval ends */
-    char *text;       /* what is positive */
-    ttc_id expression;
+    const char *name; /* of the record `domain`, or of the state whose interval ends */
+    char *text;       /* as the table writes it, or "EXPRESSION > 0" */
+    ttc_id expression; /* positive where the condition holds */
 } ttc_watched;
 
-/** Records of `domain`, and ends of intervals that are no numbers, or of states that the field has not, or has beside lifted roots
- *  that do not vanish there. Out: *list, shape (*count,), for ttc_watched_destroy, also on failure. False: memory is out, or an
- *  expression too large. */
+/** Find the conditions: records `domain` that do not follow from others, and ends of intervals that are no numbers, belong to the
+ *  eliminated state or, beside lifted roots, are zeros of none. Out: *list, shape (*count,), for ttc_watched_destroy, also on
+ *  failure. Returns false when memory is out or an expression is too large. */
 bool ttc_watched_find(ttc_watched **list, size_t *count, ttc_field *field);
 void ttc_watched_destroy(ttc_watched *list, size_t count);
 

@@ -6,7 +6,7 @@
 
 typedef struct {
     const ttc_model *model;
-    unsigned char *seen; /* by node: it and what is below hold no wide number */
+    unsigned char *seen; /* by node: visited */
     ttc_place *place;
 } finder;
 

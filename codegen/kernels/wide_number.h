@@ -4,8 +4,8 @@
 
 #include "kernels/catalogue.h"
 
-/** The first expression of the table with such a number; else the record of the first field in whose kernels one arose.
- *  False when there is none. */
+/** Set *place to the first expression of the table with such a number, or to the record of the first field whose kernels have one.
+ *  Returns false if there is none, or when memory is out. */
 bool ttc_find_wide_number(const ttc_catalogue *catalogue, ttc_place *place);
 
 #endif

@@ -3,11 +3,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Scales of a graph with more nodes than this are not divided by each other any more: the graph is bounded, and sums must
- * still find room in it. */
+/* Beyond so many nodes scales are not divided by each other: the graph is bounded, and sums still need room in it. */
 enum { RATIO_NODES = TTC_NODE_LIMIT / 2 };
 
-/* scale_a, scale_b = outer * (inner_a, inner_b), one of the inner ones 1 where division is safe */
+/* scale_a = outer * inner_a, scale_b = outer * inner_b; where one scale is never zero, its inner part is 1. */
 typedef struct ttc_scale_ratio {
     ttc_id scale_a, scale_b, outer, inner_a, inner_b;
 } ratio;
@@ -41,7 +40,7 @@ void ttc_scale_ratios_clear(ttc_scale_ratios *ratios)
     *ratios = (ttc_scale_ratios){ 0 };
 }
 
-/* The part of a product that two scales share: equal bases, with the smaller power. */
+/* The common factor of two scales: common bases to the smaller power. */
 static ttc_id common_scale(ttc_graph *graph, ttc_id a, ttc_id b)
 {
     ttc_id common = ttc_integer(graph, 1);
@@ -93,7 +92,7 @@ static const ratio *ratio_of(ttc_workspace *workspace, ttc_scale_ratios *ratios,
     return ratios->items + at;
 }
 
-/* Factors that both have, and those that one of them has alone. */
+/* Split the factors into those of both cubes and those of one alone. */
 static void split(const ttc_workspace *workspace, ttc_binomial *s, const ttc_cube *a, const ttc_cube *b)
 {
     s->common = s->rest_a = s->rest_b = ttc_cube_one(workspace);
@@ -148,7 +147,7 @@ uint64_t ttc_binomial_key(const ttc_binomial *binomial)
 {
     uint64_t key = hash_cube(hash_cube((uint64_t)(binomial->rest_b.sign + 2), &binomial->rest_a), &binomial->rest_b);
     key = mix(mix(key, binomial->rest_a.scale), binomial->rest_b.scale);
-    /* A count that cancels the sign leaves no trace: 1 - b would have the key of x - b, x y + b that of z x y + b. */
+    /* Sign and count are combined by XOR above and may cancel: 1 - b could get the key of x - b. */
     return key ^ binomial->rest_a.count;
 }
 

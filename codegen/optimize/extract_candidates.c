@@ -2,7 +2,7 @@
 
 #include <stdlib.h>
 
-/* `items` with room for `wanted`; the old one, and the workspace failed, when memory is out. */
+/* `items` with room for `wanted`; when memory is out the workspace fails, and the array stays. */
 static void *grown(ttc_candidates *c, void *items, size_t size, size_t wanted, size_t *capacity)
 {
     if (wanted <= *capacity) return items;
@@ -37,7 +37,7 @@ void ttc_candidates_note_factor(ttc_candidates *c, uint32_t factor, uint32_t var
     c->first_occurrence[factor] = (uint32_t)++c->occurrence_count;
 }
 
-/* Count the pairs of factors of a cube, or take them off the count. */
+/* Add `by`, 1 or -1, to the count of each pair of factors of a cube. */
 static void count_pairs(ttc_candidates *c, const ttc_cube *cube, int by)
 {
     uint32_t factors[TTC_CUBE_LIMIT + 1];
@@ -102,7 +102,7 @@ static int compare_names(const void *left, const void *right)
     return a->position < b->position ? -1 : a->position > b->position;
 }
 
-/* Pairs of terms of one sum of which one or both are changed, in the order of the sum; changed: `count` positions. */
+/* Add the pairs of terms of one sum in which a term changed, in the order of the sum. changed: its `count` changed terms. */
 static void add_binomials(ttc_candidates *c, const ttc_cube_name *changed, size_t count)
 {
     uint32_t variable = changed[0].variable, window = c->sums[variable].window;

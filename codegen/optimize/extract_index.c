@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Room for one more; false, and failed, when memory is out. */
+/* Make room for one more item; `failed` if memory is out. */
 static bool reserve(ttc_extract_index *index, void *items, size_t size, size_t count, size_t *capacity)
 {
     void *old = NULL, *grown = NULL;
@@ -174,7 +174,7 @@ void ttc_extract_index_places(const ttc_extract_index *index, uint32_t group, tt
     if (count > 1) qsort(sorted, count, sizeof *sorted, compare_places);
 }
 
-/* What places save together; terms already spoken for in a sum do not count twice. */
+/* The total gain of sorted places; one that shares a term with an earlier place of its sum does not count. */
 static int32_t gain_of_places(const ttc_term_pair *places, size_t count)
 {
     int32_t gain = 0;
@@ -220,7 +220,6 @@ static int compare_ranked(const void *left, const void *right)
     return a->key < b->key ? -1 : a->key > b->key;
 }
 
-/* Few groups change in a step. */
 static void sort_ranked(ttc_ranked *items, size_t count)
 {
     if (count > 32) {
@@ -235,7 +234,7 @@ static void sort_ranked(ttc_ranked *items, size_t count)
     }
 }
 
-/* Merge the changed groups, sorted, into the ranking. An entry of the ranking that changed gives way. */
+/* Merge the changed groups, sorted, into the ranking in place of their old entries. */
 static void merge(ttc_extract_index *index, const ttc_ranked *changed, size_t changed_count)
 {
     size_t i = 0, j = 0, count = 0;

@@ -36,7 +36,7 @@ static ttc_value lower_bound(lowering *l, uint32_t symbol, const ttc_binding *bi
     return value;
 }
 
-/* root = sqrt(value) when both are squares of rationals. */
+/* Set root = sqrt(value). Returns false unless value is the square of a positive rational. */
 static bool rational_root(fmpq_t root, const fmpq_t value)
 {
     if (fmpq_sgn(value) <= 0 || !fmpz_is_square(fmpq_numref(value)) || !fmpz_is_square(fmpq_denref(value))) return false;
@@ -45,7 +45,7 @@ static bool rational_root(fmpq_t root, const fmpq_t value)
     return true;
 }
 
-/* (p - q x)(p + q x) for a sum p^2 - q^2 x^2; TTC_NO_VALUE, with nothing failed, for any other radicand. */
+/* Lower p^2 - q^2 x^2 as (p - q x)(p + q x). Returns TTC_NO_VALUE, without failing, for other radicands. */
 static ttc_value lower_difference_of_squares(lowering *l, ttc_id id)
 {
     const ttc_graph *graph = l->field->graph;
@@ -144,7 +144,7 @@ static ttc_value lower_product(lowering *l, ttc_id id)
     return l->failed ? TTC_NO_VALUE : ttc_program_divide(program, up, down);
 }
 
-/* Terms by their signs: positive ones are added, negative ones subtracted. */
+/* Positive terms are added, negative ones subtracted. */
 static ttc_value lower_sum(lowering *l, ttc_id id)
 {
     ttc_program *program = l->program;

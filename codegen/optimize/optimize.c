@@ -1,4 +1,4 @@
-/* Makes a program in several ways, all deterministic, and keeps the cheapest. */
+/* Searches for a short program in several ways, all deterministic. */
 #include "optimize/optimize.h"
 
 #include "optimize/extract_binomial.h"
@@ -8,23 +8,23 @@
 #include <limits.h>
 #include <stdlib.h>
 
-/* An operation counts 2, and each of its flops 1 more: what a target with fused operations and one without pay, on the
- * mean. A division or root is worth six multiplications. */
+/* An operation costs 2, and each of its flops 1 more: the mean of targets with and without fused operations. A division or root
+ * costs as much as six multiplications. */
 static unsigned cost_of(const ttc_program *program)
 {
     ttc_count c = ttc_program_count(program);
     return 3 * (c.add + c.multiply) + 4 * c.fma + 18 * (c.divide + c.root) + 60 * c.elementary;
 }
 
-/* Searches from each start, several where they are cheap; in each, first extractions, then rounds of undoing and redoing,
- * until so many in a row have brought nothing. Work is counted in comparisons and bounded, so that a search ends at the
- * same place on every machine. */
+/* A search tries several extractions from one start, then undoes and redoes parts of the best, until `patience` rounds in a row
+ * improve nothing; cheap starts are searched several times. Work is counted in comparisons and bounded, so that a search ends at
+ * the same place on every machine. */
 typedef struct {
-    unsigned repeats;      /* searches from one start, at most */
-    unsigned seeds;        /* extractions that begin a search */
-    unsigned patience;     /* rounds in a row that bring nothing */
-    unsigned finishes;     /* ways to the program that are tried at last */
-    uint64_t repeat_limit; /* work of a kernel before it is searched again */
+    unsigned repeats;      /* most searches from one start */
+    unsigned seeds;        /* extractions at the beginning of a search */
+    unsigned patience;     /* rounds in a row without improvement */
+    unsigned finishes;     /* ways tried to make a program of the best */
+    uint64_t repeat_limit; /* search again only below this work on the kernel */
     uint64_t work_limit;   /* ends one search */
     uint64_t pair_limit;   /* see ttc_workspace_extract */
 } search_limits;
@@ -34,7 +34,7 @@ static const search_limits efforts[] = {
     [TTC_EFFORT_FULL] = { 8, 8, 80, 16, 500000, 60000000, 200000 },
 };
 
-/* How a workspace becomes a program. seed: of the last extraction; above 0 it also finds what reciprocals share. */
+/* How a workspace becomes a program. seed: of the last extraction; above 0, reciprocals are written out for it. */
 typedef struct {
     const search_limits *limits;
     bool one_division;
@@ -47,7 +47,7 @@ static ttc_program *finish(const ttc_workspace *workspace, ttc_prepared *prepare
     ttc_workspace *copy = ttc_workspace_clone(workspace);
     if (copy == NULL) return NULL;
     if (how.one_division) ttc_workspace_share_reciprocals(copy, how.seed > 0);
-    /* The products that recover reciprocals meet other factors, so there may be more to take out. */
+    /* Products that recover reciprocals may share parts with others. */
     ttc_workspace_tidy(copy);
     ttc_workspace_cancel(copy);
     ttc_workspace_extract(copy, how.seed, how.limits->pair_limit);
@@ -61,13 +61,12 @@ static ttc_program *finish(const ttc_workspace *workspace, ttc_prepared *prepare
     return fused;
 }
 
-/* What a program takes: cost among others, where operations fill the processor; latency alone, where they wait for each
- * other. */
+/* Time of a program: cost, where other work fills the processor; latency, where its operations wait for each other. */
 typedef struct {
     unsigned cost, latency; /* UINT_MAX on failure */
 } rating;
 
-/* What the program would prepare is thrown away. */
+/* The values that the program would prepare are discarded. */
 static rating rate(const ttc_workspace *workspace, strategy how)
 {
     ttc_prepared scratch = { .field = workspace->field };
@@ -79,8 +78,8 @@ static rating rate(const ttc_workspace *workspace, strategy how)
     return r;
 }
 
-/* True when divisions of their own save at least four operations each: a quotient needs none of the products that make
- * one division of several and take it apart again, and such divisions do not wait for each other. */
+/* Whether separate divisions save at least four operations each: they need no products that combine denominators and recover
+ * reciprocals, and do not wait for each other. */
 static bool prefers_separate_divisions(const ttc_workspace *workspace, const search_limits *limits)
 {
     ttc_prepared scratch = { .field = workspace->field };
@@ -97,7 +96,7 @@ static bool prefers_separate_divisions(const ttc_workspace *workspace, const sea
     return prefers;
 }
 
-/* The best workspace of a search; one on trial takes its place when it costs no more, so that a search drifts over ties. */
+/* The best workspace of a search; one of equal cost replaces it, so that a search drifts over ties. */
 typedef struct {
     const search_limits *limits;
     ttc_workspace *best;
@@ -147,7 +146,6 @@ static void ruin_and_recreate(best_so_far *c, uint64_t round)
     keep_better(c, workspace);
 }
 
-/* One search from one start. */
 static best_so_far search(const ttc_workspace *start, uint64_t number, const search_limits *limits)
 {
     best_so_far c = { limits, NULL, UINT_MAX, 0 };
@@ -164,7 +162,8 @@ static best_so_far search(const ttc_workspace *start, uint64_t number, const sea
 
 enum { STARTS = 4 };
 
-/* As given, and with products written out: a start that is no different from another is left out. */
+/* starts[0], [1]: `outputs` and `other` as given; [2], [3]: with products written out. NULL where `other` is, or where that
+ * changes nothing. */
 static bool make_starts(ttc_workspace **starts, ttc_field *field, const ttc_id *outputs, const ttc_id *other, size_t count)
 {
     for (int k = 0; k < STARTS; k++) starts[k] = NULL;
@@ -184,7 +183,6 @@ static bool make_starts(ttc_workspace **starts, ttc_field *field, const ttc_id *
     return true;
 }
 
-/* The best workspace of searches from all starts. */
 static ttc_workspace *search_all(ttc_workspace *const *starts, const search_limits *limits)
 {
     best_so_far best = { limits, NULL, UINT_MAX, 0 };
@@ -210,7 +208,7 @@ typedef struct {
     rating rating;
 } choice;
 
-/* Of several ways to the program, the quickest that costs no more than the first. */
+/* Of several strategies, take each that costs no more than the last one taken and has less latency. */
 static choice choose(ttc_workspace *workspace, ttc_purpose purpose, const search_limits *limits)
 {
     bool one_division = purpose != TTC_FOR_POINTS || !prefers_separate_divisions(workspace, limits);
@@ -226,9 +224,8 @@ static choice choose(ttc_workspace *workspace, ttc_purpose purpose, const search
     return c;
 }
 
-/* The workspace, or one in which no division waits for a root, if this is a shorter way from states to outputs for at most a
- * thirtieth more work: an integration waits for each of its calls, while a batch is as slow as its operations are many.
- * Takes ownership. */
+/* The workspace, or a variant in which no division waits for a root if that has less latency at a cost at most a thirtieth higher:
+ * one orbit waits for the latency of each call, a batch for the number of operations. Takes ownership. */
 static choice choose_quick(ttc_workspace *workspace, ttc_purpose purpose, const search_limits *limits)
 {
     choice c = choose(workspace, purpose, limits);

@@ -83,7 +83,7 @@ static bool same(const ttc_instruction *i, const ttc_instruction *j)
            && fmpq_equal(i->constant, j->constant);
 }
 
-/* An operation that is never looked for again. */
+/* Whether an operation is never shared. */
 static bool stays_apart(const ttc_program *program, const ttc_instruction *i)
 {
     return program->keeps_duplicates && ttc_op_arity(i->op) > 0;
@@ -115,7 +115,7 @@ static bool grow(ttc_program *program)
     return true;
 }
 
-/* Takes ownership of the constant. */
+/* The value of an equal instruction, or a new one. Takes ownership of the constant. */
 static ttc_value intern(ttc_program *program, ttc_instruction *instruction)
 {
     if (!program->failed && !grow(program)) program->failed = true;
@@ -221,7 +221,7 @@ ttc_value ttc_program_negate(ttc_program *program, ttc_value a)
     if (program->failed) return TTC_NO_VALUE;
     if (negated_operand(program, a) != TTC_NO_VALUE) return negated_operand(program, a);
     if (constant_of(program, a) != NULL) {
-        ttc_value minus_one = ttc_program_integer(program, -1); /* may move the constants */
+        ttc_value minus_one = ttc_program_integer(program, -1); /* may move the instructions */
         if (program->failed) return TTC_NO_VALUE;
         return fold(program, TTC_OP_MULTIPLY, constant_of(program, a), constant_of(program, minus_one));
     }

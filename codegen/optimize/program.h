@@ -1,12 +1,12 @@
 /** Straight-line programs: what a kernel computes, operation by operation, in exact symbolic form.
  *
- *  A program is a list of instructions, each of which uses values made before it (static single assignment), and a list
- *  of outputs. It is the one source of everything emitted, and can be read again: its values are rational functions of
- *  inputs, parameters, pi, and of roots, cosines, sines, exponentials and logarithms of such. Equal instructions are one
- *  value, constants are folded, and x + 0, x * 1, x * 0, (x/y) * y, -(-x) and the like vanish while it is built.
+ *  A program is a list of instructions, each of which uses values made before it (static single assignment), and a list of
+ *  outputs. All emitted code is made from programs, which can be read back: their values are rational functions of inputs,
+ *  parameters, pi, and of roots, cosines, sines, exponentials and logarithms of such. Equal instructions are one value, constants
+ *  are folded, and x + 0, x * 1, x * 0, (x/y) * y, -(-x) and the like vanish while it is built.
  *
- *  Errors: memory or a division by a zero constant makes the program failed for good; every later call then returns
- *  TTC_NO_VALUE, and ttc_program_failed() tells. */
+ *  Errors: when memory is out, or a constant is divided by the constant zero, the program fails for good: later calls return
+ *  TTC_NO_VALUE, and ttc_program_failed() returns true. */
 #ifndef TTC_PROGRAM_H
 #define TTC_PROGRAM_H
 
@@ -33,7 +33,7 @@ typedef enum {
     TTC_OP_SINE,
     TTC_OP_EXP,
     TTC_OP_LOG,
-    TTC_OP_PI         /* the number, rounded to what the arithmetic can hold */
+    TTC_OP_PI         /* pi, rounded as the arithmetic needs */
 } ttc_op;
 
 typedef uint32_t ttc_value;
@@ -51,13 +51,13 @@ typedef struct ttc_program ttc_program;
 
 typedef struct {
     unsigned add, multiply, fma, divide, root, elementary; /* a negation counts as an addition */
-    unsigned depth, live;
+    unsigned depth, live; /* longest chain of operations; most temporaries alive */
 } ttc_count;
 
 ttc_program *ttc_program_create(void); /* NULL when memory is out */
 void ttc_program_destroy(ttc_program *program); /* legal on NULL */
 bool ttc_program_failed(const ttc_program *program);
-/* From now on equal operations stay apart, as in a formula evaluated as it stands; inputs and constants are still one. */
+/* From here on equal operations are not shared, as in a formula evaluated as it stands; equal inputs and constants still are. */
 void ttc_program_keep_duplicates(ttc_program *program);
 
 ttc_value ttc_program_input(ttc_program *program, uint32_t index);
@@ -76,7 +76,7 @@ ttc_value ttc_program_root(ttc_program *program, ttc_value a);
 ttc_value ttc_program_power(ttc_program *program, ttc_value a, long exponent);
 void ttc_program_output(ttc_program *program, ttc_value value);
 
-/* Name a value for readers of the emitted code; the first name given to it stays. */
+/* Name a value for readers of the emitted code. The first name stays; leaves take none. */
 void ttc_program_label(ttc_program *program, ttc_value value, const char *label);
 const char *ttc_program_label_of(const ttc_program *program, ttc_value value); /* NULL when it has none */
 
@@ -86,29 +86,31 @@ size_t ttc_program_output_count(const ttc_program *program);
 ttc_value ttc_program_output_at(const ttc_program *program, size_t index);
 /* Number of operands of an operation: 0 to 3, in the order a, b, c. */
 unsigned ttc_op_arity(ttc_op op);
-/* Time from operands to result, in that of a multiplication; 0 for what is there at once. Rough, from tables of processors of
- * the years around 2020: a multiplication takes 4 cycles, a division 13 to 15, a root 13 to 19. */
+/* Latency of an operation in multiplications; 0 for leaves. Rough, from tables of processors of the years around 2020: a
+ * multiplication takes 4 cycles, a division 13 to 15, a root 13 to 19. */
 unsigned ttc_op_latency(ttc_op op);
 
-/* An operation as it is, not folded: for copying from a program that is folded already. */
+/* Append an operation without folding: for copying from a folded program. */
 ttc_value ttc_program_copy(ttc_program *program, ttc_op op, ttc_value a, ttc_value b, ttc_value c);
 
-/** A new program of the values in `order`, operands before their users, with the same outputs. NULL: memory. */
+/** A new program of the values in `order`, operands before users, with the same outputs. Like the three below, NULL when memory is
+ *  out. */
 ttc_program *ttc_program_reorder(const ttc_program *program, const ttc_value *order, size_t count);
 
-/** A new program of the same values in an order in which few are alive at once. NULL: memory. */
+/** The same values in an order in which few temporaries are alive at once. */
 ttc_program *ttc_program_schedule(const ttc_program *program);
 
-/** A new program without the values that no output needs. NULL: memory. */
+/** Only the values that outputs need. */
 ttc_program *ttc_program_trim(const ttc_program *program);
 
-/* A new program of the same values, parameter i being numbers[i]. NULL: memory. */
+/* The same values, with parameter i as parameter numbers[i]. */
 ttc_program *ttc_program_renumber(const ttc_program *program, const uint32_t *numbers);
 
+/* All counts are 0 when memory is out. */
 ttc_count ttc_program_count(const ttc_program *program);
-/* The longest chain of operations that wait for each other, in multiplications. UINT_MAX: memory. */
+/* Latency of the longest chain, as in ttc_op_latency; UINT_MAX when memory is out. */
 unsigned ttc_program_latency(const ttc_program *program);
-/* Operations with an fma counted as two. */
+/* The number of operations, an fma counted as two. */
 unsigned ttc_count_flops(ttc_count count);
 
 #endif

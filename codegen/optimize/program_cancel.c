@@ -4,10 +4,10 @@
 #include <stdlib.h>
 
 enum { ODD_LIMIT = 24 };
-#define VALUE_ATOM (UINT64_C(1) << 32) /* a value of the program that is a factor of its own; others are graph ids */
+#define VALUE_ATOM (UINT64_C(1) << 32) /* marks values of the program among factors, which else are graph ids */
 
-/* What is known of a value: its bounds, and its sign, which is `sign` times those of the factors that it holds to an odd
- * power, ascending. Two values with equal factors differ in sign by `sign` alone. */
+/* What is known of a value: bounds, and its sign as `sign` times the signs of its factors of odd power, ascending. Values with the
+ * same odd factors have equal or opposite signs. is_exact: without rounding error. */
 typedef struct {
     ttc_extent extent;
     uint64_t odd[ODD_LIMIT];
@@ -33,7 +33,7 @@ static fact atom_fact(ttc_extent extent, uint64_t atom, bool is_exact)
     return f;
 }
 
-/* Factors in one of the two lists; the product is a factor of its own, `atom`, when they do not fit. */
+/* Odd factors of a product: those in one of the two lists only. If they do not fit, the product is one factor, `atom`. */
 static fact product_fact(const fact *a, const fact *b, ttc_extent extent, uint64_t atom)
 {
     fact f = { .extent = extent, .sign = a->sign * b->sign };
@@ -79,7 +79,7 @@ static bool same_signs(const fact *a, const fact *b)
     return true;
 }
 
-/* The least |x| and the greatest. */
+/* The least and the greatest |x|. */
 static double least(ttc_extent x) { return x.low > 0 ? x.low : x.high < 0 ? -x.high : 0; }
 
 static double greatest(ttc_extent x) { return fmax(fabs(x.low), fabs(x.high)); }
@@ -106,7 +106,7 @@ static fact negate(fact f)
     return f;
 }
 
-/* A number, a symbol, or what is prepared: products by their factors, a rounded sum as one factor. */
+/* A product by its factors, a rounded sum as one factor. */
 static fact expression_fact(ttc_field *field, ttc_id id)
 {
     const ttc_graph *graph = field->graph;
@@ -201,7 +201,7 @@ bool ttc_program_losses(ttc_loss *losses, const ttc_program *program, ttc_field 
     return true;
 }
 
-/* The sum alone, its terms taken one after another. */
+/* Whether the sum loses digits when its terms, taken as they are, are added in order. */
 static bool sum_cancels(ttc_field *field, ttc_id sum)
 {
     const ttc_graph *graph = field->graph;

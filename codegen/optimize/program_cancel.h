@@ -1,5 +1,5 @@
-/** Where a program's additions may lose digits: their operands carry rounding errors, and can be nearly opposite numbers
- *  somewhere in the domain. */
+/** Finds operations of a program that may lose digits: additions of rounded numbers that can nearly cancel in the domain, and
+ *  functions of rounded arguments. */
 #ifndef TTC_PROGRAM_CANCEL_H
 #define TTC_PROGRAM_CANCEL_H
 
@@ -9,19 +9,19 @@
 typedef enum {
     TTC_KEEPS_DIGITS,
     TTC_CANCELS,          /* an addition whose terms can nearly cancel */
-    TTC_ROUNDED_ARGUMENT  /* a cosine or sine whose argument is rounded: digits are lost near its zeros */
+    TTC_ROUNDED_ARGUMENT  /* a cosine, sine, exponential or logarithm of a rounded number */
 } ttc_loss;
 
-/* Terms of opposite signs whose bounds keep |a| + |b| below this many times |a + b| lose two bits at most: no loss. */
+/* Where bounds keep |a| + |b| below this many times |a + b|, two bits are lost at most, which counts as none. */
 enum { TTC_HARMLESS_CANCELLATION = 4 };
 
-/** losses, shape (size of the program,). An addition keeps digits where its terms have one sign, from what is known of
- *  parameters, states and roots; where bounds keep the sum away from zero; and where both are exact: states, parameters,
- *  their products with powers of two. prepared: what parameters after the raw ones stand for; NULL: there are none.
- *  False when memory is out. */
+/** losses: shape (size of the program,). An addition keeps digits if both terms have one sign, from what is known of parameters,
+ *  states and roots; if bounds keep the sum away from zero; or if both terms are exact: states, parameters, their products with
+ *  powers of two. prepared: what the program's parameters are; NULL: raw parameters.
+ *  Returns false when memory is out. */
 bool ttc_program_losses(ttc_loss *losses, const ttc_program *program, ttc_field *field, const ttc_prepared *prepared);
 
-/* The same for an expression as it stands: true when some sum in it, definitions included, can lose digits. */
+/* Whether some sum in an expression as it stands, definitions included, can lose digits; true when memory is out. */
 bool ttc_expression_cancels(ttc_field *field, ttc_id id);
 
 #endif

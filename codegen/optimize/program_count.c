@@ -1,4 +1,4 @@
-/* Operation counts, depth, latency and live temporaries of a program. */
+/* Counts operations and live temporaries; depth and latency. */
 #include "optimize/program.h"
 
 #include <limits.h>
@@ -42,7 +42,7 @@ unsigned ttc_count_flops(ttc_count count)
     return count.add + count.multiply + 2 * count.fma + count.divide + count.root + count.elementary;
 }
 
-/* A temporary is alive from its instruction to its last use; one that is an output is written out at once. */
+/* A temporary is alive until its last use as an operand; outputs are stored at once. */
 ttc_count ttc_program_count(const ttc_program *program)
 {
     ttc_count count = { 0 };

@@ -1,5 +1,5 @@
-/* Fused multiply-adds: a product that is used once, by a sum or difference, becomes one operation with it. And a
- * reciprocal that is used once, in a product, becomes a quotient. */
+/* Fuses a product that is used once, by an addition or subtraction, with it; a reciprocal that is used once, by a product, becomes
+ * a quotient. */
 #include "optimize/workspace_lower.h"
 
 #include <stdlib.h>
@@ -11,7 +11,7 @@ typedef struct {
     ttc_value *renamed;
 } fusing;
 
-/* The reciprocal that a product uses alone: x * (1/y) is x/y, which rounds once. */
+/* The operand that is a reciprocal used by this product alone: x * (1/y) becomes x/y, which rounds once. */
 static ttc_value lone_reciprocal(const fusing *f, const ttc_instruction *i)
 {
     const ttc_value operands[] = { i->a, i->b };
@@ -31,7 +31,7 @@ static bool may_fuse(const fusing *f, ttc_value value)
            && lone_reciprocal(f, i) == TTC_NO_VALUE;
 }
 
-/* a + b, a - b, b - a with one of them a product; the later one is taken when both are, as it is ready last. */
+/* Fuse an addition or subtraction with a product; of two, with the later one, which is ready last. */
 static ttc_value fused(const fusing *f, const ttc_instruction *i)
 {
     bool first = may_fuse(f, i->a), second = may_fuse(f, i->b);
@@ -61,6 +61,7 @@ static ttc_value quotient(const fusing *f, const ttc_instruction *i, ttc_value r
                             TTC_NO_VALUE);
 }
 
+/* Outputs count twice: they are never fused. */
 static void count_uses(fusing *f)
 {
     for (size_t k = 0; k < ttc_program_size(f->program); k++) {

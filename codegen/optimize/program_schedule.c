@@ -1,13 +1,13 @@
-/* List scheduling for few live temporaries. Among the operations whose operands are there, the next is the one that frees
- * most temporaries; ties, and near ties by a weight that several tries vary, go to the longest chain that still hangs on
- * it. The order as it came, and the tries: the one with the fewest temporaries alive at once is kept. */
+/* List scheduling for few live temporaries. Of the operations whose operands are computed, the next is the one that frees most
+ * temporaries; ties, and near ties by a weight that varies between tries, go to the longest chain of dependents. Of the original
+ * order and all tries, the one with the fewest live temporaries is kept. */
 #include "optimize/program.h"
 
 #include <stdlib.h>
 
 enum { TRIES = 6 };
 
-/* An operation that may come next; out of date when its score is not that of the operation any more. */
+/* An operation that may come next; out of date when its score is not scheduler.score[value]. */
 typedef struct {
     long score;
     ttc_value value;
@@ -16,14 +16,14 @@ typedef struct {
 typedef struct {
     const ttc_program *program;
     size_t n;
-    unsigned *uses;      /* by value: uses as an operand that are still to come */
-    unsigned *waiting;   /* by value: operands not yet there */
-    unsigned *chain;     /* by value: longest way to an output, in rough latencies */
+    unsigned *uses;      /* by value: users not yet scheduled */
+    unsigned *waiting;   /* by value: operands not yet scheduled, leaves excluded */
+    unsigned *chain;     /* by value: latency of the longest path to an output */
     unsigned char *done;
-    long *score;         /* by value, once nothing waits */
+    long *score;         /* by value, once no operand is missing */
     ttc_value *order;
-    unsigned *counts;    /* a copy of uses, for a fresh try */
-    size_t *first_user;  /* by value, shape (n + 1,): where its users begin */
+    unsigned *counts;    /* by value: number of users */
+    size_t *first_user;  /* by value, shape (n + 1,): index of its first user in `users` */
     ttc_value *users;
     candidate *heap;     /* highest score first, then the lowest value; a value enters at most once for each operand */
     size_t heap_count;
@@ -72,7 +72,7 @@ static void prepare(scheduler *s)
     }
 }
 
-/* Temporaries freed by an operation, less the one it makes. */
+/* Temporaries that an operation frees, less the one that it makes. */
 static int relief_of(const scheduler *s, ttc_value value)
 {
     ttc_value operands[3];
@@ -125,7 +125,7 @@ static void start(scheduler *s, unsigned weight)
         if (!s->done[k] && s->waiting[k] == 0) push(s, weight, (ttc_value)k);
 }
 
-/* The users of a value wait for one operand less; an operand with one use left makes that use more welcome. */
+/* Schedule a value: users wait for one operand fewer; where an operand has one user left, that user's score rises. */
 static void finish(scheduler *s, unsigned weight, ttc_value value)
 {
     ttc_value operands[3];
@@ -141,7 +141,7 @@ static void finish(scheduler *s, unsigned weight, ttc_value value)
         if (--s->waiting[s->users[u]] == 0) push(s, weight, s->users[u]);
 }
 
-/* One schedule; returns the most temporaries alive at once. Leaves come first: they take no temporary. */
+/* Make one schedule. Returns the most temporaries alive at once. Leaves come first: they take none. */
 static unsigned schedule(scheduler *s, unsigned weight, ttc_value *order)
 {
     size_t count = 0;

@@ -1,4 +1,4 @@
-/* Copies programs: without values that nothing uses, in another order, or for another layout of their prepared values. */
+/* Copies programs: without unused values, in another order, or with other numbers of parameters. */
 #include "optimize/program.h"
 
 #include <stdlib.h>
@@ -20,7 +20,7 @@ static ttc_value rebuilt(ttc_program *out, const ttc_value *renamed, const ttc_i
     }
 }
 
-/* Of `count` values, in this order, NULL for their own; numbers, NULL for their own: those of parameters. */
+/* Copy the first `count` values in this order. order, numbers of parameters: NULL: their own. */
 static ttc_program *copy(const ttc_program *program, const ttc_value *order, size_t count, const uint32_t *numbers)
 {
     size_t n = ttc_program_size(program);
@@ -53,7 +53,7 @@ ttc_program *ttc_program_renumber(const ttc_program *program, const uint32_t *nu
     return copy(program, NULL, ttc_program_size(program), numbers);
 }
 
-/* reached, shape (size,), zeroed: 1 for the values that outputs need. */
+/* Set reached[v] = 1 for the values that outputs need. */
 static void mark(const ttc_program *program, unsigned char *reached)
 {
     for (size_t k = 0; k < ttc_program_output_count(program); k++) reached[ttc_program_output_at(program, k)] = 1;

@@ -106,7 +106,7 @@ void ttc_polynomial_add(ttc_workspace *workspace, ttc_polynomial *p, const ttc_c
     p->cubes[p->count++] = *cube;
 }
 
-/* Keeps the order of the rest. */
+/* The others keep their order. */
 static void remove_cube(ttc_polynomial *p, uint32_t index)
 {
     p->count--;

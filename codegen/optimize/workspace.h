@@ -1,9 +1,9 @@
 /** What the optimizer works on: named variables, each defined by a sum of signed monomials.
  *
- *  A monomial ("cube") is sign * scale * product of variables; its scale holds parameters alone, is prepared ahead of
- *  time, and so costs at most one multiplication, whatever it looks like. A variable is an input, a unit (a sum with a
- *  name: an author's grouping, a derivative, or a shared part that the optimizer made), or a function of another
- *  variable. Nothing here ever multiplies out an author's sum: rounding errors stay those of the table's grouping. */
+ *  A monomial ("cube") is sign * scale * product of variables; the scale, in parameters alone, is prepared ahead of time, and so
+ *  costs at most one multiplication. A variable is an input, a unit (a sum with a name: an author's grouping, a derivative, or a
+ *  shared part that the optimizer made), or a function of another variable. No pass multiplies out an author's sum: rounding
+ *  errors stay those of the table's grouping. */
 #ifndef TTC_WORKSPACE_H
 #define TTC_WORKSPACE_H
 
@@ -13,7 +13,7 @@
 enum { TTC_CUBE_LIMIT = 24 }; /* factors of a cube; longer products are split into units */
 
 typedef struct {
-    ttc_id scale;       /* parameters alone, of positive leading sign; the number 1 when there is none */
+    ttc_id scale;       /* in parameters alone, with positive leading sign; 1 if there is none */
     int8_t sign;        /* 1 or -1 */
     uint8_t count;
     uint32_t factors[TTC_CUBE_LIMIT]; /* variables, ascending, repeated for powers */
@@ -29,12 +29,12 @@ typedef enum { TTC_VARIABLE_INPUT, TTC_VARIABLE_UNIT, TTC_VARIABLE_RECIPROCAL, T
 
 typedef struct {
     ttc_variable_kind kind;
-    bool is_extracted;         /* made by the optimizer, so it may be undone */
+    bool is_extracted;         /* made by the optimizer, which may inline it again */
     bool is_output;
     uint32_t operand;          /* INPUT: position of the state; functions: variable */
     ttc_polynomial definition; /* UNIT */
     const char *label;         /* borrowed from the field, or from `names`; NULL when it has none */
-    ttc_id divisor;            /* the variable is its label divided by this; TTC_NONE: by nothing */
+    ttc_id divisor;            /* the variable is label / divisor; TTC_NONE: it is the label */
 } ttc_variable;
 
 typedef struct {
@@ -44,75 +44,75 @@ typedef struct {
     uint32_t count, capacity;
     uint32_t *outputs; /* variables */
     uint32_t output_count;
-    struct ttc_scale_ratios *ratios; /* quotients of scales that extractions share, borrowed; NULL: each makes its own */
+    struct ttc_scale_ratios *ratios; /* shared by extractions, borrowed; NULL: each has its own */
     char **names; /* labels made here; a clone does not have them */
     size_t name_count;
-    bool failed;       /* memory is out, or the graph refused */
+    bool failed;       /* memory is out, or the graph is at its limits */
 } ttc_workspace;
 
-/** Make a workspace of expressions in the field's symbols. NULL: memory is out. */
+/** Make a workspace of expressions in the field's symbols. Returns NULL when memory is out. */
 ttc_workspace *ttc_workspace_create(ttc_field *field, const ttc_id *outputs, size_t count);
-ttc_workspace *ttc_workspace_clone(const ttc_workspace *workspace); /* NULL: memory */
+ttc_workspace *ttc_workspace_clone(const ttc_workspace *workspace); /* returns NULL when memory is out */
 void ttc_workspace_destroy(ttc_workspace *workspace);            /* legal on NULL */
 
-/* What a variable is called in comments, "" when it has no name. */
+/* Append a variable's name in comments, if it has one. */
 void ttc_workspace_write_name(const ttc_workspace *workspace, ttc_text *text, uint32_t variable);
 
-/* Give a variable a label; takes ownership of the text. It has none when memory is out. */
+/* Give a variable a label; takes ownership of the text. The old one stays when memory is out. */
 void ttc_workspace_name(ttc_workspace *workspace, uint32_t variable, ttc_text *label);
 
 uint32_t ttc_workspace_add_variable(ttc_workspace *workspace, ttc_variable_kind kind, uint32_t operand);
-/* p += cube; the cubes of p stay as they are. */
+/* Append a cube to p without merging. */
 void ttc_polynomial_add(ttc_workspace *workspace, ttc_polynomial *p, const ttc_cube *cube);
-/* The same, but where p has a cube with the same factors, the scales are added in that one. */
+/* p += cube; scales are added where the factors are equal. */
 void ttc_polynomial_merge(ttc_workspace *workspace, ttc_polynomial *p, const ttc_cube *cube);
 void ttc_polynomial_close_gaps(ttc_polynomial *p); /* removes cubes of sign 0 */
 
 ttc_cube ttc_cube_one(const ttc_workspace *workspace);
-/* cube *= variable. False when the cube is full. */
+/* cube *= variable. Returns false when the cube is full. */
 bool ttc_cube_multiply(ttc_cube *cube, uint32_t variable);
 void ttc_cube_remove(ttc_cube *cube, uint32_t variable); /* one occurrence, which must be there */
 unsigned ttc_cube_power(const ttc_cube *cube, uint32_t variable);
 bool ttc_cube_same_factors(const ttc_cube *a, const ttc_cube *b);
-/* cube *= sign and scale of an expression in parameters alone */
+/* cube *= factor, an expression in parameters alone. */
 void ttc_cube_scale(ttc_workspace *workspace, ttc_cube *cube, ttc_id factor);
-/* Multiplications that the cube takes. */
+/* Multiplications that a cube takes. */
 unsigned ttc_cube_cost(const ttc_workspace *workspace, const ttc_cube *cube);
 
-/* True when a scale is never zero, whatever the parameters, so that others may be divided by it. */
+/* Whether a scale is known to be nonzero for all parameters, so that others may be divided by it. */
 bool ttc_scale_is_safe(const ttc_field *field, ttc_id scale);
 
-/** Make one division serve all reciprocals that do not need each other: 1/(d_1 ... d_k), from which the single ones, and the
- *  products of them that are in use, are recovered by multiplications: along a tree of subsets, or each written out, for an
- *  extraction to find what they share. To be done last. */
+/** Make one division serve all reciprocals that do not depend on each other: 1/(d_1 ... d_k), from which multiplications recover
+ *  the single ones and the products of them in use: along a tree of subsets, or each written out, for an extraction to find common
+ *  parts. To be called last, but for that. */
 void ttc_workspace_share_reciprocals(ttc_workspace *workspace, bool written_out);
 
-/** Take out common factors, common products and common sums until nothing is gained. seed 0 always takes what gains
- *  most; others prefer it with some chance. pair_limit: where sums have more pairs of terms than this, each term is compared
- *  with some others alone, and a step takes all that is worth the same. Returns the work done, in comparisons. */
+/** Extract common factors, products and sums until nothing is gained. Seed 0 always takes the greatest gain; others add noise to
+ *  gains. pair_limit: if sums have more pairs of terms, each term is compared with only some others, and a step takes all
+ *  candidates of equal gain. Returns the work done, in comparisons. */
 uint64_t ttc_workspace_extract(ttc_workspace *workspace, uint64_t seed, uint64_t pair_limit);
 
-/* Write units that are used once back into their user, drop variables that are not used, and choose signs so that few negations are
- * left. */
+/* Inline units that are used once, drop unused variables, and choose signs so that few negations are left. */
 void ttc_workspace_tidy(ttc_workspace *workspace);
 
-/* Put a unit back where it is used. False when a cube would be too long; nothing is changed then. */
+/* Replace a unit by its definition in all users. Returns false, without change, if it is no unit, an output, or the operand of a
+ * function, or if a cube would become too long. */
 bool ttc_workspace_inline(ttc_workspace *workspace, uint32_t variable);
 
-/* In every cube, cancel variables against their reciprocals, and replace the square of a root by its radicand. */
+/* Cancel variables against their reciprocals in every cube, and replace squares of roots by radicands. */
 void ttc_workspace_cancel(ttc_workspace *workspace);
 
-/** Write products out where they are used, so that they cancel there. Returns whether there were any. */
+/** Inline all units that are products, so that factors can cancel. Returns whether there were any. */
 bool ttc_workspace_write_out(ttc_workspace *workspace);
 
-/* Where the reciprocal of a root occurs in multiples of one power only, r^-3 say, it becomes that of r^3 = r r^2. */
+/* Where the reciprocal of a root r occurs only in multiples of a power n > 1, use that of r^n, as of r^3 = r r^2. */
 void ttc_workspace_raise_reciprocals(ttc_workspace *workspace);
 
-/** Every reciprocal of a root, 1/r, becomes r (1/r^2): a division by what the root is taken of need not wait for the root.
+/** Replace reciprocals of roots, 1/r, by r (1/r^2): a division by the radicand need not wait for the root.
  *  Returns whether there were any. */
 bool ttc_workspace_divide_by_radicands(ttc_workspace *workspace);
 
-/* Divide units by one of their scales where that saves multiplications. */
+/* Divide units by one of their scales, which their users take, where this saves multiplications. */
 void ttc_workspace_rescale(ttc_workspace *workspace);
 
 #endif

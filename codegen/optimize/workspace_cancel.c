@@ -1,4 +1,4 @@
-/* Products written out, what cancels in them, and reciprocals of roots and of their powers. */
+/* Writes products out, cancels their factors, and rewrites reciprocals of roots and of their powers. */
 #include "optimize/workspace.h"
 
 #include <stdlib.h>
@@ -9,7 +9,7 @@ static bool is_product(const ttc_workspace *workspace, uint32_t variable)
     return v->kind == TTC_VARIABLE_UNIT && !v->is_output && v->definition.count == 1 && v->definition.cubes[0].count > 1;
 }
 
-/* v * (1/v) = 1 and r * r = radicand; true when something changed. */
+/* Apply v * (1/v) = 1 or r * r = radicand once. Returns whether it applied. */
 static bool cancel_once(const ttc_workspace *workspace, ttc_cube *cube)
 {
     for (unsigned i = 0; i < cube->count; i++) {
@@ -54,7 +54,7 @@ bool ttc_workspace_write_out(ttc_workspace *workspace)
     return changed;
 }
 
-/* The power of a reciprocal that divides all its powers in use, at least 1; 0 when it is not used. */
+/* The greatest common divisor of the powers of a reciprocal in use; 0 if there are none. */
 static unsigned common_power(const ttc_workspace *workspace, uint32_t reciprocal)
 {
     unsigned common = 0;
@@ -71,7 +71,7 @@ static unsigned common_power(const ttc_workspace *workspace, uint32_t reciprocal
     return common;
 }
 
-/* A variable that holds r^power, from the radicand where it can. */
+/* A variable equal to r^power: powers of the radicand, times r if that is odd. */
 static uint32_t root_power(ttc_workspace *workspace, uint32_t root, unsigned power)
 {
     ttc_cube cube = ttc_cube_one(workspace);
@@ -106,7 +106,7 @@ void ttc_workspace_raise_reciprocals(ttc_workspace *workspace)
     }
 }
 
-/* The reciprocal of a variable: the one there is, or a new one. */
+/* The existing reciprocal of a variable, or a new one. */
 static uint32_t reciprocal_of(ttc_workspace *workspace, uint32_t variable)
 {
     for (uint32_t v = 0; v < workspace->count; v++)
@@ -114,7 +114,7 @@ static uint32_t reciprocal_of(ttc_workspace *workspace, uint32_t variable)
     return ttc_workspace_add_variable(workspace, TTC_VARIABLE_RECIPROCAL, variable);
 }
 
-/* The radicand of a root r is called r^2, unless it has a name. */
+/* Name the radicand of a root r "r^2" if it has no name. */
 static void name_radicand(ttc_workspace *workspace, uint32_t root)
 {
     uint32_t radicand = workspace->variables[root].operand;

@@ -1,4 +1,4 @@
-/* From expressions to a workspace of sums. */
+/* Converts expressions into a workspace of sums. */
 #include "fields/simplify.h"
 #include "optimize/workspace.h"
 
@@ -8,7 +8,7 @@ typedef struct {
     ttc_workspace *workspace;
     ttc_field *field;
     uint32_t *by_symbol;     /* variable + 1 */
-    uint32_t *by_id;         /* of anonymous sums: variable + 1 */
+    uint32_t *by_id;         /* variable + 1 of an anonymous sum or product */
     unsigned char *below_root; /* by id: some root or angle depends on it */
     size_t id_count;
     uint32_t *reciprocals;   /* by variable, + 1 */
@@ -35,7 +35,7 @@ static uint32_t reciprocal_of(converter *c, uint32_t variable)
     return c->reciprocals[variable] - 1;
 }
 
-/* A full cube gives its factors to a unit and goes on with that. */
+/* cube *= variable. A full cube first moves all factors but one into a unit. */
 static void multiply(converter *c, ttc_cube *cube, uint32_t variable)
 {
     if (cube->count == TTC_CUBE_LIMIT) {
@@ -52,7 +52,7 @@ static void multiply(converter *c, ttc_cube *cube, uint32_t variable)
     ttc_cube_multiply(cube, variable);
 }
 
-/* The square of a root is its radicand, which is at hand before the root is taken. */
+/* cube *= variable^exponent. The square of a root is its radicand, which is known before the root. */
 static void multiply_power(converter *c, ttc_cube *cube, uint32_t variable, int32_t exponent)
 {
     const ttc_variable *v = c->workspace->variables + variable;
@@ -86,7 +86,7 @@ static ttc_cube cube_of(converter *c, ttc_id id)
     return cube;
 }
 
-/* Terms of equal factors are one, whatever their parameters. */
+/* Define a unit. Terms with equal factors become one, whatever their scales. */
 static void fill(converter *c, uint32_t unit, ttc_id id)
 {
     ttc_graph *graph = c->field->graph;
@@ -104,8 +104,7 @@ static void fill(converter *c, uint32_t unit, ttc_id id)
     }
 }
 
-/* The square root of an expression in parameters: of a square number, and, where digits are to be kept, of even powers;
- * TTC_NONE: it has none. */
+/* The square root of a scale: of a square number and, where digits are to be kept, of even powers; else TTC_NONE. */
 static ttc_id scale_root(const ttc_field *field, ttc_id scale)
 {
     ttc_graph *graph = field->graph;
@@ -126,7 +125,7 @@ static ttc_id scale_root(const ttc_field *field, ttc_id scale)
     return result;
 }
 
-/* The square root of a cube; false when it has none. */
+/* Returns false if the cube is no square. */
 static bool square_root(converter *c, ttc_cube *out, const ttc_cube *cube)
 {
     *out = ttc_cube_one(c->workspace);
@@ -139,7 +138,7 @@ static bool square_root(converter *c, ttc_cube *out, const ttc_cube *cube)
     return out->scale != TTC_NONE;
 }
 
-/* What two cubes share and is no square is taken from both: x y^2 and x z^2 leave y^2 and z^2. */
+/* Take common factors that are no squares out of two cubes: x y^2 and x z^2 become y^2 and z^2, and x is returned. */
 static ttc_cube take_common(converter *c, ttc_cube *a, ttc_cube *b)
 {
     ttc_cube common = ttc_cube_one(c->workspace);
@@ -161,7 +160,7 @@ static ttc_cube take_common(converter *c, ttc_cube *a, ttc_cube *b)
     return common;
 }
 
-/* C A^2 - C B^2 = C (A - B)(A + B): no digits are lost where A is near B, as they are in the difference of the squares. */
+/* C A^2 - C B^2 = C (A - B)(A + B): near A = B this keeps the digits that the difference of squares loses. */
 static void split_squares(converter *c, uint32_t unit)
 {
     ttc_polynomial *p = &c->workspace->variables[unit].definition;
@@ -225,7 +224,7 @@ static uint32_t symbol_variable(converter *c, uint32_t symbol)
     return variable;
 }
 
-/* A symbol, or an anonymous sum or product as a unit of its own. */
+/* The variable of a symbol, or a unit for an anonymous sum or product. */
 static uint32_t variable_of(converter *c, ttc_id id)
 {
     if (c->workspace->failed) return 0;
@@ -236,7 +235,7 @@ static uint32_t variable_of(converter *c, ttc_id id)
     return unit;
 }
 
-/* What roots depend on must not be written in terms of them. */
+/* Mark what roots and functions depend on: it must not be rewritten in terms of them. */
 static void mark_below(converter *c, ttc_id id)
 {
     const ttc_graph *graph = c->field->graph;

@@ -1,7 +1,7 @@
-/* Greedy extraction of what is common, after the algebraic methods of logic synthesis (Brayton, Rudell, Sangiovanni-
- * Vincentelli, Wang 1987) carried over to polynomials (Hosangadi, Fallah, Kastner 2006): pairs of factors that occur in
- * several cubes, and pairs of terms that occur, up to a common factor, in one or several sums. Longer ones grow out of
- * pairs. Each step takes what saves most. */
+/* Greedy extraction of common subexpressions, after the algebraic methods of logic synthesis (Brayton, Rudell,
+ * Sangiovanni-Vincentelli, Wang 1987) carried over to polynomials (Hosangadi, Fallah, Kastner 2006): pairs of factors that occur
+ * in several cubes, and pairs of terms that occur, up to a common factor, in one or several sums. Larger ones grow out of pairs.
+ * Each step takes the pair that saves most. */
 #include "optimize/extract_candidates.h"
 
 #include <stdlib.h>
@@ -32,8 +32,8 @@ static int compare_cubes(const void *left, const void *right)
     return a->scale < b->scale ? -1 : a->scale > b->scale;
 }
 
-/* All sums. Where they have more pairs of terms than the limit, terms with the same factors are put side by side, and each
- * is compared with the next ones alone. */
+/* Register all sums. If they have more pairs of terms than the limit, terms are sorted by factors, and compared with the next ones
+ * only. */
 static void begin(extractor *e)
 {
     ttc_workspace *workspace = e->workspace;
@@ -85,7 +85,7 @@ static void define_unit(extractor *e, uint32_t unit, const ttc_cube *cubes, uint
     ttc_candidates_note_factors(c, unit);
 }
 
-/* a, a variable, times b, a variable or a scale, becomes a unit. */
+/* Make a, a variable, times b, a variable or a scale, a unit. */
 static void extract_factors(extractor *e, uint32_t a, uint32_t b)
 {
     ttc_workspace *workspace = e->workspace;
@@ -111,7 +111,7 @@ static void extract_factors(extractor *e, uint32_t a, uint32_t b)
     if (!workspace->failed) define_unit(e, unit, &product, 1);
 }
 
-/* One term is left; taken ones have no sign. */
+/* Whether one term is left; removed ones have sign 0. */
 static bool is_single(const ttc_polynomial *p)
 {
     uint32_t count = 0;
@@ -119,7 +119,7 @@ static bool is_single(const ttc_polynomial *p)
     return count == 1;
 }
 
-/* The sum of two terms becomes a unit wherever it stands. */
+/* Make the sum of two terms a unit at all places of the group. */
 static void extract_terms(extractor *e, uint32_t group)
 {
     ttc_workspace *workspace = e->workspace;
@@ -149,12 +149,12 @@ static void extract_terms(extractor *e, uint32_t group)
     }
     free(places);
     const ttc_cube rests[] = { wanted.rest_a, wanted.rest_b };
-    /* What was a sum of the table's, or one side of a difference of squares, may not be multiplied out later. */
+    /* A sum of the table's, or a factor of a difference of squares, must not be multiplied out later. */
     if (!workspace->failed && is_grouping && workspace->field->keeps_digits) workspace->variables[unit].is_extracted = false;
     if (!workspace->failed) define_unit(e, unit, rests, 2);
 }
 
-/* The first of the groups worth most; NULL when none is worth anything. */
+/* The group with the highest score, if that is above *best_score; else NULL. */
 static const ttc_ranked *best_of(extractor *e, const ttc_extract_index *index, unsigned bonus, uint64_t *best_score)
 {
     const ttc_ranked *best = NULL;
@@ -174,7 +174,7 @@ static void extract_ranked(extractor *e, bool are_terms, const ttc_ranked *chose
     else extract_factors(e, (uint32_t)(chosen->key >> 32), (uint32_t)chosen->key);
 }
 
-/* All groups that gain as much as `chosen`, the first of them, as long as nothing taken before touches them. */
+/* Extract `chosen`, and later groups of equal gain that no extraction has changed meanwhile. */
 static void extract_all(extractor *e, bool are_terms, const ttc_ranked *chosen)
 {
     const ttc_extract_index *index = are_terms ? &e->candidates.binomials : &e->candidates.pairs;

@@ -14,7 +14,7 @@ typedef struct {
 
 static ttc_value lower_variable(lowering *l, uint32_t variable);
 
-/* Note when a value is ready, which needs its operands noted. */
+/* Record when a value is ready; its operands must be recorded first. */
 static ttc_value note(lowering *l, ttc_value value)
 {
     if (value == TTC_NO_VALUE) {
@@ -55,7 +55,7 @@ static ttc_value lower_scale(lowering *l, ttc_id scale)
     return note(l, ttc_program_parameter(l->program, ttc_prepared_index(l->prepared, scale)));
 }
 
-/* Multiply what is ready first, pair by pair. */
+/* Multiply always the two values that are ready first. */
 static ttc_value lower_cube(lowering *l, const ttc_cube *cube, ttc_id scale)
 {
     ttc_value values[TTC_CUBE_LIMIT + 1];
@@ -78,10 +78,10 @@ static ttc_value lower_cube(lowering *l, const ttc_cube *cube, ttc_id scale)
 typedef struct {
     ttc_value value;
     int sign;
-    bool is_product; /* takes part in a fused operation when it is added, not when it is first */
+    bool is_product; /* can be fused with an addition, unless the sum starts with it */
 } term;
 
-/* Terms in the order of their readiness; a sum starts, if it can, with a positive one that is no product. */
+/* Sort terms by when they are ready, but start, if possible, with a positive one that is no product. */
 static void order_terms(const lowering *l, term *terms, size_t count)
 {
     for (size_t i = 1; i < count; i++)
@@ -120,7 +120,7 @@ static ttc_value add_terms(lowering *l, const term *terms, size_t count)
     return sign > 0 ? sum : apply(l, TTC_OP_NEGATE, sum, TTC_NO_VALUE);
 }
 
-/* Where every term is negative and has a scale, the scales take the sign. */
+/* Whether all terms are negative and have scales, which can take the sign. */
 static bool scales_take_sign(const lowering *l, const ttc_polynomial *p)
 {
     for (uint32_t i = 0; i < p->count; i++)

@@ -1,6 +1,6 @@
-/* One division for many denominators. With R = 1/(d_1 ... d_k), the reciprocal of a product over a subset S is that over
- * S and one more j, times d_j: so all reciprocals in use are nodes of a tree that hangs from the full set. Or each is
- * written out, R times the denominators outside S, for an extraction to find what they share. */
+/* Replaces several divisions by one. With R_S the reciprocal of the product of the denominators d_i in a set S, R_S = R_(S + j)
+ * d_j: all reciprocals in use are nodes of a tree whose root is the full set. Or each is written out as that of the full set times
+ * the denominators outside S, for an extraction to find common parts. */
 #include "optimize/workspace.h"
 
 #include <stdlib.h>
@@ -14,10 +14,10 @@ typedef struct {
     unsigned count;
     bool written_out;
     uint32_t operands[MOST];
-    uint32_t *variable;     /* by subset: variable + 1 that holds it */
+    uint32_t *variable;     /* by subset: 1 + the variable of its reciprocal */
 } group;
 
-/* 1 for a reciprocal whose operand needs no other, and so on; 0: not yet known. */
+/* 1 + the greatest depth of nested reciprocals: 2 for one whose operand contains none. levels: 0 where not yet known. */
 static unsigned level_of(const ttc_workspace *workspace, unsigned *levels, uint32_t variable)
 {
     const ttc_variable *v = workspace->variables + variable;
@@ -36,7 +36,7 @@ static unsigned level_of(const ttc_workspace *workspace, unsigned *levels, uint3
     return level;
 }
 
-/* The subset of members whose product a unit is; 0 when it is none, or holds a power. */
+/* The subset of members whose product a variable is; 0 if it is none, or contains a power. */
 static unsigned subset_of(const group *g, uint32_t variable)
 {
     for (unsigned i = 0; i < g->count; i++)
@@ -61,7 +61,7 @@ static unsigned size_of(unsigned subset)
     return size;
 }
 
-/* "1/(a*b)", when all operands have names. */
+/* Name it "1/(a*b)" if all operands have names. */
 static void name_subset(group *g, uint32_t variable, unsigned subset)
 {
     ttc_workspace *workspace = g->workspace;
@@ -91,8 +91,8 @@ static void define_by(ttc_workspace *workspace, uint32_t variable, const ttc_cub
     ttc_polynomial_add(workspace, &v->definition, cube);
 }
 
-/* Of the members outside `subset`, the one whose addition leads to a subset that is wanted, or that most wanted ones
- * lie in. */
+/* The member of `target` outside `subset` whose addition gives a wanted subset or, failing that, one that contains most wanted
+ * ones. */
 static unsigned next_member(const group *g, const unsigned char *wanted, unsigned subset, unsigned target)
 {
     unsigned best = 0, best_score = 0;
@@ -111,7 +111,8 @@ static unsigned next_member(const group *g, const unsigned char *wanted, unsigne
 
 static uint32_t derive(group *g, const unsigned char *wanted, unsigned subset);
 
-/* From the smallest available subset that holds this one, along wanted ones where possible. */
+/* The reciprocal of one more member times its denominator, on the way to the smallest available superset, along wanted subsets
+ * where possible. */
 static ttc_cube cube_along_tree(group *g, const unsigned char *wanted, unsigned subset)
 {
     ttc_cube cube = ttc_cube_one(g->workspace);
@@ -133,7 +134,7 @@ static ttc_cube cube_written_out(const group *g, unsigned subset)
     return cube;
 }
 
-/* Make `subset` available. */
+/* The variable of the reciprocal of `subset`, made if it is missing. */
 static uint32_t derive(group *g, const unsigned char *wanted, unsigned subset)
 {
     ttc_workspace *workspace = g->workspace;

@@ -8,10 +8,11 @@ typedef struct {
     ttc_workspace *workspace;
     uint32_t unit, reciprocal; /* reciprocal: of the unit; the unit itself when there is none */
     ttc_id scale;
-    uint32_t *users; /* variables whose sums hold either, the unit itself among them; room for all */
+    uint32_t *users; /* variables whose sums contain either, and the unit; room for all */
     uint32_t user_count;
 } rescaling;
 
+/* Whether another function than one reciprocal has the unit as operand; *reciprocal: that one, else the unit. */
 static bool is_operand_of_other(const ttc_workspace *workspace, uint32_t unit, uint32_t *reciprocal)
 {
     *reciprocal = unit;
@@ -24,7 +25,7 @@ static bool is_operand_of_other(const ttc_workspace *workspace, uint32_t unit, u
     return false;
 }
 
-/* The cube after the change. */
+/* A user's cube after the change. */
 static ttc_cube changed(const rescaling *r, const ttc_cube *cube)
 {
     ttc_cube after = *cube;
@@ -41,13 +42,13 @@ static ttc_cube divided(const rescaling *r, const ttc_cube *cube)
     return after;
 }
 
-/* Variables whose sums hold each one as a factor, ascending. Rescaling changes no factors, so they are found once. */
+/* For each variable, those whose sums contain it, ascending. Rescaling changes no factors, so they are found once. */
 typedef struct {
-    size_t *first; /* by variable, shape (count + 1,): where its users begin */
+    size_t *first; /* by variable, shape (count + 1,): its first user in `all` */
     uint32_t *all;
 } user_lists;
 
-/* Visit every factor of every sum, equal ones that follow each other once. all == NULL: count them alone. */
+/* Add each sum once to the users of each factor; all == NULL: count only. last: by factor, the sum visited last. */
 static void visit_factors(const ttc_workspace *workspace, size_t *position, uint32_t *all, uint32_t *last)
 {
     for (uint32_t v = 0; v < workspace->count; v++) last[v] = UINT32_MAX;

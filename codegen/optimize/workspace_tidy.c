@@ -1,9 +1,9 @@
-/* Clearing up between and after extractions: units used once go back, unused ones vanish, signs and scales settle. */
+/* Tidies a workspace between and after extractions: inlines units used once, drops unused ones, settles signs. */
 #include "optimize/workspace.h"
 
 #include <stdlib.h>
 
-/* Uses of each variable as a factor, or as the operand of a function; outputs count as one more. */
+/* Uses of each variable as a factor or operand. */
 static uint32_t *count_uses(const ttc_workspace *workspace)
 {
     uint32_t *uses = calloc(workspace->count + 1, sizeof *uses);
@@ -21,7 +21,7 @@ static uint32_t *count_uses(const ttc_workspace *workspace)
     return uses;
 }
 
-/* A unit that is used by nothing is emptied, and what it used may become unused. */
+/* Empty variables that nothing uses, until none is left. */
 static void drop_unused(ttc_workspace *workspace)
 {
     for (bool changed = true; changed && !workspace->failed;) {
@@ -39,7 +39,7 @@ static void drop_unused(ttc_workspace *workspace)
     }
 }
 
-/* cube without one occurrence of the variable, times another cube */
+/* *out = cube with one factor replaced by the cube `by`. Returns false if it is too long. */
 static bool substitute_cube(ttc_workspace *workspace, ttc_cube *out, const ttc_cube *cube, uint32_t variable, const ttc_cube *by)
 {
     *out = *cube;
@@ -107,7 +107,7 @@ bool ttc_workspace_inline(ttc_workspace *workspace, uint32_t variable)
     return true;
 }
 
-/* The last variable that uses each one, as a factor or as an operand. */
+/* The last variable that uses each one. */
 static uint32_t *find_users(const ttc_workspace *workspace)
 {
     uint32_t *user = calloc(workspace->count + 1, sizeof *user);
@@ -125,8 +125,7 @@ static bool is_plain(const ttc_workspace *workspace, const ttc_cube *cube)
     return cube->count + (cube->scale != workspace->one ? 1u : 0u) <= 1;
 }
 
-/* True when the variable's one use is as a whole term of a sum, or the variable is a product, so that nothing is
- * multiplied out by putting it back. */
+/* Whether a variable used once can be inlined without multiplying out a sum: it is a product, or its use is a whole term. */
 static bool may_return(const ttc_workspace *workspace, uint32_t variable, uint32_t user)
 {
     const ttc_variable *v = workspace->variables + variable;
@@ -161,7 +160,7 @@ static void return_single_uses(ttc_workspace *workspace)
             if (uses[v] > 1) {
                 changed = variable->definition.count == 1 && is_plain(workspace, variable->definition.cubes)
                           && ttc_workspace_inline(workspace, v);
-                if (changed) break; /* uses are not what they were */
+                if (changed) break; /* `uses` is out of date */
                 continue;
             }
             if (variable->definition.count > 1 && variable->label != NULL) continue;
@@ -179,7 +178,7 @@ static void return_single_uses(ttc_workspace *workspace)
     }
 }
 
-/* A unit all of whose terms are negative changes sign, and so do the terms that use it. */
+/* Change the sign of units whose terms are all negative, and of terms that contain them to an odd power. */
 static void settle_signs(ttc_workspace *workspace)
 {
     for (uint32_t v = 0; v < workspace->count; v++) {
@@ -199,7 +198,7 @@ static void settle_signs(ttc_workspace *workspace)
     }
 }
 
-/* Unused variables leave their numbers; the order of the others is kept, and with it that of factors. */
+/* Remove unused variables; the others keep their order, and factors stay ascending. */
 static void renumber(ttc_workspace *workspace)
 {
     uint32_t *uses = count_uses(workspace), *number = calloc(workspace->count + 1, sizeof *number), count = 0;

@@ -5,10 +5,10 @@
 
 #include <stdlib.h>
 
-/* By divisor of the table, whether the claim is asked for it, for free(). NULL where it is for none. */
+/* Flags, by divisor of the table, of those that the claim alone brings in, for free(); NULL: none, or not asked of this claim. */
 static unsigned char *divisors_of(ttc_task *task, const ttc_subcase *leaf)
 {
-    const bool is_given = task->role == TTC_DIVIDES_VARIANT && task->claim->when.count > 0; /* it is asked where it is not */
+    const bool is_given = task->role == TTC_DIVIDES_VARIANT && task->claim->when.count > 0; /* asked without `when` */
     if (task->claim->kind == TTC_CLAIM_EQUILIBRIA || leaf->is_degenerate || is_given) return NULL;
     if (task->role == TTC_DIVIDES_FIELD || task->role == TTC_DIVIDES_LIFT) return NULL;
     unsigned char *of_claim = ttc_domain_divisors_of_claim(task);
@@ -24,7 +24,7 @@ bool ttc_divided_by_zero(ttc_task *task, const ttc_subcase *leaf, char **at)
 {
     unsigned char *divisors = divisors_of(task, leaf);
     if (divisors == NULL) return false;
-    /* In the same field, where roots have the signs of this leaf: what has failed is the claim's own. */
+    /* Search in the same field, in which roots have the signs of this leaf; the failure of its ring is due to the claim alone. */
     const ttc_ring_status failed = task->ring->status;
     ttc_conditions whole = task->domain;
     bool divided = false;

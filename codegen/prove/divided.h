@@ -1,15 +1,15 @@
-/** Whether a claim divides by zero on a whole part of the domain: it says nothing there, but what uses it takes it with
- *  everything cancelled. A family may exist on a part alone. */
+/** Tests whether a claim divides by zero on a whole part of the domain: it says nothing there, but kernels and other claims use
+ *  it with everything cancelled. Families of equilibria are exempt: they may exist on a part of the domain alone. */
 #ifndef TTC_DIVIDED_H
 #define TTC_DIVIDED_H
 
 #include "prove/subcase.h"
 
-/** Of a leaf on which the claim has no value: whether it has points without the claim, or that was not excluded. at: such a
- *  point, for free(), or NULL. */
+/** For a leaf on which the claim has no value: returns true if the claim has divisors of its own, and it is not shown that the leaf
+ *  has no points when these are disregarded. *at then receives such a point, for free(), or NULL if none was found. */
 bool ttc_divided_by_zero(ttc_task *task, const ttc_subcase *leaf, char **at);
 
-/* Of a leaf of which no point is known: whether the claim divides by what is zero if functions depend on each other. */
+/* For a leaf without a known point: returns true if the claim has a divisor that may be zero by unknown relations of functions. */
 bool ttc_divided_perhaps(ttc_task *task, const ttc_subcase *leaf);
 
 #endif

@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* Every expression that the claim speaks of. */
+/* A list of expressions whose symbols are looked for. */
 typedef struct {
     ttc_id *ids;
     size_t count;
@@ -53,7 +53,7 @@ static bool owner_counts(const ttc_task *task, const ttc_divisor *d, ttc_domain_
     return false;
 }
 
-/* A root or logarithm belongs to the domain whether or not it is used; those that are in question, or come after one, do not. */
+/* Returns true for roots and logarithms of the domain, which need not be used: all but those after one under test. */
 static bool is_in_domain(const ttc_task *task, uint32_t symbol)
 {
     const ttc_symbol_kind kind = task->model->symbols[symbol].kind;
@@ -105,14 +105,14 @@ bool ttc_domain_is_of_tested(const ttc_task *task, ttc_id id)
     return ttc_question_depends(task, id) && !depends_on_states(task->model, id);
 }
 
-/* A variant is a matter of parameters: whatever they are, those that it sets keep their signs. When that has been shown, there are
- * states under it. */
+/* Returns true while only conditions on parameters count: in the task of a variant, until its values are shown to obey the signs of
+ * parameters. After that, conditions on states count too. */
 static bool is_of_parameters(const ttc_task *task)
 {
     return task->role == TTC_DIVIDES_VARIANT && (task->tested != NULL || task->claim->when.count == 0);
 }
 
-/* Divisors in the definition of an angle are kept with one name of the pair. */
+/* Returns true if a symbol is flagged, or its partner: divisors in the definition of an angle are stored with one of the pair. */
 static bool symbol_counts(const ttc_model *model, const unsigned char *support, uint32_t symbol)
 {
     ttc_symbol_kind kind = model->symbols[symbol].kind;
@@ -122,7 +122,7 @@ static bool symbol_counts(const ttc_model *model, const unsigned char *support, 
 static bool divisor_counts(const ttc_task *task, const ttc_divisor *d, const unsigned char *support, ttc_domain_extent extent)
 {
     if (is_of_parameters(task) && depends_on_states(task->model, d->divisor)) return owner_counts(task, d, extent);
-    if (task->role == TTC_DIVIDES_LIFT) return false; /* that they are not zero is what is to be shown */
+    if (task->role == TTC_DIVIDES_LIFT) return false; /* the claim has to show that they are not zero */
     switch (d->role) {
     case TTC_DIVIDES_FIELD: return true;
     case TTC_DIVIDES_SYMBOL: return symbol_counts(task->model, support, d->owner);
@@ -143,8 +143,8 @@ unsigned char *ttc_domain_divisors_of_claim(const ttc_task *task)
     return of_claim;
 }
 
-/* A root is positive, so a division by one excludes nothing more; but it does exclude a radicand of zero from the question
- * whether the radicand is positive. */
+/* Returns true if the expression is a root. A root is positive, so that dividing by it excludes no further points; but in the test
+ * whether its radicand is positive it excludes that the radicand is zero. */
 static bool is_root(const ttc_model *model, ttc_id id, uint32_t *root)
 {
     if (ttc_kind_of(model->graph, id) != TTC_SYMBOL) return false;
@@ -152,7 +152,7 @@ static bool is_root(const ttc_model *model, ttc_id id, uint32_t *root)
     return model->symbols[*root].kind == TTC_ROOT;
 }
 
-/* Adds a condition, and notes its words when they alone leave no point. */
+/* Add a condition. If this makes the list contradictory, the text becomes task->why_empty. */
 TTC_PRINTF(5, 6)
 static void add(ttc_task *task, ttc_conditions *c, const ttc_ratio *value, ttc_relation relation, const char *format, ...)
 {
@@ -165,7 +165,7 @@ static void add(ttc_task *task, ttc_conditions *c, const ttc_ratio *value, ttc_r
     va_end(arguments);
 }
 
-/* A symbol under test alone: that it is not zero is no more than what is to be shown of it. */
+/* Returns true if the expression is a symbol under test: that it is not zero is part of what the claim has to show. */
 static bool is_tested_symbol(const ttc_task *task, ttc_id id)
 {
     return ttc_kind_of(task->model->graph, id) == TTC_SYMBOL && ttc_question_is_tested(task, ttc_symbol_of(task->model->graph, id));
@@ -178,7 +178,7 @@ static void add_divisor(ttc_task *task, ttc_conditions *c, ttc_id id, ttc_domain
         if (root != task->tested_root) return;
         id = task->model->symbols[root].definition;
     } else if (ttc_kind_of(task->model->graph, id) == TTC_PRODUCT) {
-        /* Factor by factor: each is simpler, and most are roots. */
+        /* Add each factor by itself: it is simpler than the product, and often a root. */
         for (size_t i = 0; i < ttc_part_count(task->model->graph, id); i++)
             add_divisor(task, c, ttc_part_at(task->model->graph, id, i).id, extent, value);
         return;
@@ -218,8 +218,8 @@ ttc_relation ttc_domain_relation(ttc_sign sign)
     }
 }
 
-/* The argument of a logarithm is positive, and the radicand of a root. A root that is a name of its own in the ring, or has become
- * rational, is positive as well; one that nothing has used need not come into the ring. */
+/* Add that a radicand, or the argument of a logarithm, is positive; and that the root is, if it has a value. A root that nothing
+ * has used is not evaluated, so that it does not enter the ring. */
 static void add_root(ttc_task *task, ttc_conditions *c, uint32_t symbol, ttc_ratio *value)
 {
     const ttc_symbol_entry *entry = &task->model->symbols[symbol];
@@ -255,7 +255,7 @@ void ttc_domain_add(ttc_task *task, ttc_conditions *c, ttc_domain_extent extent)
                 entry->name);
         }
         if (entry->kind == TTC_ROOT || entry->kind == TTC_LOG) add_root(task, c, i, &value);
-        /* A cosine that a level has bound has a sine only between -1 and 1. */
+        /* Evaluating the sine adjoins the root of 1 - C^2, which is real only if a bound cosine C lies between -1 and 1. */
         if (entry->kind == TTC_COSINE && ttc_valuation_is_bound(task->field, i))
             ttc_evaluate(task->field, &value, model->symbols[entry->partner].node);
         if (entry->kind == TTC_COSINE && symbol_counts(model, support, i)) ttc_domain_add_angle(task, c, i);

@@ -1,8 +1,8 @@
-/* The sign of a sine or cosine on the domain, where the interval of a state keeps the angle within half a turn. */
+/* Signs of sines and cosines on the domain, where the interval of a state keeps the angle within half a turn. */
 #include "prove/domain.h"
 #include "prove/question.h"
 
-/* Whether signs of terms exclude these signs of an expression. */
+/* Returns true if, by the signs of its terms, the expression never has one of these signs. */
 static bool is_never(ttc_task *task, const ttc_conditions *c, ttc_id id, unsigned signs, ttc_ratio *value)
 {
     ttc_evaluate(task->field, value, id);
@@ -11,7 +11,7 @@ static bool is_never(ttc_task *task, const ttc_conditions *c, ttc_id id, unsigne
     return !(ttc_conditions_signs(c, value->numerator) & signs);
 }
 
-/* Half a turn is pi, or, in a table that does not use pi, the number 3 below it. */
+/* Half a turn: pi, or 3, which is less than pi, in a table that does not use pi. */
 static ttc_id half_turn(const ttc_model *model)
 {
     for (size_t i = 0; i < model->symbol_count; i++)
@@ -19,8 +19,8 @@ static ttc_id half_turn(const ttc_model *model)
     return ttc_integer(model->graph, 3);
 }
 
-/* An angle that is linear in a state lies between its values at the ends of the interval. With -1, 0, 1 or 2 quarter turns added,
- * and then between 0 and half a turn, it has a positive sine: this is -C, S, C, or -S. */
+/* An angle that is linear in a state lies between its values at the ends of the interval. If these, with -1, 0, 1 or 2 quarter
+ * turns added, lie between 0 and half a turn, the sine of the angle so turned is positive: it is -C, S, C or -S. */
 static void add_sign(ttc_task *task, ttc_conditions *c, uint32_t cosine, size_t state, ttc_ratio *value)
 {
     const ttc_model *model = task->model;

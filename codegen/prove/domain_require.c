@@ -1,10 +1,11 @@
-/* What the records of a table demand of values, here or at an image, is required of them. */
+/* Requirements that values, in the task's field or at an image, meet the conditions of a table's records. */
 #include "prove/domain.h"
+#include "prove/positive.h"
 #include "prove/question.h"
 
 #include <stdlib.h>
 
-/* end: TTC_NONE, or an end of the interval; direction 1: the state lies above it. */
+/* Require that a state lies above (direction = 1) or below (-1) an end of its interval; end = TTC_NONE: no end. */
 static void require_end(ttc_task *task, ttc_valuation *map, const ttc_symbol_entry *entry, ttc_id end, int direction,
                         const char *where)
 {
@@ -30,31 +31,28 @@ void ttc_domain_require_symbol(ttc_task *task, ttc_valuation *map, const ttc_mod
     if (entry->kind == TTC_STATE) {
         require_end(task, map, entry, entry->low, 1, where);
         require_end(task, map, entry, entry->high, -1, where);
-    } else if (entry->kind == TTC_ROOT || entry->kind == TTC_LOG || (entry->kind == TTC_PARAM && entry->sign != TTC_ANY_SIGN)) {
+    } else if (entry->kind == TTC_ROOT || entry->kind == TTC_LOG) {
+        ttc_positive_require(task, map, entry->definition, "not positive: what the root or logarithm is taken of, %s%s",
+                             entry->name, where);
+    } else if (entry->kind == TTC_PARAM && entry->sign != TTC_ANY_SIGN) {
         ttc_ratio_init(task->ring, &value);
-        bool of_definition = entry->kind != TTC_PARAM;
-        ttc_evaluate(map, &value, of_definition ? entry->definition : entry->node);
-        ttc_task_require(task, &value, of_definition ? TTC_IS_POSITIVE : ttc_domain_relation(entry->sign), "%s%s%s",
-                         of_definition ? "not positive: what the root or logarithm is taken of, " : "the sign is broken, of ",
-                         entry->name, where);
+        ttc_evaluate(map, &value, entry->node);
+        ttc_task_require(task, &value, ttc_domain_relation(entry->sign), "the sign is broken, of %s%s", entry->name, where);
         ttc_ratio_clear(task->ring, &value);
     }
 }
 
 void ttc_domain_require_image(ttc_task *task, ttc_valuation *map, const ttc_model *model, const char *where)
 {
-    ttc_ratio value;
-    ttc_ratio_init(task->ring, &value);
     for (uint32_t i = 0; i < model->symbol_count && ttc_task_open(task); i++) ttc_domain_require_symbol(task, map, model, i, where);
     for (size_t i = 0; i < model->region_count && ttc_task_open(task); i++) {
-        ttc_evaluate(map, &value, model->regions[i].expression);
-        ttc_task_require(task, &value, TTC_IS_POSITIVE, "the domain record %s is broken%s", model->regions[i].name, where);
+        ttc_positive_require(task, map, model->regions[i].expression, "the domain record %s is broken%s", model->regions[i].name,
+                             where);
     }
     unsigned char *used = ttc_model_uses(model);
     if (used == NULL) ttc_ring_fail(task->ring, TTC_RING_NO_MEMORY);
     else ttc_domain_require_divisors(task, map, model, TTC_DIVIDES_FIELD, 0, used, where);
     free(used);
-    ttc_ratio_clear(task->ring, &value);
 }
 
 void ttc_domain_require_root(ttc_task *task, ttc_valuation *map, const ttc_symbol_entry *entry)
@@ -72,7 +70,8 @@ void ttc_domain_require_root(ttc_task *task, ttc_valuation *map, const ttc_symbo
     ttc_ratio_clear(task->ring, &root);
 }
 
-/* Of domain records of what is tested, those whose last root in question is this one, which rests on those before; 0: without. */
+/* Require the domain records on symbols under test whose last root in question is symbol `last`, taking it and those before it as
+ * shown; last = 0: the records without such a root. */
 static void require_regions(ttc_task *task, uint32_t last)
 {
     const ttc_model *model = task->model;

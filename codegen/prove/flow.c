@@ -1,9 +1,9 @@
-/* The flow on a leaf: rates of its free variables, what moves, and whether a set is kept. */
+/* The flow on a leaf: rates of its variables, dependence on states, and whether the flow keeps a set. */
 #include "prove/prove_task.h"
 
 #include <stdlib.h>
 
-/* The rate of every variable of the ring along the flow, shape (variable_count,), for ttc_task_free. NULL when memory is out. */
+/* Rates of all variables of the ring along the flow, shape (variable_count,), for ttc_task_free. NULL when memory is out. */
 static ttc_ratio *slopes_of(ttc_task *task)
 {
     const ttc_model *model = task->model;
@@ -44,7 +44,7 @@ static bool variable_moves(ttc_task *task, slong variable)
     return moves;
 }
 
-/* Whether the derivative along a free state is not zero, by its form. */
+/* Returns true unless the derivative by a free state is zero in form. */
 static bool varies_with(ttc_task *task, const ttc_ratio *ratio, uint32_t state)
 {
     ttc_ratio *slopes = ttc_task_ratios(task, task->ring->variable_count), rate;
@@ -59,7 +59,7 @@ static bool varies_with(ttc_task *task, const ttc_ratio *ratio, uint32_t state)
     return varies;
 }
 
-/* What holds states may be constant: sqrt(2 x)/sqrt(x), exp(x + a)/exp(x). */
+/* A ratio that uses states may be constant, such as sqrt(2 x)/sqrt(x): returns true if some derivative is nonzero in form. */
 static bool varies(ttc_task *task, const ttc_ratio *ratio)
 {
     const ttc_model *model = task->model;
@@ -77,8 +77,8 @@ bool ttc_task_moves(ttc_task *task, const ttc_ratio *ratio)
     return false;
 }
 
-/* Where a leaf is left at a real point that lies on no other component, the level is left. Short of that nothing is said: a set
- * is kept when its components are, real points or not. */
+/* The flow is not tangent to the leaf. Refute the claim at a real point of the leaf that lies on no other component, as the flow
+ * leaves the level there; otherwise it is not settled. */
 static void refute_kept(ttc_task *task, const ttc_symbol_entry *entry, const ttc_ratio *rate, bool by_angle)
 {
     ttc_ratio others;
@@ -109,8 +109,8 @@ bool ttc_task_is_at_turn(ttc_task *task, const ttc_symbol_entry *entry)
     return zero;
 }
 
-/* A symbol that follows from the free ones must move as they make it move: a state by its equation, a parameter not at all; and
- * the angle of a cosine of 1 or -1 must not move either. */
+/* The rate of a bound symbol's expression must be the symbol's own: that of a state by its equation, zero for a parameter. For a
+ * cosine bound to 1 or -1, the rate of its angle must be zero. */
 static void require_symbol_kept(ttc_task *task, uint32_t symbol, const ttc_ratio *slopes, const char *hint)
 {
     const ttc_symbol_entry *entry = &task->model->symbols[symbol];

@@ -1,26 +1,26 @@
-/** Where points of a model lie in another table, see ttc_image: what gives each of that table's names, in this model's. */
+/** Lookup in a map from points of a model to those of another table, see ttc_image, and checks that it is complete. */
 #ifndef TTC_IMAGE_H
 #define TTC_IMAGE_H
 
 #include "read/model.h"
 
-/* Index, among the entries of the image, of the table's i-th state, or of one of its names; image->count where it is not given. */
+/* Index, in image->names, of the table's i-th state, or of a name; image->count if it is not there. */
 size_t ttc_image_state(const ttc_image *image, const ttc_model *table, size_t i);
 size_t ttc_image_name(const ttc_image *image, const char *name);
 
-/** What gives the table's i-th parameter: an entry, the integral that it is a level of, or the parameter of its name here;
- *  *is_root: as the positive root of that. TTC_NONE: nothing does. */
+/** The expression that gives the table's i-th parameter: an entry of the image, the integral whose level it is, or the model's
+ *  parameter of this name. *is_root: the parameter is the positive root of the expression. TTC_NONE: nothing gives it. */
 ttc_id ttc_image_param(const ttc_model *model, const ttc_claim *claim, const ttc_image *image, const ttc_model *table, size_t i,
                        bool *is_root);
 
-/* The parameter of that name; UINT32_MAX where there is none. */
+/* The parameter of that name; UINT32_MAX if there is none. */
 uint32_t ttc_param_of(const ttc_model *model, const char *name);
 
-/* The cosine whose argument is a state alone; false: there is none. */
+/* Find the cosine whose argument is this state. Returns false if there is none. */
 bool ttc_angle_cosine(const ttc_model *table, uint32_t state, uint32_t *cosine);
 
-/** Whether every state of the table is given, and angles can be: the table has a record for them, and no interval. False:
- *  reason, shape (size,), says why not; file: what the table is called there. */
+/** Returns true if the image gives every state of the table, and the table has a record `angle`, and no interval, for those given
+ *  as angles. Otherwise reason, shape (size,), says why not; file: the name of the table in it. */
 bool ttc_image_has_states(const ttc_image *image, const ttc_model *table, const char *file, char *reason, size_t size);
 
 #endif

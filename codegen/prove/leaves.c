@@ -1,8 +1,8 @@
-/* The leaves of a claim: what its conditions allow, cut into pieces on which some symbols follow from free ones.
+/* The leaves of a claim: the set that its conditions allow, cut into pieces on which some symbols follow from free ones.
  *
  * A zero level h = 0 is factored. On a factor A s^d + ... of degree d <= 2 in a symbol s, s follows from the other symbols where
- * A is not zero; where A = 0 as well, that is one more level, and is cut in its turn. So the leaves cover every real point, and
- * what is shown at a generic point of a leaf holds on all of it, by continuity. */
+ * A is not zero; the points where A = 0 as well are cut in the same way, with A = 0 as one more level. So the leaves cover every
+ * real point, and what is shown at a generic point of a leaf holds on all of it, by continuity. */
 #include "prove/divided.h"
 #include "prove/domain.h"
 
@@ -12,21 +12,22 @@
 
 enum { LEAF_LIMIT = 512 };
 
+/* The leaves that were visited so far, and what was found on them. */
 typedef struct {
     ttc_task *task;
     ttc_prover prover;
-    size_t leaves, with_point, undecided;
-    size_t skipped; /* leaves without a known point */
-    const char *why_empty; /* of the last leaf without points */
-    char *none, *none_at;  /* of a claim that something exists: what was found against it on the first leaf that has it not */
-    bool is_partial;       /* on a part of the domain the claim divides by zero everywhere: */
-    char *undefined_at;    /* a point of that part, or NULL where none was found */
+    size_t leaves, with_point, undecided; /* numbers of all; with a known point; that may have points, with none known */
+    size_t skipped; /* leaves without a known point, those without points included */
+    const char *why_empty; /* why the last leaf without points has none */
+    char *none, *none_at;  /* of a claim of existence: remainder and point of the first leaf that has no example */
+    bool is_partial;       /* the claim divides by zero on a whole part of the domain, */
+    char *undefined_at;    /* with this point, or NULL if none was found */
 } cover;
 
 static bool is_invariant(const ttc_task *task) { return task->claim->kind == TTC_CLAIM_INVARIANT; }
 
-/* Goals were met for the signs of roots that were in hand then; those that are not zero for the signs in hand now were left to
- * the signs for which they are. */
+/* Returns true if all goals that were met are zero for the present signs of roots. A goal was met for some signs; other signs, for
+ * which it is not zero, belong to other subcases. */
 static bool is_in_subcase(ttc_task *task, const ttc_subcase *b)
 {
     bool zero = true;
@@ -40,7 +41,7 @@ static bool is_in_subcase(ttc_task *task, const ttc_subcase *b)
     return zero;
 }
 
-/* False: the leaf has no points. */
+/* Add the conditions of the domain, and search for a point of the leaf. Returns false if the leaf has none. */
 static bool look_for_point(cover *c, const ttc_subcase *b)
 {
     ttc_task *task = c->task;
@@ -74,14 +75,14 @@ static void place_leaf(ttc_task *task, const ttc_subcase *b)
     task->apart = is_invariant(task) ? b->apart : TTC_NONE;
 }
 
-/* A component of a level of n relations takes away n dimensions at most. A leaf that takes away more lies within components that
- * other leaves show to be kept, and with them their real points. */
+/* Returns true for a leaf of an invariant that is no component of the level. A component of a level of n relations has codimension
+ * at most n; a leaf of more relations lies within components that other leaves show to be kept, and so are their real points. */
 static bool is_no_component(const ttc_task *task, const ttc_subcase *b)
 {
     return is_invariant(task) && !b->is_orphan && b->relation_count > task->claim->modulo_count + 1;
 }
 
-/* That something exists is refuted only where no leaf has it. */
+/* Postpone the refutation of a claim of existence, which holds only if every leaf refutes it. */
 static void put_off(cover *c)
 {
     ttc_task *task = c->task;
@@ -97,13 +98,12 @@ static void put_off(cover *c)
     task->remainder = task->point = NULL;
 }
 
-/* The claim on one leaf; every sign of roots that became rational is a leaf of its own. A verdict that is not final does not
- * keep other leaves from refuting the claim. */
+/* Prove the claim on one leaf, for each sign of roots whose radicand became a square. If not settled, it may still be refuted. */
 static void visit(cover *c, const ttc_subcase *b)
 {
     ttc_task *task = c->task;
     bool again = true;
-    unsigned most = 0; /* roots that may have either sign: how many there are depends on the signs of those before them */
+    unsigned most = 0; /* greatest number of roots of either sign, which depends on the signs of earlier ones */
     for (unsigned choices = 0; again && task->status != TTC_REFUTED; choices++) {
         ttc_proof_status before = task->status;
         char *reason = task->remainder;
@@ -148,7 +148,7 @@ static void visit(cover *c, const ttc_subcase *b)
 
 static void descend(cover *c, const ttc_subcase *b);
 
-/* A solution changes the field, which is therefore built anew further down; ours is kept. */
+/* Descend with a new field, as solutions change it; afterwards the task has its present field again. */
 static void descend_apart(cover *c, const ttc_subcase *b)
 {
     ttc_task *task = c->task;
@@ -163,8 +163,8 @@ static void descend_apart(cover *c, const ttc_subcase *b)
     task->ring = ring;
 }
 
-/* factor = 0 solved; and, where what the solution divides by can vanish, that it vanishes as well. The goal stays: its norm
- * vanished, which says that some conjugate did. */
+/* Solve factor = 0 for a symbol, and descend; then, if the leading coefficient can vanish, descend with that as one more goal. The
+ * goal itself is not removed: that its norm vanishes means that some conjugate of it does. */
 static void follow(cover *c, const ttc_subcase *b, const fmpz_mpoly_t factor, bool is_alone)
 {
     ttc_subcase solved = *b, degenerate = *b;
@@ -178,7 +178,7 @@ static void follow(cover *c, const ttc_subcase *b, const fmpz_mpoly_t factor, bo
     size_t kept = c->task->kept, skipped = c->skipped;
     descend_apart(c, &solved);
     degenerate.is_degenerate = true;
-    /* What lies in no component of its own lies in those that were shown to be kept, wherever it is cut further. */
+    /* The degenerate part may hold all real points of a component, unless the solved part was kept and has known points. */
     degenerate.is_orphan |= !is_no_component(c->task, &solved) && (c->task->kept == kept || c->skipped > skipped);
     if (lead == TTC_NONE || ttc_kind_of(c->task->model->graph, lead) == TTC_NUMBER || c->task->status == TTC_REFUTED) return;
     ttc_id itself = ttc_subcase_expression(c->task, factor);
@@ -186,13 +186,13 @@ static void follow(cover *c, const ttc_subcase *b, const fmpz_mpoly_t factor, bo
         ttc_task_unsettle(c->task, "the zero level falls into too many cases");
         return;
     }
-    /* The goal stays for its sign; of several factors of its norm this is the one that vanishes. */
+    /* The goal remains, and, if its norm has several factors, this one becomes a goal too. */
     if (itself != TTC_NONE && !is_alone) degenerate.goals[degenerate.goal_count++] = itself;
     degenerate.goals[degenerate.goal_count++] = lead;
     descend_apart(c, &degenerate);
 }
 
-/* The product of all factors but one. */
+/* The product of all factors but number `one`, as an expression; TTC_NONE if there are no others. */
 static ttc_id others_of(ttc_task *task, const fmpz_mpoly_factor_t factors, slong one)
 {
     ttc_id product = TTC_NONE;
@@ -219,7 +219,7 @@ static void follow_factors(cover *c, const ttc_subcase *b, const fmpz_mpoly_t no
     fmpz_mpoly_factor_clear(factors, task->ring->context);
 }
 
-/* The next relation of the subcase, in the field that the earlier ones have made. */
+/* Meet the last goal of the subcase, in the field in which earlier solutions are bound. */
 static void meet(cover *c, const ttc_subcase *b)
 {
     ttc_task *task = c->task;
@@ -274,7 +274,8 @@ static void descend(cover *c, const ttc_subcase *b)
     }
 }
 
-/* Leaves that may lie within others are not asked for the dimension of their image: so one must have been shown to have it. */
+/* Returns true if the claim requires that images have a certain dimension, and no leaf is known whose image has it. Leaves that may
+ * lie within others are not tested for it one by one. */
 static bool lacks_dimension(const ttc_task *task)
 {
     const ttc_claim_kind kind = task->claim->kind;
@@ -317,8 +318,8 @@ static void draw_verdict(cover *c)
     free(c->undefined_at);
 }
 
-/* What is tested comes first, on leaves of its own: in the domain, then also without divisors and domain records that depend on
- * it, which say nothing of values that are given. */
+/* Prove the conditions on symbols under test, on leaves of their own: in the domain, then also without divisors and without domain
+ * records that depend on these symbols, since the symbols have given values, which must meet them. */
 static void prove_tested(ttc_task *task, ttc_prover prover, const ttc_subcase *start)
 {
     cover whole = { .task = task, .prover = prover }, rest = whole, others = whole;
@@ -334,7 +335,7 @@ static void prove_tested(ttc_task *task, ttc_prover prover, const ttc_subcase *s
     if (task->status != TTC_PROVED) return;
     task->extent = TTC_DOMAIN_WHOLE;
     task->tested = NULL;
-    free(task->point); /* roots with the signs of another leaf may exclude it */
+    free(task->point); /* it may violate conditions of the leaves that follow */
     task->point = NULL;
 }
 
@@ -347,7 +348,7 @@ void ttc_task_run(ttc_task *task, ttc_prover prover)
         ttc_task_unsettle(task, "more than %d zero levels", TTC_SUBCASE_RELATIONS_MAX - 1);
         return;
     }
-    /* Last in, first met: the invariant's own level after those that it is restricted to. */
+    /* Goals are met from the last to the first: the invariant's own level after those to which `modulo` restricts it. */
     if (claim->kind == TTC_CLAIM_INVARIANT) start.goals[start.goal_count++] = claim->expression;
     for (size_t i = claim->modulo_count; i-- > 0;)
         start.goals[start.goal_count++] = task->model->claims[claim->modulo[i]].expression;

@@ -15,7 +15,7 @@ typedef struct {
 static bool is_mark(const ttc_token *token, char mark) { return token->kind == TTC_TOKEN_MARK && *token->text == mark; }
 static bool is_sign(const ttc_token *token) { return is_mark(token, '+') || is_mark(token, '-'); }
 
-/* The term of tokens first to last, its sign included when it has one. */
+/* Add both mutants of the term that consists of tokens first to last, its sign included if it has one. */
 static bool add_mutants(mutation *m, size_t first, size_t last)
 {
     const ttc_token *tokens = m->tokens;
@@ -31,8 +31,8 @@ static bool add_mutants(mutation *m, size_t first, size_t last)
     return true;
 }
 
-/* Terms of the sum that begins at `at`: up to a token that closes it. Sums in parentheses follow (grouped:
- * one of them), but no exponents. */
+/* Add mutants of the terms of the sum that begins at token *at, up to the token that closes it, and of sums in parentheses within;
+ * not of exponents. grouped: this sum is in parentheses. */
 static bool sum_terms(mutation *m, size_t *at, bool grouped)
 {
     const ttc_token *tokens = m->tokens;
@@ -59,7 +59,7 @@ static bool sum_terms(mutation *m, size_t *at, bool grouped)
     }
 }
 
-/* The expression of an equation, let or root: what stands after '=' (for a root, inside of sqrt). */
+/* Add mutants of the expression of an equation, let or root: that after '=', for a root that within sqrt(). */
 static bool record_terms(mutation *m, size_t record)
 {
     size_t at = record + 1;
@@ -81,7 +81,7 @@ static bool find_terms(mutation *m)
     return true;
 }
 
-/* The table with the term replaced: by its opposite, or by 0. */
+/* The text of the table with the term replaced by its opposite or by 0, for free(); NULL when memory is out. */
 static char *mutant_text(const ttc_model *model, const ttc_mutant *mutant)
 {
     size_t before = (size_t)(mutant->term - model->text);
@@ -104,7 +104,7 @@ static char *mutant_text(const ttc_model *model, const ttc_mutant *mutant)
     return text;
 }
 
-/* A mutant in the place of its table, among the others. */
+/* Context of a resolver that gives the mutant for the file name of its table, and leaves other files to another resolver. */
 typedef struct {
     const ttc_model *mutated;
     ttc_resolver resolver;
@@ -118,8 +118,8 @@ static ttc_model *resolve_mutant(void *context, const ttc_model *model, const ch
     return ttc_model_parse(s->mutated->text, strlen(s->mutated->text), s->mutated->file, diagnostics);
 }
 
-/* Of a table of coordinates, the sections of the model that it lifts into tell: one that is no longer proved has noticed, as many a
- * mutant has no points left to refute anything at. False: memory is out. */
+/* A mutant of a table of coordinates counts as refuted if a section of the model that it lifts into is no longer proved: many such
+ * mutants leave no points at which a claim could be refuted. Returns false when memory is out. */
 static bool prove_sections(const ttc_model *mutated, ttc_resolver resolver, void *context, ttc_mutant *mutant)
 {
     substitute s = { mutated, resolver, context };

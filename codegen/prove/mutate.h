@@ -1,11 +1,11 @@
-/** Mutants of a table: one term with its sign flipped, or dropped. A set of claims is worth something when every mutant
- *  has a claim that is refuted; a survivor names a missing claim. */
+/** Mutants of a table, in which the sign of one term is flipped or the term is dropped. They test a set of claims: a mutant of
+ *  which no claim is refuted, a survivor, shows that a claim is missing. */
 #ifndef TTC_MUTATE_H
 #define TTC_MUTATE_H
 
 #include "prove/prove.h"
 
-typedef enum { TTC_MUTANT_REFUTED, TTC_MUTANT_SURVIVED, TTC_MUTANT_UNREADABLE /* no longer a table */ } ttc_mutant_fate;
+typedef enum { TTC_MUTANT_REFUTED, TTC_MUTANT_SURVIVED, TTC_MUTANT_UNREADABLE /* has errors */ } ttc_mutant_fate;
 
 typedef struct {
     ttc_place place;    /* of the term, in the model's text */
@@ -17,13 +17,13 @@ typedef struct {
 } ttc_mutant;
 
 typedef struct {
-    ttc_mutant *mutants; /* in order of place, flipped before dropped */
+    ttc_mutant *mutants; /* in order of place; of each term first the flipped, then the dropped one */
     size_t count, refuted, survived, unreadable;
 } ttc_mutation_report;
 
-/** Make every mutant of the terms of equations, lets and roots, sums in parentheses included, and prove each until a claim is
- *  refuted; those of a table of coordinates until a section of its model is no longer proved. The report is the caller's.
- *  False, and no report, when memory is out. Cost: one proof a mutant. */
+/** Make every mutant of the terms of equations, lets and roots, sums in parentheses included, and prove the claims of each until
+ *  one is refuted; for a table of coordinates, until a section of its model is no longer proved. The caller owns the report.
+ *  Returns false, and no report, when memory is out. Cost: one proof of the table for each mutant. */
 bool ttc_mutate(const ttc_model *model, ttc_resolver resolver, void *context, ttc_mutation_report **report);
 void ttc_mutation_report_destroy(ttc_mutation_report *report); /* legal on NULL */
 

@@ -34,7 +34,7 @@ static bool divides(const ttc_model *model, const ttc_observed *record)
     return some;
 }
 
-/* The record at a place in the order of kinds, whether or not it divides. */
+/* Record number i of all, observe first, then valid, then tier, whether or not it divides. Returns false beyond the last. */
 static bool record_at(const ttc_model *model, size_t i, ttc_observed *record)
 {
     if (i < model->observed_count) {
@@ -65,8 +65,8 @@ void ttc_observed_get(const ttc_model *model, size_t index, ttc_observed *record
         if (divides(model, record) && index-- == 0) return;
 }
 
-/* With a root or function of states and parameters together, as exp(k*x) - 1, what is zero for one k alone has its values around
- * it. */
+/* Require that a divisor is not zero on a whole part of the domain, nor at all states for some parameters. A function of states and
+ * parameters counts as moving with the states: exp(k*x) - 1, zero at k = 0 alone, passes, as points around have values. */
 static void require_values(ttc_task *task, const ttc_ratio *divisor)
 {
     if (ttc_ratio_is_zero(task->ring, divisor)) {

@@ -70,8 +70,7 @@ static void split(const ttc_pole_end *end, fmpz_mpoly_t fixed, fmpz_mpoly_t rest
     fmpz_mpoly_clear(term, context);
 }
 
-/* With the state at its end: for parameters in general; or by signs, with terms of parameters alone that keep it from zero, as
- * other states may go to ends of their own on the way. */
+/* ttc_pole_is_nonzero without the radicands of roots. */
 static bool is_nonzero(const ttc_pole_end *end, const fmpz_mpoly_t polynomial)
 {
     const ttc_task *task = end->task;
@@ -102,7 +101,8 @@ bool ttc_pole_is_nonzero(const ttc_pole_end *end, const fmpz_mpoly_t polynomial)
     return nonzero;
 }
 
-/* An exponential is bounded where its exponent is; a logarithm where its argument is, and is kept from zero. */
+/* Returns true if a function of other states stays bounded: a cosine or sine; an exponential if its exponent does; a logarithm if
+ * its argument does and stays away from zero. */
 static bool is_bounded(const ttc_pole_end *end, const ttc_symbol_entry *function, bool is_apart)
 {
     ttc_task *task = end->task;
@@ -150,7 +150,7 @@ void ttc_pole_find_vanishing(ttc_pole_end *end)
     fmpz_mpoly_t square;
     fmpz_mpoly_init(square, ring->context);
     for (size_t i = 0; i < ring->generator_count; i++) {
-        ttc_pole_drop(end, square, ring->generators[i].square.numerator, end->vanishes); /* it uses earlier ones alone */
+        ttc_pole_drop(end, square, ring->generators[i].square.numerator, end->vanishes); /* squares use earlier ones only */
         end->vanishes[i] = ttc_pole_has_factor(end, square) && is_nonzero(end, ring->generators[i].square.denominator) &&
                            ttc_pole_is_followed(end, ring->generators[i].square.denominator, false) &&
                            ttc_pole_is_followed(end, ring->generators[i].square.numerator, false);

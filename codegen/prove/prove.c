@@ -57,7 +57,7 @@ struct ttc_proof_run {
     const ttc_model *model;
     ttc_resolver resolver;
     void *resolver_context;
-    ttc_proof *proofs; /* by claim, derived ones last */
+    ttc_proof *proofs; /* by claim; derived ones last */
     bool *begun;
     size_t count;
 };
@@ -73,7 +73,7 @@ static void clear_proof(ttc_proof *proof)
 
 typedef void (*task_user)(ttc_proof_run *run, size_t index, ttc_task *task, const char *name, const char *kind, ttc_prover prove);
 
-/* Runs what `use` does with the task of a claim, derived or of the table. */
+/* Make the task of claim number `index`, of the table or derived, and call `use` with it. */
 static void with_task(ttc_proof_run *run, size_t index, task_user use)
 {
     const ttc_model *model = run->model;
@@ -156,7 +156,7 @@ static void prove_task(ttc_proof_run *run, size_t index, ttc_task *task, const c
     proof->point = task->point;
     proof->note = task->note;
     proof->has_smooth_density = task->status == TTC_PROVED && task->has_smooth_density;
-    proof->relies_on_solver = task->relies_on_solver && task->status != TTC_REFUTED; /* a point needs nobody's word */
+    proof->relies_on_solver = task->relies_on_solver && task->status != TTC_REFUTED; /* a refuting point is verified */
     proof->seconds = seconds() - start;
 }
 

@@ -2,22 +2,20 @@
 
 #include "prove/domain.h"
 #include "prove/observed.h"
+#include "prove/positive.h"
 
-/* A radicand, or the argument of a logarithm, is positive wherever everything else is in the domain. */
+/* A radicand, or the argument of a logarithm, is positive wherever all other conditions of the domain hold. */
 static void prove_root(ttc_task *task)
 {
     const ttc_symbol_entry *root = &task->model->symbols[task->claim->family];
-    ttc_ratio radicand;
-    ttc_ratio_init(task->ring, &radicand);
-    ttc_evaluate(task->field, &radicand, root->definition);
-    ttc_task_require(task, &radicand, TTC_IS_POSITIVE, "not positive everywhere, so that a domain record is missing: the %s of %s",
-                     root->kind == TTC_LOG ? "argument" : "radicand", root->name);
-    ttc_ratio_clear(task->ring, &radicand);
+    ttc_positive_require(task, task->field, root->definition,
+                         "not positive everywhere, so that a domain record is missing: the %s of %s",
+                         root->kind == TTC_LOG ? "argument" : "radicand", root->name);
 }
 
 static void prove_nothing(ttc_task *task) { (void)task; }
 
-/* What is given has values, but for some points here and there. */
+/* Check, in a task without the substitutions, that the variant's expressions have values except at points that others surround. */
 static void look_at_values(ttc_task *task)
 {
     const ttc_claim values = { .kind = TTC_CLAIM_EQUAL, .name = task->claim->name, .place = task->claim->place,
@@ -28,7 +26,7 @@ static void look_at_values(ttc_task *task)
     task->is_lifted = true;
 }
 
-/* The field is defined under the substitution, and the values obey the signs of the parameters that they replace. */
+/* The values obey the signs of the parameters that they replace, and the field is defined under the substitution. */
 static void prove_variant(ttc_task *task)
 {
     ttc_ratio value;
@@ -42,7 +40,7 @@ static void prove_variant(ttc_task *task)
     ttc_ratio_clear(task->ring, &value);
 }
 
-/* dt = factor dtau keeps the direction of time, and a lifted root r, now a state, stays on r^2 = radicand:
+/* dt = factor dtau keeps the direction of time, and a lifted root r, as a state, stays on r^2 = radicand:
  * 2 r dr/dtau = d(radicand)/dtau. */
 static void prove_time(ttc_task *task)
 {
@@ -51,8 +49,7 @@ static void prove_time(ttc_task *task)
     ttc_ratio left, right;
     ttc_ratio_init(task->ring, &left);
     ttc_ratio_init(task->ring, &right);
-    ttc_evaluate(task->field, &left, time->factor);
-    ttc_task_require(task, &left, TTC_IS_POSITIVE, "not positive: dt/dtau");
+    ttc_positive_require(task, task->field, time->factor, "not positive: dt/dtau");
     for (size_t i = 0; i < time->lifted_count && ttc_task_open(task); i++) {
         const ttc_symbol_entry *root = &task->model->symbols[time->lifted[i]];
         ttc_id rate = ttc_multiply(graph, time->factor, ttc_derive_field(task->model, root->node));
@@ -82,7 +79,8 @@ static void prove_slope(ttc_task *task)
     ttc_ratio_clear(task->ring, &slope);
 }
 
-/* With the state free: where it follows from the level there are no points at which the slope vanishes. */
+/* Check in a task of its own, with the eliminated state free, that the slope of the integral is not zero on a whole part of the
+ * domain; the solution divides by the slope, so that it has no points at which this is zero. */
 static void look_at_slope(ttc_task *task)
 {
     const ttc_claim slope = { .kind = TTC_CLAIM_EQUAL, .name = task->claim->name, .place = task->claim->place,
@@ -93,7 +91,7 @@ static void look_at_slope(ttc_task *task)
     task->is_lifted = true;
 }
 
-/* With the solution in its place the integral has the level's value, and the solution moves as the state did. */
+/* With the solution in place of the state, the integral has the level's value, and the solution has the state's rate. */
 static void prove_elimination(ttc_task *task)
 {
     const ttc_elimination *elimination = elimination_of(task);
@@ -117,7 +115,7 @@ static void prove_elimination(ttc_task *task)
     ttc_ratio_clear(task->ring, &left);
 }
 
-/* Roots and logarithms. */
+/* Returns true for roots and logarithms, whose definitions must be positive. */
 static bool is_of_positive(const ttc_symbol_entry *entry) { return entry->kind == TTC_ROOT || entry->kind == TTC_LOG; }
 
 static size_t root_count(const ttc_model *model)

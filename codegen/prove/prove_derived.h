@@ -1,5 +1,4 @@
-/** What a table says without making a claim of it (roots, logarithms, variants, times, eliminations, poles, what is looked at
- *  beside the equations): each becomes a claim of its own. */
+/** Derived claims: what roots, logarithms, variants, times, eliminations, poles and the records of observed.h state. */
 #ifndef TTC_PROVE_DERIVED_H
 #define TTC_PROVE_DERIVED_H
 
@@ -7,17 +6,17 @@
 
 typedef struct {
     const char *kind, *name;
-    ttc_claim claim;     /* `when` holds the substitution and is borrowed, or points to `substitution`; name, place borrowed */
+    ttc_claim claim;     /* `when` is borrowed from the model, or points to `substitution`; all else in it is borrowed too */
     ttc_binding substitution;
-    ttc_prover prove;    /* finds its subject at index claim.family */
+    ttc_prover prove;    /* its subject has index claim.family among records of its kind */
     ttc_divisor_role role; /* of the record's own divisors; FIELD: it has none */
-    ttc_id divisor;        /* one more that must not be zero, or TTC_NONE */
-    uint32_t tested_root;  /* the root in question, or 0 */
-    bool tests_conditions; /* `when` is what is in question: its values against the signs of parameters */
+    ttc_id divisor;        /* a further divisor, or TTC_NONE */
+    uint32_t tested_root;  /* the root or logarithm under test, or 0 */
+    bool tests_conditions; /* `when` is under test: its values must obey the signs of parameters */
 } ttc_derived_claim;
 
 size_t ttc_derived_count(const ttc_model *model);
-/* index < ttc_derived_count(model). The result must stay where it is while it is proved. */
+/* index < ttc_derived_count(model). *derived must not be moved while it is in use, as it may point into itself. */
 void ttc_derived_claim_get(const ttc_model *model, size_t index, ttc_derived_claim *derived);
 
 #endif

@@ -1,12 +1,12 @@
-/* The dimension of the image of a reduction or an embedding, leaf by leaf: by the rank of what is given, along the leaf. */
+/* The dimension of the image of a reduction or an embedding, leaf by leaf: the rank of its derivative along the leaf. */
 #include "prove/image.h"
 #include "prove/tangent.h"
 #include "prove/vanishing.h"
 
 #include <stdlib.h>
 
-/* The rows of a matrix of ratios that are linearly independent, by elimination in the field; the matrix is used up.
- * minor *= the minor that shows it, up to its sign. */
+/* The rank of a matrix of ratios, shape (rows, columns), by elimination in the field, which overwrites the matrix.
+ * minor *= a nonzero minor of this size, up to its sign. */
 static size_t rank_of(ttc_task *task, ttc_ratio *matrix, size_t rows, size_t columns, ttc_ratio *minor)
 {
     size_t rank = 0;
@@ -37,8 +37,8 @@ static size_t rank_of(ttc_task *task, ttc_ratio *matrix, size_t rows, size_t col
 
 static bool mixes(ttc_task *task, const ttc_ratio *value, const bool *moves);
 
-/* A root or function of states and parameters together, as sqrt(x^2 + a) or exp(a*x): for some parameters it may be rational, or
- * depend on others. */
+/* Returns true for a root or function of states and parameters together, such as sqrt(x^2 + a) or exp(a*x): for some parameters it
+ * may be rational, or depend on others. moves: by variable, whether it changes with the states. */
 static bool variable_mixes(ttc_task *task, slong v, const bool *moves)
 {
     const ttc_ring *ring = task->ring;
@@ -63,7 +63,7 @@ static bool mixes(ttc_task *task, const ttc_ratio *value, const bool *moves)
     return false;
 }
 
-/* polynomial = A + B g becomes A^2 - B^2 g^2, over no denominator and in normal form: zero at all states where the former is. */
+/* polynomial = A + B g becomes the numerator of A^2 - B^2 g^2, which is zero wherever the polynomial is. */
 static void take_norm(ttc_task *task, fmpz_mpoly_t polynomial, const ttc_generator *generator)
 {
     const fmpz_mpoly_ctx_struct *context = task->ring->context;
@@ -90,11 +90,11 @@ static void take_norm(ttc_task *task, fmpz_mpoly_t polynomial, const ttc_generat
     fmpz_mpoly_clear(without, context);
 }
 
-/* What mixes states and parameters goes out of a polynomial. False: a function of both stays. */
+/* Remove roots of states and parameters together from a polynomial by norms. Returns false if a function of both remains. */
 static bool separate(ttc_task *task, fmpz_mpoly_t polynomial, const bool *moves)
 {
     const ttc_ring *ring = task->ring;
-    for (size_t i = ring->generator_count; i-- > 0;) /* squares use generators before */
+    for (size_t i = ring->generator_count; i-- > 0;) /* squares use earlier generators */
         if (fmpz_mpoly_degree_si(polynomial, ring->generators[i].variable, ring->context) > 0 &&
             variable_mixes(task, ring->generators[i].variable, moves))
             take_norm(task, polynomial, &ring->generators[i]);
@@ -103,7 +103,7 @@ static bool separate(ttc_task *task, fmpz_mpoly_t polynomial, const bool *moves)
     return true;
 }
 
-/* A parameter is what the level leaves of it: each of its values may have another part of the level. */
+/* Returns true if a level is solved for a parameter, so that each of its values may have another part of the level. */
 static bool binds_parameter(const ttc_task *task)
 {
     for (size_t i = 0; i < task->model->param_count; i++) {
@@ -115,7 +115,7 @@ static bool binds_parameter(const ttc_task *task)
     return false;
 }
 
-/* What a value is made of stays as it is, down to what its roots and functions are of. */
+/* Clear `moves` for all variables that a value uses, directly or in definitions of its roots and functions. */
 static void hold(ttc_task *task, bool *moves, const ttc_ratio *value)
 {
     const ttc_ring *ring = task->ring;
@@ -135,7 +135,8 @@ static void hold(ttc_task *task, bool *moves, const ttc_ratio *value)
     ttc_ratio_clear(task->ring, &of);
 }
 
-/* What moves on levels of what is given for the target's parameters: for certain, what these do not use. For free(). */
+/* Flags, by variable, of those that change on levels of the expressions given for the target's parameters: for certain those that
+ * these expressions do not use. For free(). */
 static bool *moves_on_levels(ttc_task *task, const ttc_model *target)
 {
     const ttc_bindings *given = &task->claim->bindings;
@@ -151,11 +152,11 @@ static bool *moves_on_levels(ttc_task *task, const ttc_model *target)
     return moves;
 }
 
-/* What has been found on a leaf: the rows given for states, those for parameters, and what is zero along the leaf. */
+/* Gradients, along the leaf's free states, of the expressions given for the target's states and for its parameters. */
 typedef struct {
     ttc_tangent tangent;
-    ttc_ratio *states, *params;
-    size_t state_rows, param_rows, rows; /* rows: that there is room for, of each */
+    ttc_ratio *states, *params; /* shapes (state_rows, tangent.columns), (param_rows, tangent.columns) */
+    size_t state_rows, param_rows, rows; /* rows: the number allocated, for each of the two */
 } leaf_image;
 
 static bool find_image(ttc_task *task, const ttc_model *target, leaf_image *image)
@@ -190,7 +191,7 @@ static void copy_rows(ttc_task *task, ttc_ratio *out, const ttc_ratio *rows, siz
     for (size_t i = 0; i < count; i++) ttc_ratio_set(task->ring, &out[i], &rows[i]);
 }
 
-/* The variable of a column of the tangent. */
+/* The ring's variable of the free state of this column. */
 static slong free_state(const ttc_task *task, size_t column)
 {
     size_t i = 0;
@@ -198,8 +199,8 @@ static slong free_state(const ttc_task *task, size_t column)
     return ttc_valuation_variable(task->field, task->model->states[i]);
 }
 
-/* The rank along the leaf's free states of what is zero along the leaf, with these rows; minor: that shows it. moves: NULL, or
- * which of the free states count. */
+/* The rank of the constraints of the leaf together with the rows of states and of params, as asked for. minor: a nonzero minor of
+ * this size. moves: NULL, or flags of the variables whose columns count. */
 static size_t rank_with(ttc_task *task, const leaf_image *image, bool states, bool params, const bool *moves, ttc_ratio *minor)
 {
     const size_t n = image->tangent.columns, most = 2 * image->rows + image->tangent.constraint_count;
@@ -220,7 +221,8 @@ static size_t rank_with(ttc_task *task, const leaf_image *image, bool states, bo
     return rank;
 }
 
-/* Whatever does not move, the minor is not zero for all of what does: its coefficients do not vanish together. */
+/* Returns true if the minor, for any values of what does not move, is nonzero for some values of what does: as a polynomial in the
+ * latter its coefficients have no common zero. */
 static bool stays(ttc_task *task, const ttc_ratio *minor, const bool *moves)
 {
     fmpz_mpoly_t polynomial;
@@ -232,8 +234,8 @@ static bool stays(ttc_task *task, const ttc_ratio *minor, const bool *moves)
     return result == TTC_POINT_IMPOSSIBLE || result == TTC_POINT_EXCLUDED;
 }
 
-/* The images have the target's dimension whatever the parameters, here and in the target: by the minor that shows it in general, or
- * by one of what moves on the levels alone. */
+/* Require that images have the target's dimension for all parameters of both tables: by the minor that shows it for parameters in
+ * general, or by one with the columns of variables that change on the levels of the target's parameters. */
 static void require_minor(ttc_task *task, const ttc_model *target, const leaf_image *image, ttc_ratio *minor)
 {
     if (ttc_task_moves(task, minor) && binds_parameter(task)) {
@@ -248,8 +250,8 @@ static void require_minor(ttc_task *task, const ttc_model *target, const leaf_im
     free(moves);
 }
 
-/* A leaf along which the gradients of the levels have the rank of its codimension is a component of their common zeros, and one
- * of codimension 1 is; else nothing is known. */
+/* Returns true if the leaf is known to be a component of the common zeros of the levels: if it has codimension 1 or less, or if the
+ * gradients of the levels on it have its codimension as their rank. */
 static bool is_component(ttc_task *task, size_t codimension)
 {
     const ttc_claim *claim = task->claim;
@@ -269,8 +271,8 @@ static bool is_component(ttc_task *task, size_t codimension)
     return result;
 }
 
-/* A point at which the minor, if any, is not zero, and no square root by which the levels were solved: the leaf's real points are
- * there of its dimension, and so is their image. */
+/* Returns true if a point is found at which the minor, unless NULL, and all square roots by which the levels were solved are
+ * nonzero: near it the real points of the leaf have the leaf's dimension, and so has their image. */
 static bool has_dimension(ttc_task *task, const ttc_ratio *minor)
 {
     const size_t mark = ttc_conditions_mark(&task->domain);
@@ -283,9 +285,9 @@ static bool has_dimension(ttc_task *task, const ttc_ratio *minor)
     return found;
 }
 
-/* Onto: on a level of the parameters that are given by expressions, the images of the states of the leaf have the target's
- * dimension. Into: they have the leaf's. A leaf of more codimensions than there are levels is no component of them: its points
- * are limits of others, and their images as well. */
+/* For a reduction, the images of the leaf's states at fixed values of the target's parameters must have the target's dimension; for
+ * an embedding, the images must have the leaf's dimension. A leaf whose codimension exceeds the number of levels is no component:
+ * its points are limits of points of other leaves, and so are their images. */
 static void require_dimension(ttc_task *task, const ttc_model *target, const leaf_image *image)
 {
     const bool onto = task->claim->kind == TTC_CLAIM_REDUCTION;
@@ -297,7 +299,7 @@ static void require_dimension(ttc_task *task, const ttc_model *target, const lea
     const size_t found = rank_with(task, image, true, true, NULL, &minor) - fixed, wanted = onto ? target->state_count : dimension;
     if (!ttc_task_open(task) || codimension > task->claim->modulo_count) goto done;
     if (found != wanted) {
-        /* Of an embedding it is the real points that must have the leaf's dimension. */
+        /* An embedding is refuted only if the real points of the leaf are known to have the leaf's dimension. */
         if (is_component(task, codimension) && (onto || has_dimension(task, NULL)))
             ttc_task_refute(task, NULL, "the image has dimension %zu, and %s has %zu%s", found,
                             onto ? target->name : task->model->name, wanted,

@@ -1,4 +1,4 @@
-/* Claims about families of equilibria: the field of the task lives on the family. */
+/* Claims about families of equilibria. The states of the family are bound in the task's field. */
 #include "prove/domain.h"
 
 #include <stdlib.h>
@@ -28,13 +28,12 @@ static void trace(ttc_task *task, ttc_ratio *out)
     ttc_ratio_clear(task->ring, &entry);
 }
 
-/* The values that a family gives to states obey what the records of the states, and of roots of them, say: for all values of
- * what is left free. */
+/* Require that states of the family, and roots and logarithms that depend on them, meet the conditions of their records. */
 static void require_records(ttc_task *task)
 {
     for (uint32_t i = 0; i < task->model->symbol_count && ttc_task_open(task); i++) {
         const ttc_symbol_entry *entry = &task->model->symbols[i];
-        /* Roots and logarithms may rest on domain records. */
+        /* Without domain records, roots and logarithms are not required: they may rest on these. */
         bool follows = (entry->kind == TTC_ROOT || entry->kind == TTC_LOG) && task->extent != TTC_DOMAIN_OF_OTHERS, bound = false;
         for (size_t k = 0; k < task->claim->bindings.count; k++) {
             uint32_t symbol = task->claim->bindings.items[k].symbol;
@@ -199,7 +198,7 @@ void ttc_prove_charpoly(ttc_task *task)
     ttc_ratio_clear(task->ring, &claimed);
 }
 
-/* gradient . A = 0, and the gradient is not zero itself */
+/* gradient . A = 0, and the gradient is not zero on the whole family */
 static void check_left_null(ttc_task *task, const ttc_claim *member, const ttc_ratio *matrix)
 {
     size_t n = task->model->state_count;
@@ -231,7 +230,7 @@ void ttc_prove_left_null(ttc_task *task)
     ttc_task_free(task, matrix, n * n);
 }
 
-/* No smooth positive density when the trace is not zero at some equilibrium of the domain: shown by one. */
+/* There is no invariant smooth positive density if the trace is nonzero at some equilibrium of the domain: search for one. */
 void ttc_prove_obstructs(ttc_task *task)
 {
     ttc_ratio sum;

@@ -1,9 +1,10 @@
-/* Claims about the flow, or about expressions alone: integrals, rates, invariants, equalities, inequalities. */
+/* Provers of claims about the flow or about expressions alone: integrals, rates, invariants, equalities, inequalities. */
+#include "prove/positive.h"
 #include "prove/tangent.h"
 
 #include "algebra/independence.h"
 
-/* Whether some rate along a free state is known not to be zero, by its form or at a point. */
+/* Returns true if the derivative along some free state is known to be nonzero, in form or at a point. */
 static bool is_known_to_move(ttc_task *task, ttc_id expression)
 {
     ttc_tangent tangent;
@@ -19,7 +20,7 @@ static bool is_known_to_move(ttc_task *task, ttc_id expression)
     return known;
 }
 
-/* That the form of an integral has states in it says nothing where functions may depend on each other. */
+/* Require that an integral is known to depend on the states: its form may contain functions whose relations are unknown. */
 static void require_moving(ttc_task *task, const ttc_ratio *value)
 {
     const ttc_claim *claim = task->claim;
@@ -66,7 +67,7 @@ void ttc_prove_rate(ttc_task *task)
     ttc_ratio_clear(task->ring, &rate);
 }
 
-/* The leaf lies on NAME = 0: a Zariski-dense part of a component of it, which the flow keeps when it is tangent to it there. */
+/* The leaf is a Zariski-dense part of a component of NAME = 0, which the flow keeps if it is tangent to the leaf. */
 void ttc_prove_invariant(ttc_task *task) { ttc_task_require_kept(task, NULL); }
 
 void ttc_prove_equal(ttc_task *task)
@@ -86,9 +87,5 @@ void ttc_prove_equal(ttc_task *task)
 
 void ttc_prove_positive(ttc_task *task)
 {
-    ttc_ratio value;
-    ttc_ratio_init(task->ring, &value);
-    ttc_evaluate(task->field, &value, task->claim->expression);
-    ttc_task_require(task, &value, TTC_IS_POSITIVE, "not positive: %s", task->claim->name);
-    ttc_ratio_clear(task->ring, &value);
+    ttc_positive_require(task, task->field, task->claim->expression, "not positive: %s", task->claim->name);
 }

@@ -23,7 +23,7 @@ static ttc_id sum_of_squares(ttc_graph *graph, const ttc_id *pair)
     return ttc_add(graph, ttc_power(graph, pair[0], 2), ttc_power(graph, pair[1], 2));
 }
 
-/* The positive root of an expression, by a name of its own; TTC_NONE: memory is out, or there are no more names. */
+/* The positive root of an expression, as a spare symbol; TTC_NONE if memory is out or no spare symbol is left. */
 static ttc_id root_of(ttc_task *task, ttc_id square, uint32_t *spares)
 {
     if (*spares == TTC_SPARE_SYMBOLS || square == TTC_NONE) return TTC_NONE;
@@ -33,7 +33,7 @@ static ttc_id root_of(ttc_task *task, ttc_id square, uint32_t *spares)
     return root;
 }
 
-/* Cosine and sine of an angle, A and B over r with r^2 = A^2 + B^2, r a name of its own, are bound to the table's symbols. */
+/* Bind sine and cosine of an angle atan2(A, B) to A/r and B/r, where the spare symbol r is the positive root of A^2 + B^2. */
 static bool bind_angle(ttc_task *task, ttc_valuation *map, uint32_t cosine, const ttc_id *entries, uint32_t *spares)
 {
     ttc_graph *graph = task->model->graph;
@@ -47,7 +47,7 @@ static bool bind_angle(ttc_task *task, ttc_valuation *map, uint32_t cosine, cons
     return true;
 }
 
-/* A root may also be zero, which its name in the ring never is: it is not settled unless that is excluded. */
+/* Bind a symbol to a root. Not settled unless it is excluded that the root is zero, which a generator of the ring never is. */
 static bool bind_root(ttc_task *task, ttc_valuation *map, uint32_t symbol, ttc_id square, uint32_t *spares)
 {
     const char *name = ttc_valuation_model(map)->symbols[symbol].name;
@@ -68,7 +68,8 @@ static bool bind_root(ttc_task *task, ttc_valuation *map, uint32_t symbol, ttc_i
     return true;
 }
 
-/* Before a root is taken of anything, whose sign may be a matter of choice: with the other choice there are no points. */
+/* Require that a point is known at which every angle has a value. This is done before roots are adjoined: if the sign of a root is
+ * a choice, one of the choices leaves no points. */
 static void require_point(ttc_task *task, const ttc_claim *claim, const ttc_image *image)
 {
     for (size_t k = 0; k < image->count && ttc_task_open(task); k++)
@@ -83,7 +84,7 @@ void ttc_prove_bind_image(ttc_task *task, ttc_valuation *map, const ttc_claim *c
     uint32_t spares = 0;
     bool ok = true;
     require_point(task, claim, image);
-    /* Angles first: that they have a value may be what keeps a root from being zero. */
+    /* Angles first: the condition that they have a value may exclude that a root is zero. */
     for (size_t i = 0; i < table->state_count && ok && ttc_task_open(task); i++) {
         const size_t k = ttc_image_state(image, table, i);
         uint32_t cosine;
@@ -100,8 +101,7 @@ void ttc_prove_bind_image(ttc_task *task, ttc_valuation *map, const ttc_claim *c
     if (!ok) ttc_task_unsettle(task, "out of memory, or more than %d angles and roots", TTC_SPARE_SYMBOLS);
 }
 
-/* Of an angle q whose sine and cosine are A and B over one positive number, A cos q - B sin q = 0 and A sin q + B cos q >
- * 0; where the first is zero, the second vanishes only with both A and B. */
+/* q = atan2(A, B) means A cos q - B sin q = 0 and A sin q + B cos q > 0; given the first, the second is zero only if A = B = 0. */
 static void return_angle(ttc_task *task, ttc_ratio *a, ttc_ratio *b, uint32_t cosine, const char *name, bool where_angles)
 {
     enum { COSINE, SINE, ACROSS, ALONG, COUNT };

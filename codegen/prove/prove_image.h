@@ -1,4 +1,4 @@
-/** Parts of proofs about images in another table, which provers of sections and of reductions, embeddings and lifts share. */
+/** Steps of proofs about images in another table, which the provers of sections and of ways share. */
 #ifndef TTC_PROVE_IMAGE_H
 #define TTC_PROVE_IMAGE_H
 
@@ -8,13 +8,12 @@
 /* out -= the value of an expression. */
 void ttc_prove_take_off(ttc_task *task, ttc_ratio *out, ttc_valuation *valuation, ttc_id id);
 
-/** The other table seen from the task's model: states and parameters as the image gives them. That every angle has a value
- *  is then a condition; a root must have one, which is positive. Not settled where no point is known that meets the
- *  conditions. */
+/** Bind the states and parameters of the other table, in `map`, to what the image gives for them in the task's model. Adds the
+ *  condition that angles have values; requires that radicands are positive. Not settled if no point is known that meets these. */
 void ttc_prove_bind_image(ttc_task *task, ttc_valuation *map, const ttc_claim *claim, const ttc_image *image);
 
-/** In the other table, with the model seen through `map`: the image of the point that `map` stands for is the point itself,
- *  in the state number `state`. where_angles: only where an angle has a value, which is then a condition. */
+/** In a task of the other table, with the model evaluated in `map`: require that the image of the model's point has in state number
+ *  `state` the task's own value. where_angles: that an angle has a value is added as a condition, not required. */
 void ttc_prove_return(ttc_task *task, ttc_valuation *map, const ttc_claim *claim, const ttc_image *image, size_t state,
                       bool where_angles);
 

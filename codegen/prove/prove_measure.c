@@ -1,4 +1,4 @@
-/* Invariant densities: div(rho f) = 0, and where rho is positive and smooth. */
+/* Invariant densities: proof of div(rho f) = 0, and a note on where rho is positive and smooth. */
 #include "prove/domain.h"
 
 #include <stdio.h>
@@ -6,10 +6,10 @@
 
 typedef struct {
     FILE *stream;
-    bool only_positive; /* nothing was found that keeps it from being positive and smooth */
+    bool only_positive; /* zeros, poles and negative values are excluded so far */
 } description;
 
-/* Adds to the description whether the density, or what it divides by, can stand in a relation to zero. */
+/* Add `what` to the description unless it is excluded that value, or -value if `negative`, stands in this relation to zero. */
 static void describe(ttc_task *task, description *d, const ttc_ratio *value, ttc_relation relation, bool negative, const char *what)
 {
     char *point = NULL;
@@ -28,7 +28,7 @@ static void describe(ttc_task *task, description *d, const ttc_ratio *value, ttc
     ttc_ratio_clear(task->ring, &opposite);
 }
 
-/* Poles are looked for where the field is defined, and the density, or a definition that it alone uses, divides by zero. */
+/* Describe poles: points where the field is defined, and the density, or a definition that it alone uses, divides by zero. */
 static void describe_poles(ttc_task *task, description *d)
 {
     const ttc_model *model = task->model;
@@ -71,13 +71,13 @@ static void describe_density(ttc_task *task, const ttc_ratio *density)
         free(text);
         return;
     }
-    /* Of several leaves the first that keeps the density from being positive and smooth. */
+    /* The note is that of the first leaf on which the density is not positive and smooth, if there is one. */
     free(task->note);
     task->note = text;
     task->has_smooth_density = d.only_positive;
 }
 
-/* The density is zero on the whole leaf, which is all of the domain but where a root is rational with either sign. */
+/* The density is zero on the whole leaf: on all of the domain, or, where the sign of a root was chosen, on a part of it. */
 static void say_where_zero(ttc_task *task)
 {
     char *point = NULL;

@@ -1,14 +1,14 @@
-/* A pole: at both ends of the state's interval a lifted root is zero, and orbits do not run through. In each time that lifts
- * such a root the rates of the root and of the state are ratios N/D; with way, the distance of the state from the end, and the
- * roots that vanish there no more slowly than those lifted, N lies in the ideal of these, and D is not zero for parameters in
- * general. So the rates are bounded by multiples of way and the root, which where they are zero stay so, and orbits of the lifted
- * field come to the end only as its time goes to infinity. */
+/* The prover of poles: at both ends of the state's interval a lifted root is zero, and orbits do not pass through. In each time
+ * that lifts such a root, the rates of the root and of the state are ratios N/D. N lies in the ideal of way, the distance of the
+ * state from the end, and of the roots that vanish there at least as fast as a lifted one; D is not zero there for parameters in
+ * general. So the rates are bounded by multiples of way and the root, which therefore stay zero where they are zero, and orbits of
+ * the lifted field reach the end only as its time goes to infinity. */
 #include "prove/pole_end.h"
 
 static const char *side_of(const ttc_pole_end *end) { return end->is_high ? "upper" : "lower"; }
 
-/* One condition of the domain as it is at the end, without powers of way, which is positive inside: so that a point which meets
- * it has points of the domain beside it. */
+/* Add a condition of the domain with the state at its end, divided by powers of way, which is positive inside: a point that meets
+ * it has points of the domain nearby. Returns false if the condition cannot be followed to the end. */
 static bool add_at_end(const ttc_pole_end *end, const fmpz_mpoly_t polynomial, ttc_relation relation)
 {
     ttc_task *task = end->task;
@@ -21,7 +21,7 @@ static bool add_at_end(const ttc_pole_end *end, const fmpz_mpoly_t polynomial, t
     ttc_ratio_init(task->ring, &value);
     ttc_pole_drop(end, rest, polynomial, end->vanishes);
     const bool is_whole = fmpz_mpoly_equal(rest, polynomial, ring->context);
-    if (is_whole && fmpz_mpoly_degree_si(rest, end->variable, ring->context) < 1) goto done; /* the state says nothing of it */
+    if (is_whole && fmpz_mpoly_degree_si(rest, end->variable, ring->context) < 1) goto done; /* it does not depend on the state */
     ok = ok && relation != TTC_IS_ZERO && (is_whole || !ttc_pole_has_factor(end, rest)) && !fmpz_mpoly_is_zero(rest, ring->context);
     while (ok && fmpz_mpoly_divides(quotient, rest, end->way, ring->context)) fmpz_mpoly_swap(rest, quotient, ring->context);
     if (ok) ttc_pole_put_state(end, &value, rest);
@@ -41,7 +41,7 @@ static void refute(const ttc_pole_end *end, const ttc_symbol_entry *entry, const
     const char *state = task->model->symbols[end->state].name;
     bool ok = ttc_pole_is_followed(end, value->numerator, true);
     for (size_t i = 0; ok && i < mark; i++) {
-        fmpz_mpoly_t polynomial; /* items move as conditions are added */
+        fmpz_mpoly_t polynomial; /* a copy, as adding conditions reallocates the items */
         fmpz_mpoly_init(polynomial, task->ring->context);
         fmpz_mpoly_set(polynomial, task->domain.items[i].polynomial, task->ring->context);
         ok = add_at_end(end, polynomial, task->domain.items[i].relation);
@@ -56,8 +56,8 @@ static void refute(const ttc_pole_end *end, const ttc_symbol_entry *entry, const
                       "was not shown", side_of(end), state, entry->name, time->name);
 }
 
-/* Of the roots that vanish, those that are bounded by one that the time lifts: others may go to zero more slowly, so that an end
- * is come to although the rates vanish there. */
+/* Flag the vanishing roots that are bounded by a multiple of one that the time lifts. Others may go to zero more slowly, so that
+ * orbits may reach the end although the rates vanish there. */
 static void find_lifted(const ttc_pole_end *end, bool *lifted, const ttc_time *time)
 {
     ttc_task *task = end->task;
@@ -98,7 +98,8 @@ static void require_rest(const ttc_pole_end *end, const ttc_symbol_entry *entry,
     ttc_ratio_clear(task->ring, &rate);
 }
 
-/* What is left of the time at the end is told from its factor and the root's rate of decay, which are of one order there. */
+/* Require that dt/dtau is the root times a factor with a nonzero limit: the time that is left to the end is computed from dt/dtau
+ * and the root's rate of decay, which must be of one order. */
 static void require_first_order(const ttc_pole_end *end, const ttc_symbol_entry *entry, const ttc_time *time)
 {
     ttc_task *task = end->task;
@@ -126,7 +127,7 @@ static void require_rest_of_both(const ttc_pole_end *end, const ttc_symbol_entry
     require_rest(end, end->task->model->symbols + end->state, time);
 }
 
-/* Whether a root goes to zero. One whose inverse has a limit, as where it grows without bounds, does not. */
+/* The limit of a root. If only its inverse can be followed, as for a root that grows without bound, it does not go to zero. */
 static ttc_pole_limit follow_root(const ttc_pole_end *end, const ttc_symbol_entry *entry)
 {
     ttc_task *task = end->task;
@@ -144,7 +145,7 @@ static ttc_pole_limit follow_root(const ttc_pole_end *end, const ttc_symbol_entr
     return found;
 }
 
-/* In every time in which a root that is zero at the end is a state of its own. */
+/* Call `require` for every time and every root that it lifts and that is zero at the end. */
 static void require_in_times(const ttc_pole_end *end, in_time require)
 {
     ttc_task *task = end->task;
@@ -168,7 +169,7 @@ static ttc_id at_end(void *context, uint32_t symbol)
     return end->is_high ? state->high : state->low;
 }
 
-/* out *= the radicand at the end; one that divides by zero there does not count. */
+/* out *= the radicand at the end; a radicand that divides by zero there is left out. */
 static void times_radicand(ttc_pole_end *end, ttc_ratio *out, const ttc_symbol_entry *root)
 {
     ttc_task *task = end->task;
@@ -186,7 +187,7 @@ static void times_radicand(ttc_pole_end *end, ttc_ratio *out, const ttc_symbol_e
     ttc_ratio_clear(task->ring, &value);
 }
 
-/* Of the radicands of all lifted roots, those that have a value at the end, one is zero there. */
+/* Require that the product of the radicands of lifted roots, those that have a value at the end, is zero there. */
 static void require_root(ttc_pole_end *end)
 {
     ttc_task *task = end->task;
@@ -209,7 +210,7 @@ static bool lifts_roots(const ttc_model *model)
     return lifts;
 }
 
-/* All roots come into the ring, before it is asked which of them vanish. */
+/* Evaluate all that is used below, so that its roots are in the ring before ttc_pole_find_vanishing. */
 static void evaluate_all(ttc_task *task, const ttc_symbol_entry *state)
 {
     const ttc_model *model = task->model;

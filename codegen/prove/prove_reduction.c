@@ -1,5 +1,5 @@
-/* A reduction or embedding: the images of our states move as the other model says and lie in its domain; those of a reduction
- * have its dimension, those of an embedding ours. */
+/* The prover of reductions and embeddings: images of this table's points lie in the other model's domain and move by its equations;
+ * those of a reduction have the other model's dimension, those of an embedding the dimension of this one. */
 #include "prove/domain.h"
 #include "prove/way_table.h"
 
@@ -70,7 +70,7 @@ static void require_alike(ttc_task *task, ttc_valuation *map, ttc_id own, ttc_id
     ttc_ratio_clear(task->ring, &left);
 }
 
-/* One without conditions. */
+/* Returns true for an integral without conditions. */
 static bool is_plain_integral(const ttc_claim *claim)
 {
     return claim->kind == TTC_CLAIM_INTEGRAL && claim->when.count == 0 && claim->modulo_count == 0;
@@ -107,7 +107,7 @@ static void prove_onto(ttc_task *task, const ttc_model *target)
     }
     ttc_task_enter_map(task, map);
     bind_target(task, target, map);
-    /* First, as the image's roots are then not yet in the ring, where they would be positive. */
+    /* First, before the image's roots are in the ring, where they count as positive. */
     ttc_domain_require_image(task, map, target, " of the image");
     for (size_t i = 0; i < target->symbol_count && ttc_task_open(task); i++) {
         const ttc_symbol_entry *entry = &target->symbols[i];

@@ -1,7 +1,7 @@
-/* A section and its coordinates. In the ring of their table, its chart: every point of it is lifted into the section, the model's
- * domain and the levels, and the way back leads to it. In the ring of the model: what crosses the section, in the direction in
- * which lifted points do, is lifted from where the way back leads, on its own levels; and the way back does not divide by zero
- * there. So nothing is missed, but for points at which an angle has no value, and for tangencies. */
+/* The prover of sections. In the ring of the table of coordinates, the chart: every point is lifted into the section, the model's
+ * domain and the levels, and the way back leads to the point. In the ring of the model: every point that crosses the section in the
+ * direction of lifted points is the lift of its image under the way back, on its own levels, and the way back does not divide by
+ * zero there. So the chart covers all crossings, except where an angle has no value, and except tangencies. */
 #include "prove/domain.h"
 #include "prove/prove_image.h"
 #include "prove/section_chart.h"
@@ -22,7 +22,7 @@ static uint32_t symbol_of(const ttc_model *model, const char *name)
     return symbol;
 }
 
-/* The model seen from its chart: states and roots as they are lifted, parameters by their names. */
+/* Bind the model's states and roots to what the chart lifts to them, and its parameters to those of the same name. */
 static void bind_lift(ttc_task *task, ttc_valuation *map, const ttc_model *model)
 {
     for (uint32_t i = 0; i < model->symbol_count && ttc_task_open(task); i++) {
@@ -39,7 +39,7 @@ static void bind_lift(ttc_task *task, ttc_valuation *map, const ttc_model *model
     }
 }
 
-/* In the chart: the lift is defined, and lies in the domain, in the section and on the levels; the way back undoes it. */
+/* In the chart: the lift is defined, and lies in the domain, in the section and on the levels; the way back is its inverse. */
 static void prove_lift(ttc_task *task)
 {
     const ttc_model *model = task->outer->model, *chart = task->model;
@@ -84,7 +84,7 @@ done:
     ttc_valuation_destroy(map);
 }
 
-/* The chart's own claims, and what it says of this section, once for all leaves. */
+/* Prove the claims of the chart, and prove_lift in it, once for all leaves. */
 static void look_at_chart(ttc_task *task, const ttc_model *chart)
 {
     ttc_claim lift = { .kind = TTC_CLAIM_EQUAL, .name = task->claim->name, .place = chart->lift.place,
@@ -106,7 +106,7 @@ static void look_at_chart(ttc_task *task, const ttc_model *chart)
     ttc_task_adopt(task, &inner);
 }
 
-/* The rate of the section's state, seen through a map, or here: out *= it. */
+/* out *= the rate of the section's state in a valuation. */
 static void times_rate(ttc_task *task, ttc_ratio *out, ttc_valuation *valuation)
 {
     const ttc_model *model = task->model;
@@ -119,7 +119,7 @@ static void times_rate(ttc_task *task, ttc_ratio *out, ttc_valuation *valuation)
     ttc_ratio_clear(task->ring, &rate);
 }
 
-/* Lifted points that are crossed the same way: `lifted` is the model seen from the chart that is seen from the model. */
+/* Add the condition that the point and the lift of its image are crossed in one direction. lifted: the model at that lift. */
 static void add_direction(ttc_task *task, ttc_valuation *lifted)
 {
     ttc_ratio product;
@@ -131,7 +131,7 @@ static void add_direction(ttc_task *task, ttc_valuation *lifted)
     ttc_ratio_clear(task->ring, &product);
 }
 
-/* The lift of where the way back leads is the point itself. The direction matters only where it is not. */
+/* Require that the lift of the point's image is the point itself. The condition on the direction is added only if it is needed. */
 static void require_same(ttc_task *task, ttc_valuation *map)
 {
     const ttc_model *model = task->model, *chart = ttc_valuation_model(map);
@@ -166,7 +166,7 @@ static void require_same(ttc_task *task, ttc_valuation *map)
     ttc_valuation_destroy(lifted);
 }
 
-/* The way back and the levels divide by nothing that is zero where the section is crossed: that would be missed. */
+/* Require that no divisor of the way back and the levels is zero where the section is crossed: the chart would miss that point. */
 static void require_way_back(ttc_task *task, const ttc_ratio *rate)
 {
     const ttc_model *model = task->model;
@@ -194,7 +194,7 @@ static void require_way_back(ttc_task *task, const ttc_ratio *rate)
     free(of_claim);
 }
 
-/* In the model: what crosses the section comes from the chart. */
+/* In the model: every point that crosses the section is the lift of a point of the chart. */
 static void prove_back(ttc_task *task, const ttc_model *chart, const ttc_section *section)
 {
     ttc_valuation *map = ttc_valuation_map(chart, task->field);
@@ -222,8 +222,7 @@ static bool is_proved(const ttc_task *task, uint32_t claim)
     return task->verdict_of != NULL && task->verdict_of(task->verdict_context, claim) == TTC_PROVED;
 }
 
-/* Levels are those of integrals: what is lost from them leaves the section's coordinates as well. Points that differ by periods are
- * one, on one level. */
+/* Require that integrals of levels and all periods are proved, and that points which differ by periods lie on one level. */
 static void check_levels(ttc_task *task)
 {
     const ttc_claim *claims = task->model->claims;

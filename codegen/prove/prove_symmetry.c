@@ -1,12 +1,12 @@
-/* Maps of the states that take motions to motions: reversors, backwards in time, and symmetries. A map S is affine in the states;
- * with f the field, f(S x) = -DS f(x) or f(S x) = DS f(x). */
+/* Provers of maps that take motions to motions: reversors, which reverse time, symmetries and periods. A map S is affine in the
+ * states; with the field f, f(S x) = -DS f(x) for a reversor, f(S x) = DS f(x) for the others. */
 #include "prove/domain.h"
 #include "prove/prove_image.h"
 
 #include <stdlib.h>
 
-/* The model at the image of a point: states mapped as claimed, the rest as it is. Roots have their values in the field first, so
- * that those at the image are expressed through them. */
+/* The model at the image of a point: states bound to their images, other symbols to themselves. Roots are evaluated in the field
+ * first, so that those at the image are expressed through them. NULL when memory is out. */
 static ttc_valuation *image(ttc_task *task, const ttc_bindings *bindings)
 {
     const ttc_model *model = task->model;
@@ -34,7 +34,7 @@ static ttc_id image_of_state(const ttc_task *task, size_t state)
     return task->model->symbols[symbol].node;
 }
 
-/* Free of states, directly and in the squares of roots. */
+/* Returns true if a ratio does not depend on states, directly or through functions. */
 static bool is_fixed(ttc_task *task, const ttc_ratio *value)
 {
     for (size_t v = 0; v < task->ring->variable_count; v++) {
@@ -47,7 +47,7 @@ static bool is_fixed(ttc_task *task, const ttc_ratio *value)
     return true;
 }
 
-/* DS, shape (states, states) row by row; rejects a map that is not affine. */
+/* matrix = DS, shape (state_count, state_count). The claim is not settled if the map is not affine. */
 static void set_matrix(ttc_task *task, ttc_ratio *matrix)
 {
     const size_t n = task->model->state_count;
@@ -69,7 +69,7 @@ static void swap_rows(ttc_ratio *matrix, size_t n, size_t a, size_t b)
     }
 }
 
-/* By elimination, which leaves the matrix in another form; up to its sign. */
+/* The determinant up to its sign, by elimination, which overwrites the matrix. */
 static void set_determinant(ttc_task *task, ttc_ratio *determinant, ttc_ratio *matrix)
 {
     ttc_ring *ring = task->ring;
@@ -107,7 +107,7 @@ static bool is_identity(const ttc_task *task)
     return true;
 }
 
-/* A symmetry has an inverse, a reversor is its own. */
+/* Require that a symmetry has an inverse, and that a reversor is its own inverse. */
 static void check_inverse(ttc_task *task, ttc_valuation *map, ttc_ratio *matrix)
 {
     const ttc_model *model = task->model;
@@ -149,7 +149,7 @@ static void check_field(ttc_task *task, ttc_valuation *map)
     ttc_ratio_clear(task->ring, &left);
 }
 
-/* An image that uses a function of states is not affine, whatever it is on one leaf. */
+/* Returns true if an image uses a function of states: it is then refused, even if it is affine on some leaf. */
 static bool uses_functions_of_states(const ttc_model *model, ttc_id image)
 {
     unsigned char *support = ttc_model_support(model, &image, 1);
@@ -163,7 +163,7 @@ static bool uses_functions_of_states(const ttc_model *model, ttc_id image)
     return result;
 }
 
-/* A period leads there and back: what lies in the domain does so a period before as well. */
+/* Require that a point of the domain, moved back by the period, lies in the domain. */
 static void check_back(ttc_task *task)
 {
     const ttc_model *model = task->model;
@@ -192,7 +192,7 @@ static void prove_map(ttc_task *task)
     if (task->claim->kind == TTC_CLAIM_PERIODIC) check_back(task);
     ttc_valuation *map = image(task, &task->claim->bindings);
     if (map != NULL) ttc_task_enter_map(task, map);
-    /* First, as the image's roots are then not yet in the ring, where they would be positive. */
+    /* First, before the image's roots are in the ring, where they count as positive. */
     if (map != NULL) ttc_domain_require_image(task, map, task->model, " at the image");
     ttc_ratio *matrix = map == NULL ? NULL : ttc_task_ratios(task, entries);
     if (map == NULL) ttc_task_unsettle(task, "out of memory");
@@ -219,7 +219,7 @@ void ttc_prove_symmetry(ttc_task *task)
     else prove_map(task);
 }
 
-/* The integral and its value a period on are one. */
+/* Require that an integral has the same value after the state has grown by its period. */
 static void require_period(ttc_task *task, const ttc_claim *period, const ttc_claim *integral)
 {
     ttc_valuation *map = image(task, &period->bindings);

@@ -37,7 +37,7 @@ static char *with_value(ttc_task *task, char *what, const ttc_ratio *ratio)
 
 static void settle(ttc_task *task, ttc_proof_status status, char *remainder, char *point)
 {
-    if (task->exhibited) { /* what exists, exists */
+    if (task->exhibited) { /* a claim of existence stays proved */
         free(remainder);
         free(point);
         return;
@@ -80,7 +80,7 @@ void ttc_task_enter_map(ttc_task *task, ttc_valuation *map) { task->maps[task->m
 
 void ttc_task_leave_map(ttc_task *task) { task->map_count--; }
 
-/* Roots of a model seen elsewhere that were evaluated; what is given for a root is positive when that was shown. */
+/* Add that the roots of a map that have a value are positive; not those that are bound, for which this has to be shown. */
 static void add_roots_of_map(ttc_task *task, ttc_valuation *map, ttc_ratio *value)
 {
     const ttc_model *model = ttc_valuation_model(map);
@@ -92,8 +92,7 @@ static void add_roots_of_map(ttc_task *task, ttc_valuation *map, ttc_ratio *valu
     }
 }
 
-/* A root that has come into the ring since the domain was written down is positive, and a square root by which a level was
- * solved is real. */
+/* Add that roots adjoined since the domain was made are positive, and that square roots by which levels were solved are real. */
 static void add_new_roots(ttc_task *task)
 {
     ttc_ratio value;
@@ -105,7 +104,7 @@ static void add_new_roots(ttc_task *task)
     for (uint32_t i = 0; i < task->model->symbol_count; i++) {
         const ttc_symbol_entry *entry = &task->model->symbols[i];
         if (entry->kind != TTC_ROOT || !ttc_valuation_has_value(task->field, i)) continue;
-        if (ttc_question_has(task, i)) continue; /* it does not vouch for itself */
+        if (ttc_question_has(task, i)) continue; /* this is to be shown */
         ttc_evaluate(task->field, &value, entry->node);
         ttc_conditions_add(&task->domain, &value, TTC_IS_POSITIVE);
     }
@@ -114,7 +113,7 @@ static void add_new_roots(ttc_task *task)
 
 static bool says_none(ttc_search_result result) { return result == TTC_POINT_IMPOSSIBLE || result == TTC_POINT_EXCLUDED; }
 
-/* Values were looked at in normal form, whose denominators may vanish where the values exist: then there are no such places. */
+/* Denominators of normal forms may vanish where the expressions have values: returns true if there are no points there either. */
 static bool looked_everywhere(ttc_task *task, ttc_witness *point)
 {
     bool everywhere = true, again = true;
@@ -127,10 +126,59 @@ static bool looked_everywhere(ttc_task *task, ttc_witness *point)
     return everywhere;
 }
 
+/* v *= d^2 for a divisor d, by its factors, as often as that takes something from the denominator of v. */
+static void multiply_by_square(ttc_task *task, ttc_ratio *v, ttc_valuation *valuation, ttc_id divisor)
+{
+    const ttc_graph *graph = ttc_valuation_model(valuation)->graph;
+    const fmpz_mpoly_ctx_struct *context = task->ring->context;
+    ttc_ratio square, product;
+    if (ttc_kind_of(graph, divisor) == TTC_PRODUCT) {
+        for (size_t i = 0; i < ttc_part_count(graph, divisor); i++)
+            multiply_by_square(task, v, valuation, ttc_part_at(graph, divisor, i).id);
+        return;
+    }
+    if (!ttc_valuation_has_met(valuation, divisor)) return;
+    ttc_ratio_init(task->ring, &square);
+    ttc_ratio_init(task->ring, &product);
+    ttc_evaluate(valuation, &square, divisor);
+    fmpz_mpoly_one(square.denominator, context);
+    ttc_ratio_multiply(task->ring, &square, &square, &square);
+    for (bool again = true; again && task->ring->status == TTC_RING_OK;) {
+        ttc_ratio_multiply(task->ring, &product, v, &square);
+        again = fmpz_mpoly_total_degree_si(product.denominator, context) < fmpz_mpoly_total_degree_si(v->denominator, context);
+        if (again) ttc_ratio_set(task->ring, v, &product);
+    }
+    ttc_ratio_clear(task->ring, &product);
+    ttc_ratio_clear(task->ring, &square);
+}
+
+/* A value v, times squares of what it may divide by, is A/B in normal form, and A B has the sign of v or is zero: also where the
+ * denominator of v itself vanishes, as x does in x/(1 + r) = (r - 1)/x with r^2 = 1 + x^2. */
+static void add_sign(ttc_task *task, const ttc_ratio *ratio, bool negative)
+{
+    ttc_ratio value, below;
+    ttc_ratio_init(task->ring, &value);
+    ttc_ratio_init(task->ring, &below);
+    ttc_ratio_set(task->ring, &value, ratio);
+    for (size_t k = 0; k <= task->map_count; k++) {
+        ttc_valuation *valuation = k < task->map_count ? task->maps[k] : task->field;
+        const ttc_model *model = ttc_valuation_model(valuation);
+        for (size_t i = 0; i < model->divisor_count; i++) multiply_by_square(task, &value, valuation, model->divisors[i].divisor);
+    }
+    ttc_ratio_set_polynomial(task->ring, &below, value.denominator);
+    fmpz_mpoly_one(value.denominator, task->ring->context);
+    ttc_ratio_multiply(task->ring, &value, &value, &below);
+    if (negative) ttc_conditions_add_negative(&task->domain, &value, TTC_IS_NONNEGATIVE);
+    else ttc_conditions_add(&task->domain, &value, TTC_IS_NONNEGATIVE);
+    ttc_ratio_clear(task->ring, &below);
+    ttc_ratio_clear(task->ring, &value);
+}
+
 static ttc_search_result search(ttc_task *task, const ttc_ratio *ratio, ttc_relation relation, bool negative, char **text)
 {
     ttc_search_result result = TTC_POINT_NOT_DECIDED;
     ttc_witness point;
+    const bool of_sign = ratio != NULL && (relation == TTC_IS_POSITIVE || relation == TTC_IS_NONNEGATIVE);
     if (text != NULL) *text = NULL;
     add_new_roots(task);
     size_t mark = ttc_conditions_mark(&task->domain);
@@ -139,7 +187,13 @@ static ttc_search_result search(ttc_task *task, const ttc_ratio *ratio, ttc_rela
     else if (ratio != NULL) ttc_conditions_add(&task->domain, ratio, relation);
     if (ttc_witness_init(&point, task->field)) {
         result = ttc_search_point(&point, &task->domain);
-        if (says_none(result) && !looked_everywhere(task, &point)) result = TTC_POINT_NOT_DECIDED;
+        if (says_none(result) && !looked_everywhere(task, &point)) {
+            result = TTC_POINT_NOT_DECIDED;
+            if (of_sign && task->extent == TTC_DOMAIN_WHOLE) {
+                add_sign(task, ratio, negative);
+                if (looked_everywhere(task, &point)) result = TTC_POINT_EXCLUDED;
+            }
+        }
         if (result == TTC_POINT_FOUND && text != NULL) *text = ttc_witness_text(&point);
     }
     ttc_witness_clear(&point);
@@ -177,7 +231,7 @@ void ttc_task_refute_at(ttc_task *task, char *point, const ttc_ratio *remainder,
     va_end(arguments);
 }
 
-/* No point of the leaf has a nonzero numerator; where the denominator can vanish, that says nothing of the quotient. */
+/* Returns true if the denominator of a ratio vanishes at no point of the leaf: where it does, a zero numerator says nothing. */
 static bool denominator_is_safe(ttc_task *task, const ttc_ratio *ratio)
 {
     ttc_ratio bottom;
@@ -191,7 +245,7 @@ static bool denominator_is_safe(ttc_task *task, const ttc_ratio *ratio)
 void ttc_task_require_zero(ttc_task *task, const ttc_ratio *remainder, const char *format, ...)
 {
     char *point = NULL;
-    /* By its form: that it is not zero is shown at a point, whatever is known of exponentials and logarithms. */
+    /* Zero in form is enough; that it is not zero is shown at a point, whatever is known of exponentials and logarithms. */
     if (!ttc_task_open(task) || fmpz_mpoly_is_zero(remainder->numerator, task->ring->context)) return;
     ttc_search_result result = search(task, remainder, TTC_IS_NONZERO, false, &point);
     bool excluded = result == TTC_POINT_IMPOSSIBLE || result == TTC_POINT_EXCLUDED;
@@ -261,7 +315,7 @@ static size_t root_count(const ttc_model *model)
     return count;
 }
 
-/* With one root or none the usual way is as quick. */
+/* With fewer than two roots the exact computation is as quick, and this returns false. */
 bool ttc_task_is_zero_for_any_roots(ttc_task *task, ttc_id id)
 {
     const ttc_model *model = task->model;
@@ -276,14 +330,14 @@ bool ttc_task_is_zero_for_any_roots(ttc_task *task, ttc_id id)
         ttc_valuation_bind(free_roots, task->claim->when.items[i].symbol, task->claim->when.items[i].expression);
     ttc_ratio_init(ring, &value);
     ttc_evaluate(free_roots, &value, id);
-    /* By its form: whether functions depend on each other is for the usual way to say. */
+    /* Zero in form: whether functions depend on each other is left to the exact computation. */
     bool zero = ring->status == TTC_RING_OK && ring->choice_count == 0 && fmpz_mpoly_is_zero(value.numerator, ring->context);
     ttc_ratio_clear(ring, &value);
     ttc_valuation_destroy(free_roots);
     return zero;
 }
 
-/* The point's coordinates; a symbol that is bound stands for its expression. */
+/* Set a ball evaluator to the point's coordinates, and bind the symbols of `when` to their expressions. */
 static bool set_ball(ttc_ball *ball, ttc_task *task, const ttc_witness *point)
 {
     bool ok = true;

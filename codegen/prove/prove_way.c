@@ -1,12 +1,12 @@
-/* Tables that serve in place of each other.
+/* Provers of ways to tables that serve in place of the model B.
  *
- * A smaller table S, which has an embedding into the model B. In the ring of S: every point of it is embedded into B's
- * domain, moves there as B says, and the two observe the same; and where the way holds at it, the way leads back to the
- * point. In the ring of B, where the way holds: it leads into S's domain, and what it leads to is embedded as the point
- * itself. So an orbit of S from there is the orbit of B.
+ * A smaller table S has an embedding into B. In the ring of S: every point is embedded into B's domain, with the rates of
+ * B's equations, and both tables observe the same; and where the conditions of the way hold, it leads back to the point. In
+ * the ring of B, where these conditions hold: the way leads into S's domain, and the image is embedded as the point itself.
+ * So the orbit of S from the image is the orbit of B.
  *
- * A larger table T, which has a reduction onto B. In the ring of B, where the way holds: it leads into T's domain and onto
- * the zero levels that the reduction takes, and the reduction leads back to the point. */
+ * A larger table T has a reduction onto B. In the ring of B, where the conditions of the way hold: it leads into T's domain
+ * and onto the zero levels that the reduction takes, and the reduction leads back to the point. */
 #include "prove/domain.h"
 #include "prove/prove_image.h"
 #include "prove/way_table.h"
@@ -32,7 +32,7 @@ static void add_where(ttc_task *task, ttc_valuation *valuation, const ttc_way *w
     ttc_ratio_clear(task->ring, &value);
 }
 
-/* left - right is zero; each has its valuation. */
+/* Require left = right, each evaluated in its own valuation. */
 static void require_equal(ttc_task *task, ttc_valuation *of_left, ttc_id left, ttc_valuation *of_right, ttc_id right,
                           const char *what, const char *name)
 {
@@ -53,14 +53,14 @@ static void require_back_divisors(ttc_task *task, ttc_valuation *valuation, cons
     free(used);
 }
 
-/* Divisors of an integral or zero level. */
+/* Require that the divisors of an integral or zero level are not zero. */
 static void require_expression_divisors(ttc_task *task, ttc_valuation *valuation, const ttc_model *model, uint32_t claim,
                                         const char *where)
 {
     require_back_divisors(task, valuation, model, claim, &model->claims[claim].expression, 1, where);
 }
 
-/* Divisors of a reduction or embedding. */
+/* Require that the divisors of a reduction or embedding are not zero. */
 static void require_divisors(ttc_task *task, ttc_valuation *valuation, const ttc_model *model, uint32_t claim,
                              const char *where)
 {
@@ -76,7 +76,7 @@ static void require_divisors(ttc_task *task, ttc_valuation *valuation, const ttc
 
 static const ttc_claim *embedding_of(const ttc_task *task) { return task->model->claims + task->claim->family; }
 
-/* S's parameter that is B's by its name: the way gives it nothing else. */
+/* S's parameter that is B's parameter of the same name, as the way gives it no other value; else UINT32_MAX. */
 static uint32_t shared_param(const ttc_model *table, const ttc_image *image, const char *name)
 {
     bool given = ttc_image_name(image, name) < image->count;
@@ -84,14 +84,14 @@ static uint32_t shared_param(const ttc_model *table, const ttc_image *image, con
     return given ? UINT32_MAX : ttc_param_of(table, name);
 }
 
-/* Whether the embedding's expression for a parameter of B says what it is for S's: more than a number. */
+/* Returns true if the embedding gives a parameter of B by more than a number, so that S determines it. */
 static bool is_told(const ttc_model *table, ttc_id given)
 {
     return given != TTC_NONE && ttc_kind_of(table->graph, given) != TTC_NUMBER;
 }
 
-/* A parameter of B, as S knows it: that of its name; what the embedding says, where that is more than a number; or, where it
- * says nothing, that of its name again, whatever the way gives. TTC_NONE: S does not know it. */
+/* A parameter of B in terms of S: the shared parameter; else what the embedding gives, if more than a number; else, if the
+ * embedding gives nothing, S's parameter of that name, whatever the way gives. TTC_NONE: S does not determine it. */
 static ttc_id known_param(const ttc_model *table, const ttc_claim *back, const ttc_image *image, const char *name)
 {
     const uint32_t shared = shared_param(table, image, name), named = ttc_param_of(table, name);
@@ -113,7 +113,7 @@ static ttc_id translated_symbol(const translation *t, uint32_t symbol)
     return entry->kind == TTC_PARAM ? known_param(t->table, t->back, t->image, entry->name) : TTC_NONE;
 }
 
-/* An expression of B in parameters that S knows, as one of S; TTC_NONE: it is not one of those alone. */
+/* An expression of B as one of S; TTC_NONE if it uses more than parameters that S determines. */
 static ttc_id translate(const translation *t, ttc_id id)
 {
     const ttc_graph *from = t->model->graph;
@@ -145,7 +145,7 @@ static const ttc_binding *condition_on(const ttc_claim *claim, uint32_t symbol)
     return NULL;
 }
 
-/* A parameter of B that S has not, and of which nothing is said: anything that B's own condition on it allows. */
+/* Bind a parameter of B that nothing determines to a spare symbol, with any value that B's sign condition allows. */
 static void bind_free(ttc_task *task, ttc_valuation *map, uint32_t symbol, uint32_t *spares)
 {
     const ttc_symbol_entry *entry = ttc_valuation_model(map)->symbols + symbol;
@@ -166,8 +166,8 @@ static void bind_free(ttc_task *task, ttc_valuation *map, uint32_t symbol, uint3
     ttc_ratio_clear(task->ring, &value);
 }
 
-/* A parameter of B, seen from S: as S knows it, and then the condition of the way holds of it at the points in hand; what the
- * condition says; or anything. */
+/* Bind a parameter of B, in the ring of S: to what S determines, which meets the way's `when` at the points in question (see
+ * set_levels); else to the value of `when`; else to any value. */
 static void bind_parameter(ttc_task *task, ttc_valuation *map, uint32_t symbol, uint32_t *spares)
 {
     const ttc_model *table = task->model;
@@ -197,7 +197,7 @@ static void bind_embedded(ttc_task *task, ttc_valuation *map)
     }
 }
 
-/* Conditions of the way, and what it gives for S's states and parameters, at the embedded point. */
+/* Require that at the embedded point, where the way's conditions hold, it gives S's own states and parameters. */
 static void require_return(ttc_task *task, ttc_valuation *map)
 {
     const ttc_model *table = task->model, *model = task->outer->model;
@@ -247,8 +247,8 @@ static void prove_embedded(ttc_task *task)
     ttc_valuation_destroy(map);
 }
 
-/* The points of S that are meant: those that meet the conditions of the way, as far as they are on parameters that S knows: zero
- * there. False: memory is out. */
+/* Expressions that are zero at the points of S in question: those that meet `when` of the way, as far as it is on parameters that
+ * S determines. Returns false when memory is out. */
 static bool set_levels(const ttc_task *task, const ttc_model *table, const ttc_claim *back, ttc_id *levels, size_t *count)
 {
     const ttc_bindings *when = &task->claim->when;
@@ -265,7 +265,7 @@ static bool set_levels(const ttc_task *task, const ttc_model *table, const ttc_c
 
 static void look_at_table(ttc_task *task, const ttc_model *table, uint32_t back)
 {
-    /* Without the embedding's expressions: that nothing vanishes that they divide by is to be shown. */
+    /* Its expressions are left out of the claim, as it is to be shown that their divisors do not vanish. */
     const ttc_claim embedded = { .kind = TTC_CLAIM_EQUAL, .name = task->claim->name, .place = table->claims[back].place,
                                  .family = back };
     ttc_id *levels = calloc(task->claim->when.count + 1, sizeof *levels);
@@ -281,8 +281,8 @@ static void look_at_table(ttc_task *task, const ttc_model *table, uint32_t back)
 
 /* ---- in the model ---- */
 
-/* What leads back, at what the way leads to, gives the point itself: states, roots, and parameters that it tells; a
- * reduction tells those of the table's own names as well, and a number is what it says. */
+/* Require that the way's image leads back to the point itself: in states, roots, and parameters that the claim back determines;
+ * a reduction also gives parameters by equal names, or as numbers. */
 static void require_same(ttc_task *task, ttc_valuation *map, const ttc_claim *back)
 {
     const ttc_model *model = task->model, *table = ttc_valuation_model(map);
@@ -300,7 +300,7 @@ static void require_same(ttc_task *task, ttc_valuation *map, const ttc_claim *ba
     }
 }
 
-/* What S takes for parameters stays what it is. It follows from the rest; but where it fails, it tells most. */
+/* Require that what the way gives for S's parameters is constant. This follows from the rest, but makes the clearest refutation. */
 static void require_constants(ttc_task *task, const ttc_model *table, const ttc_way *way)
 {
     for (size_t i = 0; i < table->param_count && ttc_task_open(task); i++) {
@@ -345,7 +345,7 @@ void ttc_prove_descent(ttc_task *task)
     ttc_model_destroy(table);
 }
 
-/* The conditions of the reduction, and the zero levels that it takes. */
+/* Require that the lift meets the conditions of the reduction, and lies on the zero levels that it takes. */
 static void require_reduction(ttc_task *task, ttc_valuation *map, const ttc_claim *back)
 {
     const ttc_model *table = ttc_valuation_model(map);

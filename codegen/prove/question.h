@@ -1,24 +1,24 @@
-/** What of a table a task has to show, and must not take for granted meanwhile: symbols under test (task->tested), a root or
- *  logarithm with those after it (task->tested_root), and what depends on them. */
+/** Symbols whose own conditions a task has to show, and must not assume. Under test are those of task->tested, and roots and
+ *  logarithms from task->tested_root on; in question are roots and logarithms that depend on symbols under test. */
 #ifndef TTC_QUESTION_H
 #define TTC_QUESTION_H
 
 #include "prove/prove_task.h"
 
-/* With a root or logarithm in question are those after it, which do not vouch for it. */
+/* Returns true if a symbol is under test. */
 bool ttc_question_is_tested(const ttc_task *task, uint32_t symbol);
 
-/* Whether an expression uses a symbol under test. */
+/* Returns true if an expression depends on a symbol under test. */
 bool ttc_question_depends(const ttc_task *task, ttc_id id);
 
-/* A root or logarithm of what is under test, of which nothing was shown yet on this leaf: see ttc_task's `shown`. */
+/* Returns true if a symbol is in question: a root or logarithm that depends on symbols under test, not before task->shown. */
 bool ttc_question_has(const ttc_task *task, uint32_t symbol);
 
-/* The last such symbol that an expression uses, 0: none; and whether there is one: where that is real is not known yet. */
+/* The last symbol in question that an expression uses, 0 if none; and true if there is one: the expression may then not be real. */
 uint32_t ttc_question_last(const ttc_task *task, ttc_id id);
 bool ttc_question_uses_root(const ttc_task *task, ttc_id id);
 
-/* Functions of what is in question stay out of the bases, which would bring its roots in: for a field that is new. */
+/* In a new field, withhold functions that use symbols in question from the bases, which would adjoin their roots. */
 void ttc_question_withhold(ttc_task *task);
 
 #endif

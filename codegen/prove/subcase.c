@@ -26,7 +26,7 @@ ttc_id ttc_subcase_expression(ttc_task *task, const fmpz_mpoly_t polynomial)
     return sum;
 }
 
-/* Zero: not to be solved for. States before parameters, which the model knows as fixed. */
+/* The price of solving for a variable: lowest for states, then parameters and levels, then cosines; 0: it cannot be solved for. */
 static slong price_of(ttc_task *task, slong variable)
 {
     size_t symbol = ttc_valuation_symbol(task->field, variable);
@@ -52,7 +52,7 @@ static bool in_some_radicand(ttc_task *task, const fmpz_mpoly_t polynomial, slon
     return false;
 }
 
-/* What an exponential or logarithm of the factor depends on cannot be solved for. */
+/* Returns true if an exponential or logarithm in the factor depends on the variable, which then cannot be solved for. */
 static bool in_some_transcendental(ttc_task *task, const fmpz_mpoly_t factor, slong variable)
 {
     const ttc_model *model = task->model;
@@ -65,8 +65,8 @@ static bool in_some_transcendental(ttc_task *task, const fmpz_mpoly_t factor, sl
     return false;
 }
 
-/* The symbol to solve for: a leading coefficient that cannot vanish before any other, linear before quadratic, short before
- * long. */
+/* Choose the variable to solve for, -1 if there is none: of the cheapest kind; among these with a leading coefficient that cannot
+ * vanish, else with a short one; then with degree 1 rather than 2. */
 static slong choose_variable(ttc_task *task, const fmpz_mpoly_t factor, ulong *degree)
 {
     slong best = -1, best_cost = WORD_MAX;

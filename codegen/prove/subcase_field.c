@@ -1,4 +1,4 @@
-/* The field of a subcase: what conditions, a family and solutions bind is bound in it. */
+/* The field of a subcase, in which the bindings of `when`, of a family and of solutions are made. */
 #include "prove/subcase.h"
 
 #include "prove/question.h"

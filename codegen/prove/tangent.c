@@ -14,7 +14,7 @@ void ttc_tangent_gradient(ttc_task *task, const ttc_tangent *t, ttc_ratio *row, 
     ttc_ratio_clear(task->ring, &partial);
 }
 
-/* The rate of the value of a bound symbol along the free states. */
+/* out[k * stride] = the derivative by free state k of the value of the symbol `node`. slopes: as of find_slopes. */
 static void add_rates(ttc_task *task, ttc_ratio *out, size_t stride, ttc_id node, ttc_ratio *const *slopes, size_t columns)
 {
     ttc_ratio value;
@@ -32,8 +32,8 @@ static void find_states(ttc_task *task, ttc_tangent *t, ttc_ratio *const *slopes
         add_rates(task, t->states + j, model->state_count, model->symbols[model->states[j]].node, slopes, t->columns);
 }
 
-/* What a bound parameter or level stands for does not change. A cosine changes as it stands for, and as its angle moves; where it
- * is 1 or -1, its angle does not move. */
+/* Add the constraint of a bound symbol. The expression of a parameter or level is constant. The derivative of a cosine's expression
+ * equals that of the cosine by its angle; where it is 1 or -1, its angle is constant. */
 static void add_constraint(ttc_task *task, ttc_tangent *t, uint32_t symbol, ttc_ratio *const *slopes)
 {
     const ttc_symbol_entry *entry = task->model->symbols + symbol;
@@ -53,7 +53,7 @@ static bool is_constraint(const ttc_task *task, uint32_t symbol)
     return ttc_valuation_is_bound(task->field, symbol) && task->model->symbols[symbol].kind != TTC_STATE;
 }
 
-/* slopes: by free state, shape (variable_count,) each. */
+/* slopes[k]: derivatives of all variables by free state k, shape (variable_count,). Returns false when memory is out. */
 static bool find_slopes(ttc_task *task, ttc_ratio **slopes)
 {
     const ttc_model *model = task->model;

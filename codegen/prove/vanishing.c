@@ -15,8 +15,7 @@ bool *ttc_vanishing_moves(ttc_task *task)
     return moves;
 }
 
-/* Sort the terms of a polynomial by what moves in them: the sum of those of the first term's kind goes to `same`, the others
- * stay. What does not move is left of the terms in `same`. */
+/* Remove from a polynomial all terms with the first term's monomial in moving variables. same = their sum divided by it. */
 static void take_coefficient(ttc_task *task, fmpz_mpoly_t same, fmpz_mpoly_t polynomial, const bool *moves)
 {
     const fmpz_mpoly_ctx_struct *context = task->ring->context;

@@ -1,4 +1,4 @@
-/* Cuts the text of a table into tokens, and marks where records begin. */
+/* The lexer: cuts the text of a table into tokens, and marks where records begin. */
 #include "read/token.h"
 
 #include "base/array.h"
@@ -18,7 +18,7 @@ typedef struct {
     ttc_diagnostics *diagnostics;
     ttc_token *tokens;
     size_t count;
-    bool line_opens; /* no token of this line yet */
+    bool line_opens; /* the line has no token so far */
 } lexer;
 
 const char *ttc_keyword_text(ttc_keyword keyword) { return keyword_texts[keyword]; }
@@ -34,7 +34,7 @@ static ttc_keyword find_keyword(const char *text, size_t length)
     return TTC_KEYWORD_NONE;
 }
 
-/* Words of later additions to the language: keywords where they open a record or a clause, free as names elsewhere. */
+/* Returns true for keywords that are not reserved: where they open no record or clause they are free as names. */
 static bool is_soft(ttc_keyword keyword)
 {
     switch (keyword) {
@@ -84,7 +84,7 @@ static bool push(lexer *l, ttc_token_kind kind, ttc_keyword keyword, const char 
 
 static char peek(const lexer *l, size_t ahead) { return (size_t)(l->end - l->at) > ahead ? l->at[ahead] : '\0'; }
 
-/* The rest of the line is lost to the record. */
+/* Skip the rest of the line, and put a token BAD in its place. */
 static bool push_bad(lexer *l, const char *start)
 {
     const char *stop = memchr(l->at, '\n', (size_t)(l->end - l->at));
@@ -99,7 +99,8 @@ static size_t word_length(const lexer *l)
     return (size_t)(stop - l->at);
 }
 
-/* A record opens at its keyword; at a soft one only when a name follows, which no expression allows. */
+/* Returns true if the word opens a record: a keyword of a record, first in its line. One that is not reserved must be followed by a
+ * letter; within an expression an operator follows a name. */
 static bool opens_record(const lexer *l, ttc_keyword keyword, size_t length)
 {
     if (!l->line_opens || keyword >= TTC_RECORD_COUNT) return false;
@@ -195,7 +196,8 @@ static bool lex_mark(lexer *l)
     return push_bad(l, start);
 }
 
-/* A line that neither opens a record nor is indented belongs to nothing. */
+/* Called at the first token of a line. Reports a line that neither opens a record nor is indented, and begins a RECORD of keyword
+ * NONE with it. Returns false when memory is out. */
 static bool open_line(lexer *l)
 {
     size_t length = word_length(l);

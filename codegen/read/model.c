@@ -34,7 +34,7 @@ static void clear_inequalities(ttc_inequalities *list)
     free(list->items);
 }
 
-/* What is said of tables that serve in place of each other. */
+/* Free the records about tables that serve in place of each other: ways and the tier. */
 static void clear_ways(ttc_model *model)
 {
     for (size_t i = 0; i < model->way_count; i++) {
@@ -47,7 +47,7 @@ static void clear_ways(ttc_model *model)
     free(model->ways);
 }
 
-/* What is said of sections, on either side. */
+/* Free the records about sections, both those of a model's table and those of a table of coordinates. */
 static void clear_sections(ttc_model *model)
 {
     for (size_t i = 0; i < model->pole_count; i++) free(model->poles[i].meaning);
@@ -124,7 +124,7 @@ void ttc_model_destroy(ttc_model *model)
 
 bool ttc_model_find_symbol(const ttc_model *model, const char *name, uint32_t *symbol)
 {
-    for (size_t i = model->symbol_count; i-- > 0;) /* the indeterminate, first of all, gives way to a name of the table */
+    for (size_t i = model->symbol_count; i-- > 0;) /* from the end, so that a table's own name lambda is found before symbol 0 */
         if (strcmp(model->symbols[i].name, name) == 0) {
             *symbol = (uint32_t)i;
             return true;
@@ -171,7 +171,7 @@ const char *ttc_model_base_name(const ttc_model *model)
     return slash == NULL ? model->file : slash + 1;
 }
 
-/* One that has the name as its own goes before those that are called so by their keyword. */
+/* A claim to which the table gives this name takes precedence over unnamed ones, whose name is their keyword. */
 bool ttc_model_find_claim(const ttc_model *model, const char *name, uint32_t *claim)
 {
     bool found = false;

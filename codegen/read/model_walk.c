@@ -1,11 +1,11 @@
-/* Walks through definitions: what lets and functions stand for. */
+/* Expansion, derivatives and dependence of expressions through the definitions of lets and functions. */
 #include "read/model.h"
 
 #include <stdlib.h>
 
 typedef struct {
     const ttc_model *model;
-    uint32_t symbol; /* the one differentiated by */
+    uint32_t symbol; /* the variable of differentiation */
 } frame;
 
 static ttc_id let_definition(void *context, uint32_t symbol)
@@ -62,7 +62,7 @@ ttc_id ttc_model_partial(const ttc_model *model, ttc_id id, uint32_t symbol)
     return ttc_derivative_through(model->graph, id, any_definition, slope, &f);
 }
 
-/* out + factor * term, over the parts of the factor where it is a sum. */
+/* out + factor * term; where the factor is a sum it is multiplied out. */
 static ttc_id add_products(ttc_graph *graph, ttc_id out, ttc_id factor, ttc_id term)
 {
     if (ttc_kind_of(graph, factor) != TTC_SUM) return ttc_add(graph, out, ttc_multiply(graph, factor, term));
@@ -105,7 +105,7 @@ unsigned char *ttc_model_support(const ttc_model *model, const ttc_id *ids, size
         if (ttc_kind_of(model->graph, at) != TTC_SYMBOL) continue;
         uint32_t symbol = ttc_symbol_of(model->graph, at);
         support[symbol] = 1;
-        seen[model->symbols[symbol].definition] = 1; /* entry 0 takes those without */
+        seen[model->symbols[symbol].definition] = 1; /* TTC_NONE marks the unused entry 0 */
     }
     free(seen);
     return support;
@@ -121,7 +121,7 @@ bool ttc_model_depends(const ttc_model *model, ttc_id id, uint32_t symbol)
 
 void ttc_model_close_uses(const ttc_model *model, unsigned char *used)
 {
-    /* A definition names what stands above it, so that one sweep from the last use to the first is enough. */
+    /* A definition names only what stands above it, so that one sweep from the last use to the first finds all. */
     for (size_t i = model->use_count; i-- > 0;) {
         const ttc_use *use = &model->uses[i];
         if (use->role != TTC_DIVIDES_SYMBOL) continue;

@@ -1,4 +1,4 @@
-/* Claims: one shape a kind, and the clauses `when` and `modulo` that several share. */
+/* Records of claims: the syntax of each kind, and the clauses `when` and `modulo`, which several kinds share. */
 #include "read/parser.h"
 
 #include <stdlib.h>
@@ -48,7 +48,7 @@ static bool parse_clauses(ttc_parser *parser, ttc_claim *claim)
     }
 }
 
-/* STATE -> expression, ...: all states are mapped at once, those that are not named stay. */
+/* STATE -> expression, ...: a simultaneous map of all states; those that are not named stay the same. */
 static bool parse_map(ttc_parser *parser, ttc_claim *claim)
 {
     do {
@@ -94,7 +94,7 @@ static bool parse_matrix(ttc_parser *parser, ttc_claim *claim)
         if (ttc_parse_accept_mark(parser, ',')) continue;
         if (width == 0) width = column;
         if (column != width) {
-            claim->entry_count = 0; /* said once: the size of the whole is then not looked at */
+            claim->entry_count = 0; /* so that check_matrices does not report the matrix again */
             return ttc_parse_error(parser, place, "a row of %zu entries (expected %zu, as in the first row)", column, width);
         }
         column = 0;
@@ -110,7 +110,7 @@ static bool parse_reduction(ttc_parser *parser, ttc_claim *claim)
            ttc_parse_target_bindings(parser, &claim->bindings, &claim->target_names, "a state or root of the target");
 }
 
-/* The period as a number, or pi times one; TTC_NONE: it is neither, or not positive. */
+/* The period as a number, in units of pi if *in_pi; TTC_NONE if it is neither a positive number nor one times pi. */
 static ttc_id number_of_period(const ttc_model *model, ttc_id period, bool *in_pi)
 {
     *in_pi = ttc_kind_of(model->graph, period) != TTC_NUMBER;
@@ -120,7 +120,7 @@ static ttc_id number_of_period(const ttc_model *model, ttc_id period, bool *in_p
     return fmpq_sgn(ttc_coefficient(model->graph, period)) > 0 ? period : TTC_NONE;
 }
 
-/* The state that the claim is named by grows by a period. */
+/* The period after `periodic STATE =`. Makes the claim the symmetry STATE -> STATE + period. */
 static bool parse_period(ttc_parser *parser, ttc_claim *claim)
 {
     ttc_model *model = parser->model;
@@ -147,7 +147,7 @@ static bool parse_period(ttc_parser *parser, ttc_claim *claim)
     return true;
 }
 
-/* What stands after the name, up to the clauses. */
+/* The part of the record between the name and the clauses. */
 static bool parse_body(ttc_parser *parser, ttc_claim *claim)
 {
     size_t index = parser->model->claim_count;
@@ -222,7 +222,7 @@ static ttc_claim_kind kind_of(ttc_keyword keyword)
     }
 }
 
-/* What `when` sets, the record itself must not set again. */
+/* Report an error if the record itself sets a symbol that `when` sets. */
 static bool check_set_once(ttc_parser *parser, const ttc_claim *claim)
 {
     unsigned char *set = calloc(parser->model->symbol_count, 1);
@@ -237,7 +237,7 @@ static bool check_set_once(ttc_parser *parser, const ttc_claim *claim)
     return ok;
 }
 
-/* A claim's own name is new; the records that speak of a family stand once for each. */
+/* Report an error if the claim's name is taken, or if a record about a family has the same kind as an earlier one about it. */
 static bool check_name(ttc_parser *parser, const ttc_claim *claim, const ttc_token *name)
 {
     const ttc_model *model = parser->model;
@@ -255,7 +255,7 @@ static bool check_name(ttc_parser *parser, const ttc_claim *claim, const ttc_tok
     return true;
 }
 
-/* A symmetry has a name where a colon follows one; a reversor has none. */
+/* Returns true if a name follows the keyword. That of a symmetry is optional, with a colon after it; a reversor has none. */
 static bool has_name(const ttc_parser *parser, ttc_claim_kind kind)
 {
     if (!is_map(kind)) return true;
@@ -283,7 +283,7 @@ static bool parse_parts(ttc_parser *parser, const ttc_token *keyword, ttc_claim 
            ttc_parse_check_circle(parser, &claim->bindings, &claim->bindings, &claim->when);
 }
 
-/* A claim that is wrong is kept with its name, so that what refers to it is not reported as well. */
+/* A claim with an error is kept under its name, so that references to it are not reported as errors too. */
 bool ttc_parse_claim(ttc_parser *parser, const ttc_token *keyword)
 {
     ttc_model *model = parser->model;

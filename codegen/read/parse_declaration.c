@@ -1,10 +1,10 @@
-/* Records that say what the model is: title, source, param, state, root, angle, exp, log, let, eq, default. */
+/* Records that define the model: title, source, param, state, root, angle, exp, log, let, eq, default, domain. */
 #include "read/parser.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-/* One text, or several that are joined by a blank. */
+/* "text" ...: several texts are joined by blanks. */
 bool ttc_parse_title(ttc_parser *parser, const ttc_token *keyword)
 {
     bool is_title = keyword->keyword == TTC_KEYWORD_TITLE;
@@ -78,7 +78,7 @@ static bool parse_param(ttc_parser *parser)
     return parse_unit_and_meaning(parser, symbol);
 }
 
-/* An end of an interval: an expression, or inf with its sign, which leaves `end` TTC_NONE. */
+/* An end of an interval: an expression, or inf with an optional sign, which leaves *end as it is. */
 static bool parse_interval_end(ttc_parser *parser, ttc_id *end)
 {
     const ttc_token *token = ttc_parse_peek(parser);
@@ -92,7 +92,7 @@ static bool parse_interval_end(ttc_parser *parser, ttc_id *end)
     return *end != TTC_NONE;
 }
 
-/* Ends may be written in parameters, and in lets of them. */
+/* Report an error if an end depends on a state or a function, or if both are numbers in the wrong order. */
 static bool check_interval(ttc_parser *parser, const ttc_id ends[2], ttc_place place)
 {
     const ttc_graph *graph = parser->model->graph;
@@ -120,6 +120,9 @@ static bool parse_state(ttc_parser *parser)
     if (name == NULL) return false;
     if (parser->model->state_count >= TTC_STATE_LIMIT)
         return ttc_parse_error(parser, ttc_token_place(name), "too many states (expected at most %d)", TTC_STATE_LIMIT);
+    if (parser->model->start_count > 0)
+        return ttc_parse_error(parser, ttc_token_place(name), "a state below the start '%s' (expected above it)",
+                               parser->model->starts[0].name);
     if (!ttc_parse_define(parser, name, TTC_STATE, TTC_NONE, &symbol) ||
         !ttc_parse_append(parser, &parser->model->states, &parser->model->state_count, symbol))
         return false;
@@ -136,7 +139,7 @@ static bool parse_state(ttc_parser *parser)
     return parse_unit_and_meaning(parser, symbol);
 }
 
-/* word ( expr ) */
+/* FUNCTION ( expr ). Returns the argument. */
 static ttc_id parse_function(ttc_parser *parser, ttc_keyword function, const char *after)
 {
     if (!ttc_parse_expect_keyword(parser, function, after)) return TTC_NONE;
@@ -145,7 +148,7 @@ static ttc_id parse_function(ttc_parser *parser, ttc_keyword function, const cha
     return id != TTC_NONE && ttc_parse_expect_mark(parser, ')', "the argument") ? id : TTC_NONE;
 }
 
-/* A root must generate a new field: neither a rational number, nor a root that has a name already. */
+/* Report an error if the root is a rational number, does not exist, or has a name already. */
 static bool check_radicand(ttc_parser *parser, ttc_id radicand, ttc_place place)
 {
     const ttc_model *model = parser->model;
@@ -192,7 +195,7 @@ static bool parse_angle(ttc_parser *parser)
     return true;
 }
 
-/* One exponential, or logarithm, has one name, and is none of a number that has a rational one. */
+/* Report an error if the exponential or logarithm is a rational number, does not exist, or has a name already. */
 static bool check_argument(ttc_parser *parser, ttc_symbol_kind kind, ttc_id argument, ttc_place place)
 {
     const ttc_model *model = parser->model;
@@ -245,7 +248,7 @@ bool ttc_parse_quantity(ttc_parser *parser, const ttc_token *keyword)
     }
 }
 
-/* The state that a record is about; its kind is checked. */
+/* Find the state that a record is about, and its position in the state vector. */
 static bool parse_equation_state(ttc_parser *parser, const ttc_token *name, uint32_t *state, size_t *position)
 {
     ttc_model *model = parser->model;
@@ -258,7 +261,7 @@ static bool parse_equation_state(ttc_parser *parser, const ttc_token *name, uint
     return ttc_parse_error(parser, ttc_token_place(name), "'%s' is not a state (expected one)", model->symbols[*state].name);
 }
 
-/* Equations stand in the order of states, whatever the order of the table. */
+/* The place of the equation of state number `position`: equations are stored in the order of states. */
 static ttc_equation *place_for_equation(ttc_parser *parser, size_t position)
 {
     ttc_model *model = parser->model;

@@ -5,7 +5,7 @@
  *      factor := base [ ^ integer ]
  *      base   := number | name | ( expr ) | rate ( expr )
  *
- * Recursion goes through parentheses alone, which are counted. Sums and products are built at once from all their parts. */
+ * The parser recurses only at parentheses, whose depth is bounded. Sums and products are built at once from all their parts. */
 #include "read/parser.h"
 
 #include <stdlib.h>
@@ -46,7 +46,7 @@ bool ttc_parse_uses(ttc_parser *parser, uint32_t symbol)
     return true;
 }
 
-/* Notes a divisor of this record; false: memory is out. */
+/* Record a divisor of the current record, unless it is a number. Returns false when memory is out. */
 static bool note_divisor(ttc_parser *parser, ttc_id divisor)
 {
     if (ttc_kind_of(parser->model->graph, divisor) == TTC_NUMBER) return true;
@@ -114,7 +114,7 @@ static ttc_id parse_symbol(ttc_parser *parser, const ttc_token *name)
     return TTC_NONE;
 }
 
-/* '(' is at hand. */
+/* ( expr ). The current token is '('. */
 static ttc_id parse_parentheses(ttc_parser *parser)
 {
     if (parser->nesting >= TTC_NESTING_LIMIT) {
@@ -129,7 +129,7 @@ static ttc_id parse_parentheses(ttc_parser *parser)
     return id != TTC_NONE && ttc_parse_expect_mark(parser, ')', "the expression in parentheses") ? id : TTC_NONE;
 }
 
-/* What follows the name `rate`: the rate of (expression) along the flow. */
+/* ( expr ) after the name `rate`. Returns the rate of the expression along the flow. */
 static ttc_id parse_rate(ttc_parser *parser, const ttc_token *name)
 {
     const ttc_model *model = parser->model;
@@ -236,7 +236,7 @@ ttc_id ttc_parse_expression(ttc_parser *parser)
     return ttc_parse_measure(parser, id, place) ? id : TTC_NONE;
 }
 
-/* Measures every node made since the last call: parts stand before wholes, definitions before their symbols. */
+/* Measures every node made since the last call: parts have smaller ids than their node, definitions than their symbol. */
 bool ttc_parse_measure(ttc_parser *parser, ttc_id id, ttc_place place)
 {
     const ttc_model *model = parser->model;

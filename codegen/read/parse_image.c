@@ -1,4 +1,4 @@
-/* Where a point of this table lies in another one: a list of that table's names with what gives them here. */
+/* Maps of this table's points to those of another table: lists of that table's names, each with an expression in this one's. */
 #include "read/parser.h"
 
 static bool add_name(ttc_parser *parser, char ***names, size_t *count, const ttc_token *name)
@@ -19,7 +19,7 @@ static bool is_given(const ttc_image *image, const ttc_token *name)
     return false;
 }
 
-/* A name alone, which is that of no quantity, is an integral's. */
+/* Returns true if the current token is a name that stands alone and is that of no quantity: it then means an integral. */
 static bool at_integral(const ttc_parser *parser)
 {
     const ttc_token *name = ttc_parse_peek(parser), *next = name + 1;
@@ -29,7 +29,7 @@ static bool at_integral(const ttc_parser *parser)
     return name->kind == TTC_TOKEN_NAME && alone && !ttc_parse_find(parser, name, &symbol);
 }
 
-/* The form at hand, past the word that opens it. */
+/* Determine the form that comes next, and read the word, atan2 or sqrt, that opens it. */
 static ttc_given_form parse_form(ttc_parser *parser, unsigned forms)
 {
     const ttc_token *token = ttc_parse_peek(parser);
@@ -37,12 +37,12 @@ static ttc_given_form parse_form(ttc_parser *parser, unsigned forms)
     ttc_given_form form = TTC_GIVEN_PLAIN;
     if (ttc_parse_at_keyword(parser, TTC_KEYWORD_ATAN2) && !ttc_parse_find(parser, token, &symbol)) form = TTC_GIVEN_ANGLE;
     else if (ttc_parse_at_keyword(parser, TTC_KEYWORD_SQRT)) form = TTC_GIVEN_ROOT;
-    if ((forms & 1u << form) == 0) return TTC_GIVEN_PLAIN; /* the expression says what is wrong */
+    if ((forms & 1u << form) == 0) return TTC_GIVEN_PLAIN; /* parsing it as an expression reports the error */
     parser->at += form != TTC_GIVEN_PLAIN;
     return form;
 }
 
-/* expr, atan2(expr, expr) or sqrt(expr): two entries of the claim. */
+/* expr, atan2(expr, expr) or sqrt(expr). Adds two entries to the claim. */
 static bool parse_entries(ttc_parser *parser, ttc_claim *claim, unsigned forms, ttc_given_form *form)
 {
     ttc_id pair[2] = { TTC_NONE, ttc_integer(parser->model->graph, 1) };

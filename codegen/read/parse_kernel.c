@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A variant is a matter of parameters: nothing that moves stands on its right-hand sides. */
+/* Report an error if a right-hand side of a variant depends on a state. */
 static bool check_fixed(ttc_parser *parser, const ttc_bindings *bindings)
 {
     const ttc_model *model = parser->model;
@@ -102,7 +102,7 @@ static bool parse_time(ttc_parser *parser, const ttc_token *name)
     return !ttc_parse_accept_keyword(parser, TTC_KEYWORD_LIFTING) || parse_lifted(parser, time);
 }
 
-/* The level is a name of its own; a table may also declare it as a parameter, or share it between charts of an integral. */
+/* The level is a new name, a parameter of the table, or the level of an earlier elimination; check_levels compares integrals. */
 static bool define_level(ttc_parser *parser, const ttc_token *name, uint32_t *level)
 {
     if (!ttc_parse_find(parser, name, level)) return ttc_parse_define(parser, name, TTC_LEVEL, TTC_NONE, level);

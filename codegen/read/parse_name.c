@@ -1,4 +1,4 @@
-/* Names: symbols by hash, definitions, and helpful words about names that mean nothing. */
+/* Names: finding and defining symbols, references to claims, and error messages about unknown names. */
 #include "read/parser.h"
 
 #include <stdlib.h>
@@ -45,7 +45,7 @@ static bool append_symbol(ttc_parser *parser, ttc_symbol_entry entry, uint32_t h
     return true;
 }
 
-/* A definition that was refused is TTC_NONE; its name is then known all the same, so that each mistake is told once. */
+/* A definition with an error is TTC_NONE; its name is defined nevertheless, as a parameter, so that its uses are no errors. */
 bool ttc_parse_define(ttc_parser *parser, const ttc_token *name, ttc_symbol_kind kind, ttc_id definition, uint32_t *symbol)
 {
     ttc_model *model = parser->model;
@@ -84,7 +84,7 @@ static bool defines_quantity(ttc_keyword keyword)
     }
 }
 
-/* Where a record of the table defines the name, NULL when none does. */
+/* The token at which a record of the table defines the name, also further down; NULL if none does. */
 static const ttc_token *find_definition(const ttc_parser *parser, const ttc_token *name)
 {
     for (const ttc_token *t = parser->tokens; t->kind != TTC_TOKEN_END; t++) {
@@ -103,7 +103,7 @@ static const ttc_token *record_of(const ttc_token *token)
     return token;
 }
 
-/* Equal but for one character changed, dropped or added, or for case. */
+/* Returns true if the names differ in case, or in at most one character changed, dropped or added. */
 static bool resembles(const char *a, size_t n, const char *b, size_t m)
 {
     size_t head = 0, tail = 0;

@@ -1,4 +1,4 @@
-/* Decimal numbers, exactly: digits [. digits] [e [+-] digits]. */
+/* Conversion of decimal numbers, digits [. digits] [e [+-] digits], to exact rationals. */
 #include "read/parser.h"
 
 #include <stdlib.h>

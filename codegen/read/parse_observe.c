@@ -1,4 +1,4 @@
-/* Records that look at the motion: `observe` for quantities along it, `valid` for where the model holds. */
+/* The records `observe`, quantities to show along the motion, and `valid`, conditions under which the model holds. */
 #include "read/parser.h"
 
 #include <stdlib.h>
@@ -11,7 +11,7 @@ static bool is_observed(const ttc_model *model, uint32_t symbol)
     return false;
 }
 
-/* Names that tables along orbits have for columns of their own. */
+/* Returns true for names that output tables give to columns of their own. */
 static bool is_column(const char *name)
 {
     static const char *const columns[] = { "t", "fate" };

@@ -3,7 +3,7 @@
 
 #include <stdlib.h>
 
-/* A name of the table, used here. */
+/* Read the name of a symbol, and mark the symbol as used. */
 static bool parse_symbol(ttc_parser *parser, const char *expected, const ttc_token **name, uint32_t *symbol)
 {
     *name = ttc_parse_name(parser, expected);

@@ -1,4 +1,4 @@
-/* A whole table: its records one by one, then what needs all of them. */
+/* Parsing a whole table: its records one by one, then the checks that need all of them. */
 #include "read/parser.h"
 
 #include <stdlib.h>
@@ -17,7 +17,7 @@ static bool parse_model(ttc_parser *parser, const ttc_token *keyword)
     return parser->model->name != NULL;
 }
 
-/* A lift with a name leads into a larger model; one without belongs to a table of coordinates. */
+/* Returns true for `lift NAME :`, a claim about a larger model; a lift without a name belongs to a table of coordinates. */
 static bool is_named(const ttc_parser *parser)
 {
     const ttc_token *token = ttc_parse_peek(parser);
@@ -87,7 +87,7 @@ static bool defines_by_expression(ttc_keyword keyword)
            || keyword == TTC_KEYWORD_LOG || keyword == TTC_KEYWORD_OBSERVE;
 }
 
-/* What the record divides by, and names, belongs to what the record has made. */
+/* Store divisors and uses of the record in the model. Their owner is what it added to the model since the counts were `before`. */
 static void keep_divisors(ttc_parser *parser, ttc_keyword keyword, record_counts before)
 {
     ttc_model *model = parser->model;

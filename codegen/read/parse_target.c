@@ -1,9 +1,9 @@
-/* What leads to another table: its file, and a list of its names with expressions in this table. */
+/* References to another table: the name of its file, and lists of its names with expressions in this table's names. */
 #include "read/parser.h"
 
 #include <string.h>
 
-/* As words joined by dots, or a text in quotes. */
+/* FILE.tt as names joined by dots, or as a text in quotes. */
 bool ttc_parse_target_file(ttc_parser *parser, char **file)
 {
     const ttc_token *first = ttc_parse_peek(parser);

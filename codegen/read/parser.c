@@ -1,4 +1,4 @@
-/* What all records are read with: the tokens at hand, reports of what is wrong, and room. */
+/* Functions that parse records of all kinds: reading tokens, reporting errors, copying text. */
 #include "read/parser.h"
 
 #include <stdarg.h>

@@ -1,4 +1,4 @@
-/* Checks that need the whole table: references between claims, eliminations, an equation for every state. */
+/* Steps that need the whole table: looking up references, solving eliminations, and checks that the table is complete. */
 #include "read/parser.h"
 
 #include <stdlib.h>
@@ -44,7 +44,7 @@ static void resolve_reference(ttc_parser *parser, const ttc_reference *reference
     }
 }
 
-/* A claim may rest on the zero level of others, never on its own. */
+/* Report claims that rest on their own zero level through a chain of `modulo`. */
 static void check_modulo_circles(ttc_parser *parser)
 {
     const ttc_model *model = parser->model;
@@ -82,7 +82,7 @@ static ttc_id let_definition(void *context, uint32_t symbol)
     return entry->kind == TTC_LET ? entry->definition : TTC_NONE;
 }
 
-/* A let that the state does not enter stays. */
+/* The value of a symbol at state = 0. A let that does not depend on the state stays a symbol. */
 static ttc_id at_zero(void *context, uint32_t symbol, ttc_id definition_value)
 {
     const chart *c = context;
@@ -91,7 +91,7 @@ static ttc_id at_zero(void *context, uint32_t symbol, ttc_id definition_value)
     return definition_value == TTC_NONE || definition_value == entry->definition ? TTC_NONE : definition_value;
 }
 
-/* integral = slope * state + rest gives state = (level - rest)/slope. */
+/* Solve integral = slope * state + rest for the state: state = (level - rest)/slope. */
 static void solve_elimination(ttc_parser *parser, ttc_elimination *elimination)
 {
     const ttc_model *model = parser->model;
@@ -120,7 +120,7 @@ static void solve_elimination(ttc_parser *parser, ttc_elimination *elimination)
     if (elimination->solution == TTC_NONE) ttc_parse_graph_error(parser, elimination->place);
 }
 
-/* One level names the value of one integral, whatever number of charts use it. */
+/* Report an error if one level is used for two integrals. Several eliminations by one integral may share a level. */
 static void check_levels(ttc_parser *parser)
 {
     const ttc_model *model = parser->model;
@@ -138,7 +138,7 @@ static void check_levels(ttc_parser *parser)
 static void check_equations(ttc_parser *parser)
 {
     const ttc_model *model = parser->model;
-    bool is_right = ttc_error_count(parser->diagnostics) == parser->errors_before; /* else the states may be what is wrong */
+    bool is_right = ttc_error_count(parser->diagnostics) == parser->errors_before; /* else `state` may have failed */
     if (model->state_count == 0 && is_right)
         ttc_parse_error(parser, (ttc_place){ 1, 1 }, "the model has no state (expected at least one)");
     for (size_t i = 0; i < model->state_count; i++) {
@@ -153,7 +153,7 @@ static void check_equations(ttc_parser *parser)
     }
 }
 
-/* A table of coordinates says where its points lie, and nothing of motion; and it alone has starts. */
+/* Report records about motion in a table of coordinates, and `start` and `turns` in any other table. */
 static void check_coordinates(ttc_parser *parser)
 {
     const ttc_model *model = parser->model;
@@ -177,7 +177,7 @@ static void check_coordinates(ttc_parser *parser)
                             ttc_claim_kind_name(model->claims[i].kind));
 }
 
-/* Levels of a section, or of a smaller table, are those of integrals without a condition. */
+/* Report levels of a section, or of a smaller table, that are values of an integral with a condition. */
 static void check_levels_hold(ttc_parser *parser)
 {
     const ttc_model *model = parser->model;
@@ -191,7 +191,7 @@ static void check_levels_hold(ttc_parser *parser)
     }
 }
 
-/* Commands name values of integrals and parameters alike. */
+/* Report integrals with the name of a parameter, as commands refer to both by name. */
 static void check_integrals(ttc_parser *parser)
 {
     const ttc_model *model = parser->model;
@@ -206,7 +206,7 @@ static void check_integrals(ttc_parser *parser)
     }
 }
 
-/* The parameter that is a divisor, or a power of which is, and may be 0; NULL: there is none. */
+/* A parameter that may be 0 and is a factor of the divisor; NULL if there is none. */
 static const ttc_symbol_entry *zero_divisor(const ttc_model *model, ttc_id divisor)
 {
     const ttc_graph *graph = model->graph;
@@ -228,7 +228,7 @@ static bool is_factor(const ttc_graph *graph, ttc_id product, ttc_id of)
     return found;
 }
 
-/* The equations divide by the parameter, so that it is not 0 on the domain. used: what they use. */
+/* Returns true if the equations divide by the parameter, so that it is not 0 on the domain. used: as of ttc_model_uses. */
 static bool field_divides_by(const ttc_model *model, const unsigned char *used, ttc_id param)
 {
     bool divides = false;
@@ -240,7 +240,7 @@ static bool field_divides_by(const ttc_model *model, const unsigned char *used, 
     return divides;
 }
 
-/* A domain record speaks of the parameter, and of no state: it may exclude that it is 0, which is not for the parser to say. */
+/* Returns true if a domain record depends on the parameter and on no state: it may exclude 0, which the parser cannot decide. */
 static bool domain_speaks_of(const ttc_model *model, ttc_id param)
 {
     bool speaks = false;
@@ -252,7 +252,7 @@ static bool domain_speaks_of(const ttc_model *model, ttc_id param)
     return speaks;
 }
 
-/* Whether there was something to tell. */
+/* Report a divisor with a parameter as a factor that neither equations nor domain records keep from 0. Returns true if it did. */
 static bool tell_divisor(ttc_parser *parser, const unsigned char *used, const ttc_divisor *d, ttc_severity severity,
                          const char *kind, const char *name, ttc_place place)
 {
@@ -266,7 +266,8 @@ static bool tell_divisor(ttc_parser *parser, const unsigned char *used, const tt
     return true;
 }
 
-/* What is looked at beside the equations must not keep their kernels from parameters for which these are defined. */
+/* Report observed quantities and `valid` conditions that divide by a parameter which may be 0. All kernels share values prepared
+ * from parameters, so that none could be prepared where the parameter is 0, although the equations are defined there. */
 static void check_observed(ttc_parser *parser)
 {
     const ttc_model *model = parser->model;
@@ -286,7 +287,7 @@ static void check_observed(ttc_parser *parser)
     free(used);
 }
 
-/* A claim may divide by zero here and there; kernels take no parameters for which it does. */
+/* Warn of integrals and densities that divide by a parameter which may be 0: proved or not, no kernel can be prepared there. */
 static void warn_of_divisors(ttc_parser *parser)
 {
     const ttc_model *model = parser->model;

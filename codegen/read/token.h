@@ -1,5 +1,4 @@
-/* Tokens of a table: the words and marks that the parser reads. The lexer marks where a record begins, which is at a keyword that
- * is the first word of its line. */
+/* Tokens of a table, and the lexer, which also finds where records begin: at a keyword that is the first word of its line. */
 #ifndef TTC_TOKEN_H
 #define TTC_TOKEN_H
 
@@ -36,8 +35,8 @@ typedef enum {
 typedef enum {
     TTC_TOKEN_END,     /* of the table */
     TTC_TOKEN_RECORD,  /* a keyword that opens a record; keyword NONE: a line that belongs to no record */
-    TTC_TOKEN_KEYWORD, /* any keyword elsewhere */
-    TTC_TOKEN_NAME,    /* keyword NONE, or a keyword that is also free as a name: the place decides which of the two it is */
+    TTC_TOKEN_KEYWORD, /* a reserved keyword that opens no record */
+    TTC_TOKEN_NAME,    /* a name, with keyword NONE; or a keyword that is not reserved: the parser decides from its position */
     TTC_TOKEN_NUMBER,
     TTC_TOKEN_STRING,  /* text without the quotes */
     TTC_TOKEN_UNIT,    /* text without the brackets */
@@ -53,14 +52,13 @@ typedef struct {
     ttc_keyword keyword;
     uint32_t line, column;
     uint32_t length;
-    const char *text; /* into the table */
+    const char *text; /* points into the table; not NUL-terminated */
 } ttc_token;
 
 enum { TTC_NAME_LIMIT = 63 };
 
-/* Cut a table into tokens, with a last one of kind END. In: text, `length` bytes, which ttc_source_check has passed and which must
- * outlive the tokens. Errors are reported to `diagnostics`, and stand among the tokens as BAD. Returns an array for the caller to
- * free; NULL: memory is out. Cost: linear in length. */
+/* Cut a table into tokens; the last one has kind END. text: `length` bytes that passed ttc_source_check; must outlive the tokens.
+ * Reports errors, and leaves tokens BAD. Returns an array for the caller to free; NULL when memory is out. Cost: linear. */
 ttc_token *ttc_lex(const char *text, size_t length, ttc_diagnostics *diagnostics);
 
 const char *ttc_keyword_text(ttc_keyword keyword); /* "" for NONE */

@@ -72,9 +72,8 @@ TTC_PRINTF(3, 4) static void settle_as(ttc_proof *proof, ttc_proof_status status
     va_end(arguments);
 }
 
-/* The rate of each variable where the symbol's grows by 1. All functions count, whether their values were asked for before or not.
- * False:
- * the symbol is no variable. */
+/* Set slopes to the derivatives of the ring's variables by the symbol. All functions of the model are evaluated first, so that each
+ * has its variable. Returns false if the symbol has no variable. */
 static bool find_slopes(ttc_function_reading *r, ttc_ratio *slopes, uint32_t symbol)
 {
     const slong variable = ttc_valuation_variable(r->valuation, symbol);
@@ -92,7 +91,7 @@ static bool find_slopes(ttc_function_reading *r, ttc_ratio *slopes, uint32_t sym
     return true;
 }
 
-/* False: memory, or what it is differentiated by is no variable. */
+/* The expected output as a ratio. Returns false when memory is out, or if the symbol to differentiate by has no variable. */
 static bool find_expected(ttc_function_reading *r, ttc_ratio *out, const ttc_function_output *expected)
 {
     ttc_evaluate(r->valuation, out, expected->value);
@@ -118,7 +117,7 @@ static bool reads_what_is_not_given(const ttc_program *program, const ttc_functi
     return false;
 }
 
-/* What the function is to be: outputs one by one, or a polynomial. */
+/* What the function must compute: outputs one by one, or the coefficients of a polynomial in a symbol. */
 typedef struct {
     const ttc_function_output *outputs;
     size_t count;

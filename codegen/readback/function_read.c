@@ -9,7 +9,7 @@
 #include <string.h>
 
 typedef struct {
-    const char *at;         /* what is read next */
+    const char *at;         /* the text that is read next */
     ttc_program *program;
     ttc_value *temporaries; /* t0, t1, ... */
     size_t count;
@@ -38,7 +38,7 @@ static size_t read_index(reader *r)
     return index;
 }
 
-/* An integer, written as 12.0; else a rounded number, as 0x1.8p+3. */
+/* An integer, written as 12.0; 0x1.8p+3 is a rounded number. */
 static void read_integer(reader *r, fmpz_t out)
 {
     const size_t length = strspn(r->at, "0123456789");
@@ -53,7 +53,7 @@ static void read_integer(reader *r, fmpz_t out)
     if (fmpz_set_str(out, digits, 10) != 0) r->failed = true;
 }
 
-/* 12.0, (-12.0) or (1.0 / 3.0) */
+/* Read a constant: 12.0, (-12.0) or (1.0 / 3.0). */
 static ttc_value read_constant(reader *r)
 {
     fmpq_t value;
@@ -132,7 +132,7 @@ static ttc_value read_expression(reader *r)
     return TTC_NO_VALUE;
 }
 
-/* One line. outputs, shape (count,), has TTC_NO_VALUE where none was set. False: memory. */
+/* Read one line. outputs, shape (count,), has TTC_NO_VALUE where none was set. Returns false when memory is out. */
 static bool read_line(reader *r, ttc_value *outputs, size_t count)
 {
     expect(r, "    ");
@@ -155,7 +155,7 @@ static bool read_line(reader *r, ttc_value *outputs, size_t count)
         else outputs[index] = value;
     }
     expect(r, ";");
-    if (take(r, " /* ")) { /* a comment of one line, with its end at the end */
+    if (take(r, " /* ")) { /* a comment that ends where its line does */
         const char *close = strstr(r->at, "*/");
         if (close == NULL || close + 2 != r->at + strcspn(r->at, "\n")) r->failed = true;
         else r->at = close + 2;
@@ -164,7 +164,7 @@ static bool read_line(reader *r, ttc_value *outputs, size_t count)
     return true;
 }
 
-/* The text after the function's head; NULL without one, or where there are two. */
+/* The text after the function's head; NULL unless there is exactly one such head. */
 static const char *find_body(const char *text, const char *name)
 {
     ttc_text head = { 0 };

@@ -1,4 +1,4 @@
-/** A function of emitted C, read back as a program: what stands in the text, not what it was made from. */
+/** Reads a function of emitted C back as a program, from the text alone. */
 #ifndef TTC_FUNCTION_READ_H
 #define TTC_FUNCTION_READ_H
 
@@ -11,8 +11,8 @@ typedef enum {
     TTC_FUNCTION_NO_MEMORY
 } ttc_function_status;
 
-/** The program of `static void NAME(x, params, out)`, for ttc_program_destroy; NULL unless READ. It has `outputs` of them, each set
- *  once. */
+/** Read `static void NAME(x, params, out)`, which sets each of `outputs` outputs once. *out: the program, for ttc_program_destroy;
+ *  NULL unless READ. */
 ttc_function_status ttc_function_read(ttc_program **out, const char *text, const char *name, size_t outputs);
 
 #endif

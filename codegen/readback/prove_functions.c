@@ -9,18 +9,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Everything about one general field that its functions are checked with. */
+/* What the functions of one general field are checked with. */
 typedef struct {
     const ttc_field *field;
     const ttc_model *model;
     const char *text;
     ttc_proof_report *report;
-    ttc_function_reading own, free; /* of its states; in `free` lifted roots are coordinates */
+    ttc_function_reading own, free; /* on its states; in `free` lifted roots are coordinates */
     ttc_function_output *expected;  /* room for the outputs of any function */
     size_t capacity;
 } checker;
 
-/* The record in hand, and the number that its functions are emitted under. */
+/* The record in question; names of its functions begin with `what` and `number`. */
 typedef struct {
     const ttc_claim *claim;
     const char *what;
@@ -50,7 +50,7 @@ static char *copy(const ttc_text *text)
     return out;
 }
 
-/* The record's function `name`: against a polynomial in a symbol, or, with polynomial TTC_NONE, the first `count` expected
+/* Check the record's function `name` against a polynomial in a symbol or, if that is TTC_NONE, the first `count` expected
  * outputs. */
 static bool check_one(checker *c, const record *r, const char *name, ttc_function_reading *reading, size_t count, ttc_id polynomial,
                       uint32_t symbol)
@@ -88,7 +88,7 @@ static bool check(checker *c, const record *r, const char *name, ttc_function_re
 
 /* ---- readings ---- */
 
-/* States, then the roots that the time lifts. NULL: memory. */
+/* States, then the roots that the time lifts. NULL when memory is out. */
 static uint32_t *states_of(const ttc_model *model, const ttc_time *time, size_t *count)
 {
     const size_t lifted = time == NULL ? 0 : time->lifted_count;
@@ -174,7 +174,7 @@ static bool check_ways(checker *c)
 
 /* ---- sections ---- */
 
-/* Parameters of the chart by the place of their values, and what a lift is differentiated by: coordinates, then levels. */
+/* The chart's parameters by place, and the symbols to differentiate a lift by: coordinates, then levels. The caller frees both. */
 static bool place(uint32_t **params, uint32_t **slopes, const checker *c, const ttc_section *section, const ttc_model *chart)
 {
     const size_t own = c->model->param_count, levels = section->image.level_count, q = chart->state_count;
@@ -229,7 +229,7 @@ static bool check_section(checker *c, const record *r, const ttc_section *sectio
     ok = ok && check_lift(c, r, section, chart);
     if (ok) expect_entries(c, r->claim, &section->image, chart);
     ok = ok && check(c, r, "back", &c->own, entries);
-    for (size_t i = entries; ok && i-- > 0;) /* from behind, as each entry is spread over its derivatives */
+    for (size_t i = entries; ok && i-- > 0;) /* backwards: the n derivatives of an entry overwrite later ones */
         for (size_t j = n; j-- > 0;) expect(c, i * n + j, c->expected[i].value, c->field->states[j]);
     ok = ok && check(c, r, "back_slopes", &c->free, entries * n);
     return ok && check_shown(c, r, "beside_values", section->beside, section->beside_count)
@@ -260,7 +260,7 @@ static bool open_family(ttc_function_reading *out, const checker *c, const ttc_c
                                      c->model->param_count, false, &bound);
 }
 
-/* Which parameters it stands at, and which states. */
+/* The parameters and the states of the family. */
 static bool check_points(checker *c, const record *r, ttc_function_reading *on)
 {
     const ttc_model *model = c->model;
@@ -285,7 +285,7 @@ static bool check_gradients(checker *c, const record *r, ttc_function_reading *o
     return check(c, r, "left_null_gradients", on, count);
 }
 
-/* What one more record says of the family. */
+/* Check what another record says of the family. */
 static bool check_member(checker *c, const record *r, ttc_function_reading *on, const ttc_claim *member)
 {
     switch (member->kind) {

@@ -13,11 +13,10 @@
 typedef struct {
     ttc_valuation *valuation;
     ttc_ring *ring;
-    ttc_ratio *inputs, *prepared; /* prepared: parameters, then what `prepare` adds */
+    ttc_ratio *inputs, *prepared; /* prepared: parameters, then what `prepare` computes */
     size_t input_count, parameter_count, prepared_count;
 } reading;
 
-/* The outputs of one program. */
 typedef struct {
     ttc_ratio *items;
     size_t count;
@@ -26,11 +25,11 @@ typedef struct {
 typedef struct {
     const ttc_kernels *kernels;
     const ttc_model *model;
-    reading related, free; /* with the roots' relations; with lifted roots as coordinates */
+    reading related, free; /* related: lifted roots obey root^2 = radicand; free: they are coordinates */
     outputs values[TTC_KERNEL_KINDS]; /* of the optimized programs, in `free` */
-    ttc_proof_status status;  /* of the kernel in hand */
+    ttc_proof_status status;  /* of the kernel that is checked */
     char *remainder;
-    reading *reading;         /* the one in use */
+    reading *reading;         /* the reading in use */
     bool out_of_memory;
 } proof;
 
@@ -99,7 +98,8 @@ static bool read_program(reading *r, const ttc_program *program, bool is_prepare
                                is_prepared ? r->prepared_count : r->parameter_count, o->items);
 }
 
-/* What the table says of output `index`, in the related ring. False: nothing directly, it is a derivative. */
+/* What the table says of output `index`, in the related ring. Returns false if the output is a derivative, of which it says
+ * nothing directly. */
 static bool from_model(proof *p, ttc_ratio *out, ttc_kernel_kind kind, size_t index)
 {
     const ttc_field *field = p->kernels->field;
@@ -144,8 +144,8 @@ static bool from_model(proof *p, ttc_ratio *out, ttc_kernel_kind kind, size_t in
     return known;
 }
 
-/* The rate of each variable of the free ring along coordinate j: 1 for the coordinate. All functions count,
- * whether their values were asked for before or not. */
+/* The derivatives of the free ring's variables by coordinate j. All functions are evaluated first, so that each has its
+ * variable. */
 static void coordinate_slopes(proof *p, ttc_ratio *slopes, size_t j)
 {
     reading *r = &p->free;
@@ -179,7 +179,7 @@ static void add_partial(proof *p, ttc_ratio *out, const ttc_ratio *value, size_t
     free_outputs(r, &slopes);
 }
 
-/* div(rho f) */
+/* out += div(density f) */
 static void add_divergence(proof *p, ttc_ratio *out, const ttc_ratio *density)
 {
     ttc_ratio flux;
@@ -222,7 +222,7 @@ static void from_values(proof *p, ttc_ratio *out, ttc_kernel_kind kind, size_t i
 
 static void use(proof *p, reading *r) { p->reading = r; }
 
-/* Nothing against the kernel so far, and the ring in use is sound. */
+/* Nothing speaks against the kernel so far, and the ring in use has not failed. */
 static bool is_open(const proof *p) { return p->status == TTC_PROVED && p->reading->ring->status == TTC_RING_OK; }
 
 TTC_PRINTF(3, 4) static void settle_as(proof *p, ttc_proof_status status, const char *format, ...)
@@ -247,7 +247,7 @@ static void compare(proof *p, reading *r, const ttc_ratio *found, ttc_ratio *exp
     free(value);
 }
 
-/* Outputs that the table gives directly, on the relations of the roots. */
+/* Outputs that the table gives directly, where roots obey their relations. */
 static void check_against_model(proof *p, ttc_kernel_kind kind, const ttc_program *program, bool is_prepared)
 {
     reading *r = &p->related;
@@ -279,7 +279,7 @@ static void check_against_values(proof *p, ttc_kernel_kind kind, const outputs *
     ttc_ratio_clear(r->ring, &expected);
 }
 
-/* The program of the Taylor recurrences: the field, and dt/dtau after it. */
+/* The program of the Taylor recurrences: the field, then dt/dtau. */
 static void check_jet(proof *p, outputs *found)
 {
     ttc_ratio expected;

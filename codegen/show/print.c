@@ -105,7 +105,7 @@ static size_t count_denominators(const ttc_graph *graph, ttc_id id, const fmpz *
     return count;
 }
 
-/* The first denominator, where it has no power. */
+/* The base of the first factor with a negative exponent, if that is -1. */
 static ttc_id lone_denominator(const ttc_graph *graph, ttc_id id)
 {
     for (size_t i = 0; id != TTC_NONE && i < ttc_part_count(graph, id); i++) {
@@ -128,7 +128,7 @@ static void print_product(const printer *p, const fmpq *coefficient, ttc_id id)
     if (below > 0) {
         const ttc_id alone = latex && below == 1 ? lone_denominator(p->model->graph, id) : TTC_NONE;
         fputs(latex ? "}{" : below > 1 ? "/(" : "/", p->stream);
-        if (alone != TTC_NONE) print_sum(p, alone); /* the bar brackets it */
+        if (alone != TTC_NONE) print_sum(p, alone); /* the bar serves as brackets */
         else print_factors(p, id, -1, fmpq_denref(coefficient));
         fputs(latex ? "}" : below > 1 ? ")" : "", p->stream);
     }
@@ -167,7 +167,7 @@ static void print_sum(const printer *p, ttc_id id)
     }
 }
 
-/* Parts stand before wholes, so one sweep counts. */
+/* Parts have lower ids than wholes, so one sweep counts operands. */
 static bool is_printable(const ttc_graph *graph, ttc_id id)
 {
     double *operands = malloc(((size_t)id + 1) * sizeof *operands);

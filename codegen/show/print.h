@@ -6,13 +6,13 @@
 
 typedef enum { TTC_NOTATION_TEXT, TTC_NOTATION_LATEX } ttc_notation;
 
-/* False, and nothing is written, when the expression written out passes a million operands, or memory is out. */
+/* Returns false, and writes nothing, if the expression written out passes a million operands, or memory is out. */
 bool ttc_print(FILE *stream, const ttc_model *model, ttc_id id, ttc_notation notation);
 
-/* As text, with `relation` behind it, for free(). NULL where ttc_print is false. */
+/* As text, followed by `relation`, for free(). NULL where ttc_print is false. */
 char *ttc_print_relation(const ttc_model *model, ttc_id id, const char *relation);
 
-/* A name; in LaTeX, Greek letters by name and what follows `_`, or digits at the end, as index. */
+/* Print a name. In LaTeX, names of Greek letters become letters; what follows `_`, and digits at the end, become an index. */
 void ttc_print_name(FILE *stream, const char *name, ttc_notation notation);
 void ttc_print_symbol(FILE *stream, const ttc_model *model, uint32_t symbol, ttc_notation notation);
 

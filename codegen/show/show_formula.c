@@ -1,4 +1,4 @@
-/* Equations and Jacobian as text and as LaTeX: one order of things, two notations. */
+/* Definitions, equations and Jacobian in the same order as text and as LaTeX. */
 #include "show/show.h"
 
 #include "show/show_section.h"

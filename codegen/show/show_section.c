@@ -1,4 +1,4 @@
-/* Poles and sections of a model; and what a table of coordinates has in place of equations, its lift. */
+/* Shows poles and sections, and the lift of a table of coordinates. */
 #include "show/show_section.h"
 
 #include "show/show_image.h"

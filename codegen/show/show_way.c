@@ -1,4 +1,4 @@
-/* Tables that serve in place of each other: what this one is called among them, and the ways that lead to others. */
+/* Shows a table's tier, and its ways to tables that serve in its place. */
 #include "show/show_image.h"
 #include "show/show_section.h"
 

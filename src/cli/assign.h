@@ -10,7 +10,7 @@
 typedef struct {
     char *name;
     double value;     /* correctly rounded */
-    char *fraction;   /* exactly, "p/q" */
+    char *fraction;   /* the exact value, "p/q" */
 } jlt_assignment;
 
 typedef struct {
@@ -18,11 +18,11 @@ typedef struct {
     size_t count;
 } jlt_assign_list;
 
-/** Add the assignments in `text` to a list, which is all zeros before its first use and is cleared after its last one. Messages
- *  name `option`. On failure the list has what it had before and perhaps some of the new items. */
+/** Add the assignments in `text` to a list, which must be zeroed before its first use and cleared after its last one. Messages name
+ *  `option`. On failure the list keeps its items, and may have some of the new ones. */
 jlt_exit jlt_assign_parse(jlt_assign_list *list, const char *text, const char *option);
 
-/** The same, but a new value takes the place of the one that the list has for that name. */
+/** The same, but a new value replaces the one that the list has for that name. */
 jlt_exit jlt_assign_replace(jlt_assign_list *list, const char *text, const char *option);
 void jlt_assign_clear(jlt_assign_list *list);
 
@@ -32,14 +32,14 @@ void jlt_assign_clear(jlt_assign_list *list);
 jlt_exit jlt_assign_apply(double *values, unsigned char *given, const jlt_assign_list *list,
                           const jlt_quantity *quantities, size_t count, const char *what, const char *where);
 
-/** Whether `text`, NAME=ANYTHING,NAME=ANYTHING,..., has this name. NULL: it has none. */
+/** Whether `text`, NAME=ANYTHING,NAME=ANYTHING,..., assigns to this name. Returns false if text is NULL. */
 bool jlt_assign_names(const char *text, const char *name);
 
 /* The exact value of a name as a fraction "p/q", owned by the list; NULL when the list has no value for it. */
 const char *jlt_assign_fraction(const jlt_assign_list *list, const char *name);
 
-/** Print that `what`, an option or a start, lies outside the table's domain, where `region` has this value. Returns
- *  JLT_EXIT_INPUT. */
+/** Print that `what`, an option or a start, lies outside the table's domain, because the condition `region` has this value there.
+ *  Returns JLT_EXIT_INPUT. */
 jlt_exit jlt_assign_refuse_region(const char *what, const jlt_descriptor *descriptor, const jlt_region *region, double value);
 
 /** Print that parameter number `index` must not have this value, and which values the table allows. Returns JLT_EXIT_INPUT. */

@@ -7,7 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-/* States at the end of a leg that begins at x, shape (chart's states,), and takes T, as they have grown. */
+/* Move x, shape (the chart's states,), along the orbit for a time T; angles are not reduced by their periods. */
 static jlt_status follow(double *x, const jlt_flow *flow, double T)
 {
     jlt_orbit *orbit = NULL;
@@ -19,7 +19,8 @@ static jlt_status follow(double *x, const jlt_flow *flow, double T)
     return st;
 }
 
-/* Periods of states, in the flow's units: what was typed in place of the table's counts. */
+/* The period of each state, in the flow's units, 0 for none: the table's; on a plane section, those of --modulo for the section's
+ * state and its coordinates. */
 static void set_periods(double *period, const jlt_system *system, const jlt_descriptor *general)
 {
     const jlt_chart *chart = system->flow.chart;
@@ -55,7 +56,7 @@ jlt_status jlt_certify_cycle_find(double *x, double *T, int *turns, unsigned *le
 {
     const jlt_flow *flow = &system->flow;
     const jlt_chart *chart = flow->chart;
-    /* a field in another time may have more states, behind these */
+    /* a field in another time may have more states, which come after these */
     const jlt_descriptor *general = jlt_descriptor_sibling(system->instance->descriptor, NULL, NULL, NULL);
     const unsigned states = general->state_count;
     double end[JLT_CHART_STATES_MAX], period_of[JLT_CHART_STATES_MAX];

@@ -1,17 +1,17 @@
-/** A periodic orbit in doubles, as the legs from which a certificate of it is made. */
+/** Finds a periodic orbit in doubles, and cuts it into the legs from which a certificate is made. */
 #ifndef JLT_CLI_CERTIFY_CYCLE_H
 #define JLT_CLI_CERTIFY_CYCLE_H
 
 #include "cli/motion.h"
 
-/** Whether turns are counted in periods that the table has, and no others were typed; a state that the table has none of is left to
- *  the certificate, which refuses its turns. */
+/** Check that --modulo gives no other periods than the table, in which certificates count turns. States without a period in the
+ *  table pass: the certificate refuses their turns. */
 jlt_exit jlt_certify_cycle_check(const jlt_system *system);
 
-/** The orbit of so many returns near the start q, shape (dim,) of the section. Out: starts of its legs, x, shape (period, states),
- *  the states of the model alone; their times, T, shape (period,); by how many of their periods states have grown at the end of
- *  each, turns, shape (period, states), which the next start has not; *legs, how many there are. Errors: as jlt_periodic_find; as
- *  jlt_orbit_propagate. */
+/** Find the orbit that closes after `period` returns near q, shape (dim,). Out: *legs, its least number of returns; for each leg
+ *  its start, x, shape (*legs, states), without lifted roots; its duration, T, shape (*legs,); and turns, shape (*legs, states),
+ *  the numbers of periods that each angle has gained at its end and that are taken off at the start of the next leg. All have room
+ *  for `period` legs. Errors: as jlt_periodic_find; as jlt_orbit_propagate. */
 JLT_CHECKED jlt_status jlt_certify_cycle_find(double *x, double *T, int *turns, unsigned *legs, const jlt_system *system,
                                               const double *q, size_t period);
 

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* "p/q" of a text; NULL: it is no number. A new reference. */
+/* The exact value of a text as a string "p/q", a new reference; NULL: it is not a number. */
 static json_t *fraction_of(const char *text, size_t length)
 {
     json_t *out;
@@ -18,7 +18,7 @@ static json_t *fraction_of(const char *text, size_t length)
     return out;
 }
 
-/* One NAME=LOW:HIGH or NAME=VALUE. */
+/* Add one NAME=LOW:HIGH or NAME=VALUE to the box. */
 static jlt_exit put_side(json_t *box, const char *text, size_t length)
 {
     const char *equals = memchr(text, '=', length);
@@ -77,7 +77,7 @@ static bool gives(const ttc_bindings *bindings, uint32_t symbol)
     return false;
 }
 
-/* The table's values for parameters that have none and that the family does not give. */
+/* Add the table's defaults of parameters that have no value yet and whose value the family does not fix. */
 static jlt_exit put_defaults(json_t *box, const ttc_model *model, const ttc_claim *family)
 {
     ttc_ball *ball = ttc_ball_create(model);
@@ -96,7 +96,7 @@ static jlt_exit put_defaults(json_t *box, const ttc_model *model, const ttc_clai
     return code;
 }
 
-/* The family of this name, or the only one. Says so where there is none, and which there are. */
+/* Find the family of this name, or the only one if name is NULL. If there is none, prints which families there are. */
 static jlt_exit find_family(const ttc_claim **family, const ttc_model *model, const char *name)
 {
     char names[256] = "";

@@ -1,4 +1,4 @@
-/** A family of equilibria of a command line as the beginning of a certificate. */
+/** Makes the question of a certificate about a family of equilibria from a command line. */
 #ifndef JLT_CLI_CERTIFY_FAMILY_H
 #define JLT_CLI_CERTIFY_FAMILY_H
 
@@ -12,8 +12,8 @@ typedef struct {
     size_t limit, digits;
 } jlt_certify_family_options;
 
-/** The question of validated/given_family.h: values of the box, then those of --set, then the table's defaults, exactly. Out:
- *  *given, a new reference, NULL on failure. */
+/** Make the question, `given` in validated/given_family.h. Parameters and states have the exact values of --box and --set, else
+ *  the table's defaults. Out: *given, a new reference, NULL on failure. */
 jlt_exit jlt_certify_family(json_t **given, const jlt_certify_family_options *options, const jlt_assign_list *set,
                             const jlt_descriptor *descriptor);
 

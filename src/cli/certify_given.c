@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* An exact value in a table's text, "p/q"; TTC_NONE: there is none. */
+/* Finds the expression of a value in a parsed table; TTC_NONE: there is none. */
 typedef ttc_id value_finder(const ttc_model *model, const char *name);
 
 static ttc_id find_default(const ttc_model *model, const char *name)
@@ -17,7 +17,7 @@ static ttc_id find_default(const ttc_model *model, const char *name)
     return ttc_model_find_symbol(model, name, &symbol) ? model->symbols[symbol].value : TTC_NONE;
 }
 
-/* Of the state that the section of this name fixes. */
+/* The value of the state that the section of this name fixes. */
 static ttc_id find_section(const ttc_model *model, const char *name)
 {
     for (size_t i = 0; i < model->section_count; i++) {
@@ -27,7 +27,7 @@ static ttc_id find_section(const ttc_model *model, const char *name)
     return TTC_NONE;
 }
 
-/* NULL: none. For the caller to free(). */
+/* The exact value "p/q" of an expression in a table's text; for free(). NULL: none. */
 static char *text_of(value_finder *find, const char *table, const char *name)
 {
     ttc_model *model = ttc_model_again(table, "table");
@@ -42,7 +42,7 @@ static char *text_of(value_finder *find, const char *table, const char *name)
 
 char *jlt_certify_default(const char *table, const char *name) { return text_of(find_default, table, name); }
 
-/* As typed, or the default of the first of these tables that has one. */
+/* The exact value of a level or parameter: as typed, else the first default in these tables; for free(). NULL: none. */
 static char *value_of(const char *name, const jlt_motion_options *options, const char *const *tables, unsigned count)
 {
     const char *typed = jlt_assign_fraction(&options->level, name);
@@ -66,7 +66,8 @@ jlt_exit jlt_certify_put(json_t *object, const char *key, const char *name, char
     return failed == 0 ? JLT_EXIT_DONE : jlt_command_no_memory();
 }
 
-/* The expression that a way of the table gives a parameter of the other table by; TTC_NONE: a root, or there is none. */
+/* The expression that the record `claim`, a reduction or lift, gives for the target's parameter `name`; TTC_NONE: none, or a
+ * root. */
 static ttc_id expression_of(const ttc_model *model, const char *claim, const char *name)
 {
     for (size_t i = 0; i < model->way_count; i++) {
@@ -79,8 +80,8 @@ static ttc_id expression_of(const ttc_model *model, const char *claim, const cha
     return TTC_NONE;
 }
 
-/* A parameter of the table to which a step leads, exactly, from those before it, by names; NULL: it has no such value. For the
- * caller to free(). */
+/* The exact value of parameter `name` after a step, computed from the exact parameters before it (name: "p/q"). For the caller to
+ * free(); NULL: it is not rational, or not given by an expression. */
 static char *compute(const jlt_link_step *step, const char *name, const json_t *params)
 {
     ttc_model *model = ttc_model_again(step->from->table, "table");
@@ -101,7 +102,7 @@ static char *compute(const jlt_link_step *step, const char *name, const json_t *
     return text;
 }
 
-/* Exact parameters of the table to which a step leads, by names, those that have such values; a new reference. */
+/* The parameters after a step that have exact values (name: "p/q"); a new reference. */
 static json_t *follow_step(const jlt_link_step *step, const json_t *params)
 {
     json_t *next = json_object();
@@ -116,7 +117,7 @@ static json_t *follow_step(const jlt_link_step *step, const json_t *params)
     return next;
 }
 
-/* Parameters of the section's table that are computed from those of the asked one. */
+/* Add the parameters of the section's table that are computed from those of the table asked for. */
 static jlt_exit of_link(json_t *params, const jlt_descriptor *d, const jlt_motion_options *options, const jlt_surface *surface,
                         const jlt_assign_list *spread)
 {
@@ -175,13 +176,13 @@ static jlt_exit of_plane(json_t *params, json_t *levels, const jlt_descriptor *d
         code = jlt_certify_put(params, name, name, value_of(name, options, &d->table, 1), spread);
     }
     for (size_t i = 0; code == JLT_EXIT_DONE && i < options->level.count; i++) {
-        const char *name = options->level.items[i].name;
-        code = jlt_certify_put(levels, name, name, strdup(options->level.items[i].fraction), spread);
+        const jlt_assignment *level = &options->level.items[i];
+        code = jlt_certify_put(levels, level->name, level->name, strdup(level->fraction), spread);
     }
     return code;
 }
 
-/* The value of the section's state: the table's, else as typed behind '='. */
+/* Add the section's state with its exact value: from the table that describes the section, else as typed in --section. */
 static jlt_exit put_section(json_t *given, const jlt_descriptor *d, const jlt_motion_options *options, const jlt_system *system)
 {
     const jlt_chart *chart = system->flow.chart;

@@ -9,12 +9,12 @@ enum { SAMPLES = 48, BISECTIONS = 60 };
 typedef struct {
     const jlt_certify_search *search;
     const jlt_chart *chart;
-    jlt_map *whole, *half; /* from the section to the section in its direction, and in either */
-    unsigned flipped;
-    double direction[2], growth; /* unstable, of length 1; multiplier */
+    jlt_map *whole, *half; /* the return map of the section's direction; the map to the next crossing in either direction */
+    unsigned flipped;      /* the state that the reversor flips, beside the section's */
+    double direction[2], growth; /* unstable eigenvector of length 1, and its multiplier */
 } chase;
 
-/* The unstable direction at the saddle. */
+/* Compute the unstable direction and multiplier at the saddle. */
 static jlt_status aim(chase *self)
 {
     jlt_image image;
@@ -39,7 +39,7 @@ static void start_at(double q[2], const chase *self, double away)
     for (unsigned i = 0; i < 2; i++) q[i] = self->search->saddle[i] + away * self->direction[i];
 }
 
-/* What the flipped state is at the crossing after q, and when that is. */
+/* The flipped state at the next crossing after q, in either direction, and the time until then. */
 static jlt_status cross(double *value, double *T, const chase *self, const double q[2])
 {
     jlt_image image;
@@ -51,7 +51,8 @@ static jlt_status cross(double *value, double *T, const chase *self, const doubl
     return JLT_OK;
 }
 
-/* The value after so many returns; and all points and times on the way, where x is not NULL. */
+/* Follow the start at distance `away`. Out: *value, the flipped state at the crossing after the last return; x and T, unless NULL,
+ * the points, in the table's units, and times on the way. */
 static jlt_status follow(double *value, double *x, double *T, const chase *self, double away, unsigned returns)
 {
     const unsigned states = self->search->states;
@@ -75,11 +76,11 @@ done:
     return st;
 }
 
-/* The number of returns at which neighbours first differ in sign, for the pair of them that does so as the wanted one, counted from
- * 1; then from and to. NO_CONVERGENCE: there are not so many. */
+/* Find the wanted pair of neighbouring starts, numbered from 1 in the order in which the signs of their flipped states first
+ * differ. Out: the number of returns after which they do, and the distances of the pair. NO_CONVERGENCE: there are fewer pairs. */
 static jlt_status scan(const chase *self, unsigned *returns, double *from, double *to)
 {
-    const double step = pow(fabs(self->growth), 2.0 / SAMPLES); /* twice mapped, the direction is itself again */
+    const double step = pow(fabs(self->growth), 2.0 / SAMPLES); /* over two returns, since a negative multiplier swaps the sides */
     double q[SAMPLES + 1][2], away[SAMPLES + 1];
     bool seen[SAMPLES + 1] = { false };
     unsigned count = 0;

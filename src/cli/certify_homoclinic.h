@@ -1,4 +1,4 @@
-/** A symmetric homoclinic orbit in doubles, for `jellett certify homoclinic` to begin with. */
+/** Finds a symmetric homoclinic orbit in doubles, from which `jellett certify homoclinic` starts. */
 #ifndef JLT_CLI_CERTIFY_HOMOCLINIC_H
 #define JLT_CLI_CERTIFY_HOMOCLINIC_H
 
@@ -7,18 +7,19 @@
 enum { JLT_CERTIFY_RETURNS_MAX = 128 };
 
 typedef struct {
-    unsigned states;       /* of a row of x */
+    unsigned states;       /* columns of x */
     const signed char *signs; /* of the reversor, (states,) */
     const double *saddle;  /* (2,), coordinates of a fixed point of the map */
-    unsigned which;        /* of the orbits found, from 1 */
-    double distance;       /* at which the orbit is to begin, in these coordinates */
+    unsigned which;        /* which of the orbits found to take, counted from 1 */
+    double distance;       /* least distance of the orbit's first point from the saddle, in these coordinates */
 } jlt_certify_search;
 
-/** Starts along the unstable direction, over one fundamental domain, are followed until the sign of the state that the reversor
- *  flips differs between neighbours at a crossing of the section in either direction. Such pairs are counted by returns, then by
- *  their distance. Out: x, shape (returns + 1, states), and T, shape (returns + 1,), room for JLT_CERTIFY_RETURNS_MAX rows; *legs,
- *  how many there are. Errors: those of jlt_map_apply; NO_CONVERGENCE, none is found, or the map has no saddle there;
- *  UNSUPPORTED, other than two coordinates, or the reversor does not flip the section's state and one other. */
+/** Follow starts along the unstable direction, over a fundamental domain of the squared map, until s, the state that the reversor
+ *  flips beside the section's, has different signs at neighbouring starts, at the crossing (in either direction) after a return;
+ *  then bisect for s = 0. Orbits are numbered by returns, then by distance. Out: x, shape (*legs, states), the points of the
+ *  section, and T, shape (*legs,), the times from each to the next, and from the last to s = 0; room for JLT_CERTIFY_RETURNS_MAX
+ *  rows. Errors: as jlt_map_apply; NO_CONVERGENCE, there is no such orbit, or no saddle; UNSUPPORTED, the section does not have two
+ *  coordinates, or the reversor does not flip the section's state and exactly one other. */
 JLT_CHECKED jlt_status jlt_certify_homoclinic_find(double *x, double *T, unsigned *legs, const jlt_flow *flow,
                                                    const jlt_certify_search *search);
 

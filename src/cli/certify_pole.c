@@ -7,7 +7,7 @@
 
 #include <string.h>
 
-/* All states as typed. */
+/* Put all states into the box, as typed. */
 static jlt_exit put_box(json_t *box, const jlt_certify_pole_options *o, const jlt_descriptor *d)
 {
     jlt_assign_list start = { 0 };
@@ -41,7 +41,8 @@ static jlt_exit put_params(json_t *params, const jlt_certify_pole_options *o, co
     return code;
 }
 
-/* How the proof goes to this instant, which is set where it is 0; or why it does not, in words. */
+/* Whether the proof succeeds with the instant of `given`, or, if that is absent, with one that is found. Out: that instant, or why
+ * the proof does not succeed. */
 static bool settles(json_t *given, double *instant, const jlt_descriptor *d, char problem[JLT_GIVEN_PROBLEM_MAX])
 {
     jlt_given_pole question;
@@ -60,8 +61,8 @@ static bool settles(json_t *given, double *instant, const jlt_descriptor *d, cha
     return found;
 }
 
-/* An instant at which the motions settle: four times as late as the first one, where limits are told more closely, if they do so
- * there. */
+/* Put an instant from which the motions settle into `given`: if possible four times as late as the first one that is found, since
+ * limits are enclosed more tightly there. */
 static bool find_instant(json_t *given, const jlt_descriptor *d, char problem[JLT_GIVEN_PROBLEM_MAX])
 {
     static const double factors[] = { 4, 2, 1.001 };
@@ -78,7 +79,7 @@ static bool find_instant(json_t *given, const jlt_descriptor *d, char problem[JL
     return false;
 }
 
-/* At the first pole, in the first time, that will do. */
+/* Try all poles of the table, in all times that lift roots, until the proof succeeds. */
 static jlt_exit find_end(json_t *given, const jlt_descriptor *d)
 {
     char problem[JLT_GIVEN_PROBLEM_MAX] = "";
@@ -103,8 +104,8 @@ jlt_exit jlt_certify_pole(json_t **given, const jlt_certify_pole_options *o, con
     json_t *params = json_object(), *box = json_object();
     jlt_exit code;
 
-    *given = json_pack("{s:{s:s,s:s},s:o,s:o,s:i}", "table", "name", d->model, "sha256", d->sha256, "parameters", params,
-                       "box", box, "digits", (int)o->digits);
+    *given = json_pack("{s:{s:s,s:s},s:o,s:o,s:i}", "table", "name", d->model, "sha256", d->sha256, "parameters", params, "box",
+                       box, "digits", (int)o->digits);
     if (*given == NULL) return jlt_command_no_memory();
     code = put_box(box, o, d);
     if (code == JLT_EXIT_DONE) code = put_params(params, o, set, d);

@@ -38,7 +38,7 @@ void jlt_command_warn_unproved(const jlt_descriptor *descriptor)
     const unsigned count = jlt_tier_list(tiers, descriptor, NULL);
 
     warn_of(descriptor);
-    for (unsigned i = 0; i < count; i++) /* the tables that may answer in its place, each once */
+    for (unsigned i = 0; i < count; i++) /* warn for each table that may answer in its place */
         if (tiers[i].table != NULL && tiers[i].table != descriptor && !tiers[i].by_name) warn_of(tiers[i].table);
 }
 

@@ -1,4 +1,4 @@
-/** Commands of the program: one file each, all in the table of command_table.c. */
+/** Commands of the program, one file each, all listed in command_table.c; and what they share: exit statuses, messages, outputs. */
 #ifndef JLT_CLI_COMMAND_H
 #define JLT_CLI_COMMAND_H
 
@@ -8,8 +8,8 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-/** Exit statuses of the program, and of what commands are made of. A function that returns one has printed the reason on standard
- *  error wherever it is none of JLT_EXIT_DONE and JLT_EXIT_PLANNED; the caller cleans up and passes it on. */
+/** Exit statuses of the program, which the functions of commands return. One that returns neither JLT_EXIT_DONE nor
+ *  JLT_EXIT_PLANNED has printed the reason on standard error; the caller cleans up and passes the status on. */
 typedef enum {
     JLT_EXIT_DONE = 0,
     JLT_EXIT_FAILED = 1, /* a claim or a check does not hold */
@@ -18,17 +18,17 @@ typedef enum {
     JLT_EXIT_NUMERICAL = 4, /* a method did not reach what was asked, or memory is out */
     JLT_EXIT_IO = 5,
     JLT_EXIT_PLANNED =
-        6 /* only inside the program: the plan has been printed, and nothing else is to be done; the program ends with 0 */
+        6 /* within the program only: the plan has been printed, and nothing else is to be done; the program ends with 0 */
 } jlt_exit;
 
 typedef struct {
     const char *name;
     const char *arguments; /* as shown in the list of commands */
     const char *summary;   /* one line, no full stop */
-    jlt_exit (*run)(int argc, char **argv); /* argv[0] is "jellett NAME"; NULL: it is run by `together` */
-    const struct argp *parser; /* whose options are the keys of a scene's entry; NULL: no scene asks for it */
-    const struct jlt_shelf_form *together; /* by which runs of a sweep or a study are computed together (cli/shelf.h); NULL: each by
-                                              itself */
+    jlt_exit (*run)(int argc, char **argv); /* argv[0] is "jellett NAME"; NULL: the command is run by `together` */
+    const struct argp *parser; /* its options are the keys of a scene's entry; NULL: scenes cannot ask for the command */
+    const struct jlt_shelf_form *together; /* how several runs of a sweep or a study are computed together (cli/shelf.h); NULL: each
+                                              is computed by itself */
 } jlt_command;
 
 extern const jlt_command jlt_command_verify, jlt_command_eigen, jlt_command_measure, jlt_command_models, jlt_command_simulate,
@@ -49,14 +49,14 @@ JLT_PRINTF(2, 3) jlt_exit jlt_command_fail(jlt_exit code, const char *format, ..
  * may answer in its place. */
 void jlt_command_warn_unproved(const jlt_descriptor *descriptor);
 
-/* Print that memory is out, or that a file cannot be written for the reason in errno; return the status of that. */
+/* Print that memory is out; that a file cannot be written, for the reason in errno. Return the exit status for it. */
 jlt_exit jlt_command_no_memory(void);
 jlt_exit jlt_command_cannot_write(const char *path);
 
 /* The exit status that a library status calls for. Prints nothing. */
 jlt_exit jlt_command_exit(jlt_status status);
 
-/* Options that the program itself hands to its commands begin so: nobody types one by abbreviating another. */
+/* The prefix of options that the program passes to its own commands: no abbreviation that a user types can match one of them. */
 #define JLT_COMMAND_HIDDEN "--@"
 
 /* The command as typed, for headers of files; for the caller to free(). NULL when memory is out. */
@@ -66,7 +66,7 @@ char *jlt_command_line(int argc, char **argv);
 void jlt_command_free(char **argv, int argc);
 
 /** Results of a command, collected in memory and delivered at once: to a file, whole or not at all, or to standard output.
- *  Callers print to `stream` without looking at errors: a failure shows at delivery. */
+ *  Callers need not check writes to `stream`: a failure shows at delivery. */
 typedef struct {
     FILE *stream;
     char *text;
@@ -76,7 +76,7 @@ typedef struct {
 /* Open the stream. Errors: NOMEM. */
 JLT_CHECKED jlt_status jlt_command_open(jlt_command_output *output);
 
-/* Close the stream: all that was written is in `text`, `size` bytes, from now on. Errors: NOMEM. */
+/* Close the stream; `text` then has all that was written, `size` bytes. Errors: NOMEM. */
 JLT_CHECKED jlt_status jlt_command_close(jlt_command_output *output);
 
 /* Whether a path means standard output: NULL and "-" do. */

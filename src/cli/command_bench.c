@@ -1,3 +1,4 @@
+/* `jellett bench`: replaces this program by jellett-bench, which measures speed against accuracy. */
 #include "cli/program.h"
 
 #include <errno.h>
@@ -5,7 +6,6 @@
 #include <string.h>
 #include <unistd.h>
 
-/* Measuring is a program of its own, which takes the place of this one: it answers nothing that the others need. */
 static jlt_exit run(int argc, char **argv)
 {
     static const char *const places[] = { "jellett-bench", JLT_LIBEXEC "/jellett-bench" }; /* as built, as installed */

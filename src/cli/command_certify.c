@@ -1,3 +1,4 @@
+/* `jellett certify`: proves an orbit, or what a family of equilibria excludes, and writes the certificate. */
 #include "cli/certify_cycle.h"
 #include "cli/certify_family.h"
 #include "cli/certify_given.h"
@@ -19,12 +20,12 @@ typedef struct {
     double radius, distance;
     jlt_assign_list spread;
     const char *family, *box;
-    unsigned long long typed; /* bits of own_options */
+    unsigned long long typed; /* bit i: own_options[i] was typed */
 } options;
 
 #define KINDS "cycle, elliptic, equilibria, homoclinic, obstruction, pole, sink or symmetric"
 
-static const double tolerance = 1e-13; /* of the orbit in doubles */
+static const double tolerance = 1e-13; /* for finding the orbit in doubles */
 
 enum { DIGITS = 2000, RADIUS, SPREAD, DISTANCE, ORBIT, FAMILY, BOX, LIMIT };
 
@@ -48,7 +49,7 @@ static const struct argp_option option_table[] = {
 
 static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { 0 } };
 
-/* The options that some kinds take alone, and which; no kind is part of another's name. */
+/* Options that only some kinds take, and these kinds, which are looked up with strstr: no kind's name contains another's. */
 static const struct {
     int key;
     const char *option, *kinds;
@@ -74,7 +75,7 @@ static void note_typed(options *o, int key)
 
 static bool has_section(const char *kind) { return strcmp(kind, "equilibria") != 0 && strcmp(kind, "pole") != 0; }
 
-/* An option that this kind does not take would be lost. */
+/* Refuse options that this kind does not take, which would otherwise have no effect. */
 static void check_typed(const options *o, const struct argp_state *state)
 {
     const jlt_motion_options *m = &o->motion;
@@ -138,29 +139,34 @@ static const struct argp parser = {
     option_table, parse, "cycle|elliptic|equilibria|homoclinic|obstruction|pole|sink|symmetric [MODEL]",
     "Prove a periodic or homoclinic orbit, what a family of equilibria excludes, or that motions end at a pole, in ball "
     "arithmetic, and write the certificate, from which `jellett check` replays the proof."
-    "\vcycle: through a box on the section exactly one orbit closes after a time near one that is given; its period and its "
-    "multipliers are enclosed. obstruction: "
-    "besides, the product of its multipliers is not 1, so that no invariant measure has a continuous positive density at it. "
+    "\vKinds:\n"
+    "cycle: through a box on the section exactly one orbit closes after a time near one that is given; its period and its "
+    "multipliers are enclosed.\n"
+    "obstruction: besides, the product of its multipliers is not 1, so that no invariant measure has a continuous positive density "
+    "at it.\n"
     "sink: besides, all multipliers are inside the unit circle, so that it attracts; its image under a reversor repels, and no "
-    "invariant measure has a positive density near it. homoclinic: the orbit is a saddle and its own mirror image, and its "
-    "unstable and stable manifolds cross transversally at a point that a reversor keeps, the table's first one that serves. "
+    "invariant measure has a positive density near it.\n"
     "symmetric: the orbit is its own mirror image under a proved reversor, so that the product of its multipliers is 1 exactly, "
-    "and its trace tells its type; the rotation number is enclosed where it is elliptic. "
+    "and its trace tells its type; the rotation number is enclosed where it is elliptic.\n"
     "elliptic: it is so, without a resonance up to order 4, and its twist coefficient is not 0: it is stable on its levels, "
-    "surrounded by invariant tori. equilibria: at all points of a family that "
-    "the table claims, in a whole box of parameters and states, the trace of the linearization has one sign, so that no invariant "
-    "measure has a continuous positive density near any of them; the box is cut in halves as far as needed. pole: all motions "
-    "that begin in a box of states end at one end of a state's interval, which the table claims to be a pole, after a finite time "
-    "that is enclosed: a spherical top turns over, or comes down. Values typed and defaults of tables are taken exactly. Orbits "
-    "are found in doubles first. Of a forced system, or around an angle, one closes up to periods that the table proves "
-    "(`periodic`), and is the only one that does by their numbers: these are served as cycle, obstruction and sink.\n\n"
+    "surrounded by invariant tori.\n"
+    "homoclinic: the orbit is a saddle and its own mirror image, and its unstable and stable manifolds cross transversally at a "
+    "point that a reversor keeps, the table's first one that serves.\n"
+    "equilibria: at all points of a family that the table claims, in a whole box of parameters and states, the trace of the "
+    "linearization has one sign, so that no invariant measure has a continuous positive density near any of them; the box is cut "
+    "in halves as far as needed.\n"
+    "pole: all motions that begin in a box of states end at one end of a state's interval, which the table claims to be a pole, "
+    "after a finite time that is enclosed: a spherical top turns over, or comes down.\n\n"
+    "Values typed and defaults of tables are taken exactly. Orbits are found in doubles first. Of a forced system, or around an "
+    "angle, one closes up to periods that the table proves (`periodic`), and is the only one that does by their numbers: these are "
+    "served as cycle, obstruction and sink.\n\n"
     "  jellett certify equilibria --family spin \\\n"
     "    --box I1=0.2:1,I3=0.2:1,gamma3=0.05:0.9,v_nu=0.1:2,omega3=-3:3\n"
     "  jellett certify sink --set I1=0.591,I3=0.494,a3=0.548 \\\n"
     "    --level E=2.15,G=0.161 --start eta=2.84,gamma3=-0.959\n"
     "  jellett certify pole \\\n"
     "    --start gamma3=-0.78,v_nu=0.8,omega_tau=2.5,omega_n=-1,omega3=-2.7 \\\n"
-    "    --spread gamma3=5e-4,v_nu=5e-4,omega_tau=5e-4,omega_n=5e-4,omega3=5e-4",
+    "    --spread gamma3=5e-4,omega_n=5e-4",
     children, NULL, NULL,
 };
 
@@ -178,7 +184,7 @@ static const char unshown[] = "not proved: the orbit near %s is not shown, with 
                               "leaves it, or comes so near its edge that these cannot be told apart (more digits, or less "
                               "--spread, may do)";
 
-/* By one reversor: an orbit homoclinic to the saddle at search->saddle in doubles, then in balls. x: room for its points. */
+/* For one reversor: find an orbit homoclinic to search->saddle in doubles, then refine it in balls. x: room for its points. */
 static jlt_status find_homoclinic(json_t *given, double *x, const jlt_given *question, const jlt_reversor *reversor,
                                   const jlt_system *system, jlt_certify_search *search)
 {
@@ -192,19 +198,21 @@ static jlt_status find_homoclinic(json_t *given, double *x, const jlt_given *que
     return jlt_given_homoclinic_make(question, given, reversor, legs, x, T, system->flow.direction == JLT_FALLING ? 1 : -1);
 }
 
-/* By the first reversor that serves. */
+/* Add the homoclinic orbit to the question, by the first proved reversor for which one is found. */
 static jlt_exit add_homoclinic(json_t *given, const jlt_given *question, const options *o, const jlt_system *system)
 {
     const jlt_descriptor *d = question->question.descriptor;
+    const jlt_chart *chart = system->flow.chart;
     double *x = calloc((size_t)JLT_CERTIFY_RETURNS_MAX * d->state_count, sizeof *x), q[JLT_CHART_DIM_MAX];
     double saddle[JLT_CHART_STATES_MAX] = { 0 };
     jlt_certify_search search = { .states = d->state_count, .saddle = q, .which = (unsigned)o->which, .distance = o->distance };
     jlt_status st = x == NULL ? JLT_ERR_NOMEM : JLT_ERR_UNSUPPORTED;
 
     for (unsigned i = 0, k = 0; i < d->state_count; i++)
-        saddle[i] = i == question->question.column ? system->chart.plane.level
-                                                   : arf_get_d(arb_midref(question->legs.box + k++), ARF_RND_NEAR);
-    system->chart.plane.lower(&system->chart.plane, q, NULL, saddle);
+        saddle[i] = i == question->question.column
+                        ? chart->level
+                        : ldexp(arf_get_d(arb_midref(question->legs.box + k++), ARF_RND_NEAR), -system->flow.units.state[i]);
+    chart->lower(chart, q, NULL, saddle);
     for (unsigned i = 0; x != NULL && st != JLT_OK && i < d->reversor_count; i++) {
         const jlt_status found = jlt_theorem_is_proved(d, &d->reversors[i])
                                      ? find_homoclinic(given, x, question, &d->reversors[i], system, &search)
@@ -223,7 +231,7 @@ static jlt_exit add_homoclinic(json_t *given, const jlt_given *question, const o
                                            o->motion.starts[0], jlt_status_text(st));
 }
 
-/* The question, with boxes around the orbit, refined in balls. */
+/* Make the question about an orbit: find it in doubles, refine it in balls, and put boxes around it. */
 static jlt_exit ask(json_t **given, const jlt_descriptor **d, const options *o, jlt_system *system)
 {
     double *x = calloc((size_t)JLT_PERIODIC_MAX * JLT_CHART_STATES_MAX, sizeof *x), T[JLT_PERIODIC_MAX], q[JLT_CHART_DIM_MAX];
@@ -256,7 +264,7 @@ done:
     return code;
 }
 
-/* What to prove, and the table. */
+/* Make the question, for a family of equilibria or for an orbit. Out: *given, *d, its table; *system, for an orbit only. */
 static jlt_exit find_question(json_t **given, const jlt_descriptor **d, jlt_system **system, options *o)
 {
     const jlt_certify_family_options family = { o->family, o->box, o->limit, o->digits };

@@ -1,3 +1,4 @@
+/* `jellett check`: replays the proofs of certificates. */
 #include "cli/common.h"
 #include "cli/table.h"
 #include "validated/certificate.h"

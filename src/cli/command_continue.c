@@ -1,3 +1,4 @@
+/* `jellett continue`: follows a periodic orbit in a parameter or level, with its bifurcations. */
 #include "cli/motion_family.h"
 #include "cli/orbit_columns.h"
 #include "cli/swept.h"
@@ -11,7 +12,7 @@
 typedef struct {
     jlt_motion_options motion;
     const char *along;
-    size_t period, points, generations; /* of branches beside the first */
+    size_t period, points, generations; /* generations: how many levels of branches to follow beside branch 0 */
     double step;
     int direction;
 } options;
@@ -76,17 +77,17 @@ static const struct argp parser = {
     children, NULL, NULL,
 };
 
-/* Where points go to. */
+/* Where points of branches are written to, and what is known of those written. */
 typedef struct {
-    FILE *file, *points;
+    FILE *file, *points;  /* the table; the picture's data, NULL: there is no picture */
     const jlt_chart *chart;
-    unsigned shown[2];    /* in pictures: 0, the value that runs, or a coordinate by its number from 1 */
-    size_t rows, branch;  /* branch: of the last row */
+    unsigned shown[2];    /* on the picture's axes: 0, the value that runs; k > 0, coordinate k - 1 */
+    size_t rows, branch;  /* rows written; branch of the last one */
     jlt_extent extent[2]; /* of the picture */
-    bool is_watched, is_told; /* multipliers of the branch's last point were clear of the unit circle; a bifurcation came since, */
-    unsigned outside;         /* so many of them outside, */
-    double clear_at;          /* at this value */
-    unsigned kinds, lines; /* in which bifurcations of these kinds are, and unstable (bit 0) and stable orbits (bit 1) */
+    bool is_watched, is_told; /* the branch has had a point with all multipliers clear of the unit circle; a bifurcation after it */
+    unsigned outside;         /* at the last such point, multipliers outside the circle, */
+    double clear_at;          /* and the value that runs */
+    unsigned kinds, lines; /* in the picture: bit k, bifurcations of kind k; bit 0, unstable orbits, bit 1, stable ones */
 } table;
 
 static void write_point(const table *self, size_t branch, const jlt_continuation_point *point)
@@ -102,11 +103,11 @@ static void write_point(const table *self, size_t branch, const jlt_continuation
     jlt_csv_row(file, (const double[]){ ends ? point->low : NAN, ends ? point->high : NAN }, 2);
 }
 
-/* Bifurcations are found by single multipliers that cross 1 or -1, or a pair that leaves the circle: what happens where two cross
- * together leaves no trace but that their number outside changes. */
+/* Report changes of stability that were not located. Bifurcations are found where one multiplier crosses 1 or -1, or a complex pair
+ * crosses the unit circle; where two real ones cross together, only the number of multipliers outside the circle shows it. */
 static void watch_stability(table *self, size_t branch, const jlt_continuation_point *point)
 {
-    static const double near = 1e-5; /* of the unit circle, where rounding may tell the side */
+    static const double near = 1e-5; /* closer to the unit circle than this, rounding may decide the side */
     unsigned outside = 0;
 
     if (self->rows == 0 || branch != self->branch) self->is_watched = false;
@@ -180,7 +181,7 @@ static void tell_left(const jlt_tree_left *left, size_t generations)
                 "ask for more with --generations %zu\n", left->last, generations + 1);
 }
 
-/* By default the value that runs, and the first coordinate that is no angle. */
+/* Choose the picture's axes: by default the value that runs, and the first coordinate that is not an angle. */
 static jlt_exit choose_axes(unsigned shown[2], const options *o, const jlt_system *system, const jlt_grid_axis *axis)
 {
     const jlt_chart *chart = system->flow.chart;
@@ -192,7 +193,7 @@ static jlt_exit choose_axes(unsigned shown[2], const options *o, const jlt_syste
     return jlt_plot_shown(shown, &o->motion.common, names, chart->dim + 1);
 }
 
-/* A bifurcation is an end of the stable line and of the unstable one. */
+/* Draw the branches; a bifurcation point belongs to both the stable and the unstable line. */
 static jlt_exit draw(const options *o, const jlt_system *system, const char *name, const table *to)
 {
     char label[JLT_LOOK_LABEL_MAX];
@@ -241,7 +242,7 @@ static jlt_exit parse_range(jlt_grid_axis *axis, const char *text)
     return code;
 }
 
-/* The orbit that the run begins with. */
+/* Find the periodic orbit near --start, the first point of branch 0. */
 static jlt_exit find_first(jlt_continuation_point *first, jlt_motion_family *family, const jlt_grid_axis *axis,
                            const options *o, jlt_system *system)
 {
@@ -263,7 +264,7 @@ static jlt_exit find_first(jlt_continuation_point *first, jlt_motion_family *fam
     return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_no_orbit(st, system, o->motion.starts[0]);
 }
 
-/* A branch goes through its first orbit, and one run follows one half of it. */
+/* Say that only one half of branch 0 was followed, if its first point lies inside the range. */
 static void tell_half(const jlt_grid_axis *axis, double value, int direction)
 {
     if (!(value > axis->low && value < axis->high)) return;
@@ -289,7 +290,7 @@ static jlt_exit run_all(table *to, jlt_motion_family *family, const jlt_grid_axi
     return st == JLT_OK || st == JLT_ERR_IO ? JLT_EXIT_DONE : jlt_motion_fail(st, system, "continuation");
 }
 
-/* A parameter may have the name of a column. */
+/* Whether a column has this name: a parameter may be called the same. */
 static bool is_column(const char *name)
 {
     static const char *const columns[] = { "branch", "arc", "period", "T", "trace", "det", "mu1_re", "mu1_im", "mu2_re", "mu2_im",
@@ -331,7 +332,7 @@ static jlt_exit run(int argc, char **argv)
     if (code == JLT_EXIT_DONE) code = jlt_motion_family_open(&family, system, &o.motion, &axis, 1, "--along");
     if (code != JLT_EXIT_DONE) goto done;
     code = find_first(&first, &family, &axis, &o, system);
-    if (code == JLT_EXIT_DONE && first.value >= axis.high) o.direction = -1; /* there is nowhere else to go */
+    if (code == JLT_EXIT_DONE && first.value >= axis.high) o.direction = -1; /* from the upper end only this way is left */
     if (code == JLT_EXIT_DONE) code = jlt_common_write(common);
     if (code != JLT_EXIT_DONE) goto done;
     to.file = common->table.file;

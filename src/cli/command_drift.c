@@ -1,3 +1,4 @@
+/* `jellett drift`: how far integrals drift along an orbit, by every method. */
 #include "cli/interrupt.h"
 #include "cli/motion_many.h"
 #include "cli/progress.h"
@@ -19,14 +20,13 @@ typedef struct {
     bool project;
 } options;
 
-/* What is followed, and where it is told. */
 typedef struct {
     jlt_drift drift;
-    jlt_drift_whole whole;                 /* all states of the asked model, in which what levels fix are integrals */
+    jlt_drift_whole whole;                 /* the model asked for in all its states, in which the levels are integrals */
     const char *names[JLT_INVARIANTS_MAX]; /* of the integrals that are watched */
     FILE *file, *points;                   /* points: the same for a picture, or NULL */
     jlt_progress progress;
-    size_t made, all;                      /* returns of all methods; made is changed atomically */
+    size_t made, all;                      /* returns of all methods together: made so far, set atomically; wanted */
 } report;
 
 /* One method's part. */
@@ -34,8 +34,8 @@ typedef struct {
     report *whole;
     const jlt_method *method;
     jlt_drift drift;
-    FILE *file, *points, *notes; /* its rows, the same for a picture or NULL, and what is said below them; in memory: */
-    char *text[3];
+    FILE *file, *points, *notes; /* in memory: rows; the same for a picture, or NULL; comments for the end of the table */
+    char *text[3];               /* what was written to file, notes and points */
     size_t size[3];
     jlt_drift_row rows[JLT_DRIFT_ROWS_MAX];
     size_t row_count;
@@ -109,7 +109,7 @@ static bool asked(const options *o, const jlt_method *method)
     return !(o->project && method->multistep);
 }
 
-/* The slopes, of integrals with three rows that drift to fit a line. */
+/* Write the slopes of drift over returns, for integrals with enough rows to fit a line. */
 static void write_slopes(const part *self)
 {
     unsigned told = 0;
@@ -123,7 +123,6 @@ static void write_slopes(const part *self)
     if (told > 0) fputc('\n', self->notes);
 }
 
-/* The orbit, by one method. */
 static void follow(part *self, const options *o)
 {
     const jlt_drift_whole *whole = &self->whole->whole;
@@ -152,14 +151,13 @@ static bool open_part(part *self, report *r, const jlt_method *method)
     return true;
 }
 
-/* Write one of its texts. */
+/* Close a stream in memory, and write its text to `to`, unless that is NULL. */
 static void pass_on(FILE *to, FILE **from, const char *const *text)
 {
     if (*from != NULL && fclose(*from) == 0 && to != NULL) fputs(*text, to);
     *from = NULL;
 }
 
-/* What a method's part says of its failure. */
 static jlt_exit verdict(const part *self)
 {
     if (self->status == JLT_OK) return JLT_EXIT_DONE;
@@ -169,7 +167,7 @@ static jlt_exit verdict(const part *self)
     return jlt_command_fail(jlt_command_exit(self->status), "%s: %s", self->method->name, jlt_status_text(self->status));
 }
 
-/* All methods, each on a thread; *drawn: bit m, method m has points in the picture. */
+/* Follow the orbit by all methods, each on one thread. Out: *drawn, bit m is set if method m has rows. */
 static jlt_exit run_all(report *r, const options *o, unsigned *drawn)
 {
     part parts[METHODS_MAX];
@@ -184,7 +182,7 @@ static jlt_exit run_all(report *r, const options *o, unsigned *drawn)
 #if defined(_OPENMP)
 #pragma omp parallel for num_threads((int)o->motion.threads) schedule(dynamic, 1)
 #endif
-    for (size_t i = count; i > 0; i--) /* the last methods take longest */
+    for (size_t i = count; i > 0; i--) /* the last methods take longest: begin with them */
         if (code == JLT_EXIT_DONE && !jlt_motion_interrupted(&o->motion)) follow(&parts[i - 1], o);
     jlt_progress_end(&r->progress);
     for (size_t i = 0; i < count; i++) {
@@ -244,7 +242,7 @@ static jlt_exit draw(const report *r, const options *o, unsigned drawn)
     return jlt_plot_draw(&plot);
 }
 
-/* The integrals that the table of a section proves, but those that count turns of the section's angle. */
+/* Watch the integrals that are proved in the section's table, except those that change by a turn of the section's angle. */
 static jlt_exit watch_proved(report *r)
 {
     const jlt_descriptor *d = r->drift.system->instance->descriptor;
@@ -275,7 +273,7 @@ static jlt_exit watch_proved(report *r)
                             d->model, left_out ? "other " : "");
 }
 
-/* What is watched, and from where. */
+/* Read the start, and choose the integrals: the section's levels, in the whole model, else those proved in the section's table. */
 static jlt_exit open_integrals(report *r, options *o)
 {
     const jlt_surface *surface = r->drift.system->surface;
@@ -347,7 +345,7 @@ static jlt_exit run(int argc, char **argv)
     r.points = common->points;
     write_header(&r, &o);
     code = run_all(&r, &o, &drawn);
-    if (code != JLT_EXIT_DONE && drawn == 0) goto done; /* there is no row of any method */
+    if (code != JLT_EXIT_DONE && drawn == 0) goto done; /* no method has a row */
     const jlt_exit saved = jlt_common_save(common);
     if (saved != JLT_EXIT_DONE) code = saved;
     else if (jlt_motion_interrupted(&o.motion))

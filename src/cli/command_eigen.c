@@ -1,3 +1,4 @@
+/* `jellett eigen`: reports on an equilibrium, its matrix, characteristic polynomial, eigenvalues and stability. */
 #include "cli/eigen.h"
 
 #include "kernel/descriptor.h"
@@ -115,7 +116,8 @@ done:
     return code;
 }
 
-/* Values as typed, which count and not the doubles they were rounded to; a sweep's are doubles, and so is what was found. */
+/* Give the question the exact values of what was typed, and of the table's defaults, in place of their roundings. Values of a sweep
+ * stay doubles, as do states that are solved for. */
 static jlt_exit take_exact(jlt_eigen_request *r)
 {
     jlt_equilibrium_question *q = &r->question;
@@ -136,7 +138,7 @@ static jlt_exit take_exact(jlt_eigen_request *r)
     return JLT_EXIT_DONE;
 }
 
-/* The list of states as given, the axes by name. */
+/* Open the model, and look up the states of --at and the axes of --sweep by name. */
 static jlt_exit prepare(jlt_eigen_request *r)
 {
     jlt_equilibrium_question *q = &r->question;

@@ -1,3 +1,4 @@
+/* `jellett fates`: how orbits of a section end, and the shares of each fate in a sweep. */
 #include "cli/fates_crowd.h"
 #include "cli/fates_table.h"
 #include "cli/motion_family.h"
@@ -124,7 +125,8 @@ static jlt_exit one_system(options *o, jlt_system *system, jlt_motion_map *map)
     return code == JLT_EXIT_DONE ? jlt_motion_failures(system, &sum.all.failures, sum.all.starts) : code;
 }
 
-/* The last column of $SHARES is what is left when orbits that turn over in contact are counted; of other sections those alive. */
+/* Draw shares against the value that runs. Columns of $SHARES: the value; the share of low starts that turn over (without turns: of
+ * all starts that stay alive); its error; the share of low starts that turn over in contact all the way. */
 static jlt_exit draw_sweep(const options *o, const jlt_system *system, const jlt_grid_axis *axis)
 {
     const bool turns = jlt_shares_turn(system);
@@ -162,7 +164,7 @@ static jlt_exit read_sweep(jlt_grid_axis *axes, size_t *count, size_t *all, cons
     return JLT_EXIT_DONE;
 }
 
-/* What rows of a sweep are written to, and how many starts they tell of. */
+/* The context of write_shares: what a sweep's rows need, and totals over all points. */
 typedef struct {
     const options *o;
     const jlt_system *base;
@@ -180,7 +182,7 @@ static void write_shares(void *context, const jlt_fates_crowd_place *place)
     jlt_fates_table_shares(common->table.file, common->points, self->base, place->values, self->axes, &place->sum);
 }
 
-/* Every point of these axes (count,), whose orbits go at once whatever point they are of. */
+/* Follow the starts at each of the `all` points of these axes (count,); orbits of several points share a batch. */
 static jlt_exit follow_points(jlt_fates_crowd *crowd, jlt_motion_family *family, const jlt_grid_axis *axes, size_t count,
                               size_t all)
 {

@@ -1,3 +1,4 @@
+/* `jellett lyapunov`: Lyapunov exponents of an orbit with their convergence, or a chart of finite-time exponents. */
 #include "cli/lyapunov_chart.h"
 #include "cli/progress.h"
 #include "cli/shelf.h"
@@ -91,7 +92,7 @@ static int observe(void *context, const jlt_lyapunov_state *state)
     history *self = context;
 
     jlt_progress_show(&self->progress, state->returns, self->o->returns);
-    if (self->o->motion.common.at_point) return jlt_motion_interrupted(&self->o->motion); /* the last row alone is written */
+    if (self->o->motion.common.at_point) return jlt_motion_interrupted(&self->o->motion); /* only the last row is written, later */
     if (state->returns >= self->next || state->returns == self->o->returns) {
         write_state(self->file, state, self->dim);
         if (self->points != NULL) {
@@ -99,7 +100,7 @@ static int observe(void *context, const jlt_lyapunov_state *state)
             memcpy(row + 1, state->exponents, self->dim * sizeof *row);
             jlt_look_row(self->points, row, 1 + self->dim);
         }
-        /* 1, 2, 3, 4, 5, 6, 7, 8, 10, 12, 14, 16, 20, ... */
+        /* rows after 1, 2, 3, 4, 5, 6, 7, 8, 10, 12, 14, 16, 20, ... returns */
         size_t step = 1;
         while (8 * step <= self->next) step *= 2;
         self->next += step;
@@ -132,21 +133,21 @@ static jlt_exit draw_history(const options *o, const jlt_system *system)
     return jlt_plot_draw(&plot);
 }
 
-/* A run of the command. */
 typedef struct {
     options o;
     jlt_system *system;
     jlt_map *map;
-    jlt_map_batch *maps; /* of a chart, and of a history that may go with others */
+    jlt_map_batch *maps; /* for a chart, and for a history that may share a batch with others; NULL: not needed */
     jlt_grid_axis axes[JLT_CHART_DIM_MAX];
     jlt_motion_map picture;
     double q[JLT_CHART_DIM_MAX]; /* start of a history */
     jlt_lyapunov_state state;    /* its end */
     jlt_status status;
-    bool has_end;                /* it was followed, with those of other points of a sweep */
+    bool has_end;                /* the history was followed in a batch: state and status are set */
 } exponents;
 
-/* Runs of histories from the first one on that fit beside it. False: memory is out. */
+/* Follow the history of the first run, and in the same batch those of later runs that fit it. Returns false if the batch fails, or
+ * memory is out. */
 static bool follow_group(exponents *const *runs, size_t count)
 {
     const unsigned d = runs[0]->system->flow.chart->dim;
@@ -180,7 +181,7 @@ done:
     return st == JLT_OK;
 }
 
-/* One orbit, and what its end was; rows on the way, but not of a sweep. */
+/* Follow one orbit, and keep its last state; at a point of a sweep no rows are written on the way. */
 static void follow_alone(exponents *self, history *rows)
 {
     self->status = jlt_lyapunov_chart_skip(self->map, self->q, self->o.skip);
@@ -238,8 +239,8 @@ static void drop(void *run)
     free(self);
 }
 
-/* Maps of a chart, of a history at a point of a sweep by the batch, which others go beside, or of one by itself; and what tangent
- * vectors are long against, the sizes of coordinates at the start and on the way from there. */
+/* Create the maps: a batch for a chart, and for a history at a point of a sweep, which may share it with other points; else a
+ * single map. Then find the typical sizes of coordinates at the starts, in which tangent vectors are measured. */
 static jlt_exit open_maps(exponents *self, bool has_method)
 {
     double extents[JLT_CHART_DIM_MAX];

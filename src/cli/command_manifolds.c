@@ -1,3 +1,4 @@
+/* `jellett manifolds`: separatrices of a saddle, homoclinic points, their angles and lobes. */
 #include "cli/interrupt.h"
 #include "cli/motion_many.h"
 #include "cli/swept.h"
@@ -266,7 +267,7 @@ static jlt_exit run(int argc, char **argv)
     if (st == JLT_OK && !o.no_crossings && !jlt_motion_interrupted(&o.motion)) {
         const jlt_kernel_batch *kernels = o.motion.common.lanes ? jlt_batch_isa_best(system->instance->descriptor, 0) : NULL;
         st = jlt_separatrices_cross(&p, kernels, (unsigned)o.motion.threads);
-        if (st == JLT_ERR_NO_CONVERGENCE && jlt_motion_interrupted(&o.motion)) st = JLT_OK; /* the branches are there */
+        if (st == JLT_ERR_NO_CONVERGENCE && jlt_motion_interrupted(&o.motion)) st = JLT_OK; /* the branches are complete */
     }
     const size_t touching = p.touching[0][0] + p.touching[0][1] + p.touching[1][0] + p.touching[1][1];
     if (touching > 0)

@@ -1,3 +1,4 @@
+/* `jellett measure`: the density of an invariant measure, from the divergence alone, or what excludes one. */
 #include "analysis/measure.h"
 #include "cli/plot.h"
 #include "cli/swept.h"
@@ -195,7 +196,7 @@ static void write_csv(FILE *stream, const jlt_measure_finding *f, const request 
     }
 }
 
-/* What the table claims, held against what was computed. */
+/* Compare what the table claims with what was computed. */
 static jlt_exit judge(const jlt_measure_finding *f)
 {
     const jlt_descriptor *d = f->instance->descriptor;

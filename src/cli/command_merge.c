@@ -1,3 +1,4 @@
+/* `jellett merge`: makes one table of what the shards of a study have computed. */
 #include <argp.h>
 #include <dirent.h>
 #include <errno.h>
@@ -14,7 +15,7 @@
 enum { OUTPUTS_MAX = 4, COLUMNS_MAX = 512 };
 
 typedef struct {
-    const char **places; /* as typed */
+    const char **places; /* files and folders, as typed */
     size_t place_count;
     const char *outputs[OUTPUTS_MAX];
     size_t output_count;
@@ -68,8 +69,8 @@ typedef struct {
     jlt_merged outputs[OUTPUTS_MAX];
     size_t output_count;
     bool counts; /* the first column of the command's rows is the number of an orbit */
-    size_t base; /* number of the first orbit of a piece */
-    size_t failed, first_failed, checked; /* pieces of status 4 or 3, the first of them; those of status 1 */
+    size_t base; /* number of the piece's first orbit in the command's grid */
+    size_t failed, first_failed, checked; /* pieces with a status other than 0 and 1; the first of them; pieces of status 1 */
 } merge;
 
 /* ---- files ---- */
@@ -161,7 +162,7 @@ static jlt_exit read_study(merge *self)
 
 /* ---- rows ---- */
 
-/* The form, from the names that the first piece with rows has. */
+/* Set the columns: what the study runs over, then the column names of the first piece with rows. */
 static jlt_exit begin_form(merge *self, const char *line)
 {
     char *names[COLUMNS_MAX + JLT_STUDY_OVER_MAX], *copy = strdup(line);
@@ -182,7 +183,7 @@ static jlt_exit begin_form(merge *self, const char *line)
 
 static jlt_exit bad_row(size_t piece) { return jlt_command_fail(JLT_EXIT_INPUT, "piece %zu has rows of another form", piece); }
 
-/* A row: looked at in the first pass, written in the second. */
+/* Take a row: the first pass learns the kinds of columns from it, the second writes it. */
 static jlt_exit take_row(merge *self, char *const *fields, bool is_second)
 {
     if (!is_second) jlt_table_form_see(&self->form, fields);
@@ -191,7 +192,7 @@ static jlt_exit take_row(merge *self, char *const *fields, bool is_second)
     return JLT_EXIT_DONE;
 }
 
-/* Orbits are counted within a piece: from here on, within the command's grid. */
+/* Replace the number of an orbit within its piece by that within the command's whole grid. */
 static void renumber(const merge *self, char **field, char number[24], size_t *next)
 {
     const size_t orbit = self->base + strtoull(*field, NULL, 10);
@@ -201,7 +202,7 @@ static void renumber(const merge *self, char **field, char number[24], size_t *n
     *next = orbit + 1;
 }
 
-/* The rows of a piece. text: its lines, which are cut up. */
+/* Take the rows of a piece. text: its lines, and over: the values that the study runs over; both are cut into fields. */
 static jlt_exit take_rows(merge *self, char *text, char *over, size_t piece, bool is_second)
 {
     char *fields[COLUMNS_MAX + JLT_STUDY_OVER_MAX], number[24], *line = strsep(&text, "\n");
@@ -228,7 +229,6 @@ static void note(merge *self, const jlt_shard_record *record)
     else if (record->status != JLT_EXIT_DONE && self->failed++ == 0) self->first_failed = record->piece;
 }
 
-/* All pieces in their order. */
 static jlt_exit pass(merge *self, bool is_second)
 {
     const size_t pieces = jlt_gather_pieces(self->gather), each = pieces / self->outer;
@@ -256,7 +256,7 @@ static jlt_exit pass(merge *self, bool is_second)
 
 /* ---- outputs ---- */
 
-/* Comments of CSV: the command whose rows these are, what runs over it, and the study. */
+/* The comment lines of CSV and NumPy files: the command, what the study runs over, and the study in JSON; for free(). */
 static char *make_header(const merge *self)
 {
     const char *name, *over = json_string_value(json_object_get(self->study, "over"));

@@ -1,3 +1,4 @@
+/* `jellett models`: lists the built-in models with their kernels, and the user's tables in the working directory. */
 #include "cli/table.h"
 
 #include "kernel/descriptor.h"
@@ -41,7 +42,7 @@ static const struct argp parser = {
     NULL, NULL, NULL,
 };
 
-/* Kernels of a descriptor in the order of the ABI. */
+/* A kernel of a descriptor; they are listed in the order of kernel_abi.h. */
 typedef struct {
     const char *name;
     const jlt_kernel *kernel;
@@ -221,7 +222,7 @@ static void print_descriptor(FILE *stream, const jlt_descriptor *d, bool first)
     fputc('\n', stream);
 }
 
-/* As text, or into `all` unless that is NULL. */
+/* Show the fields of a model: in `all`, as JSON, unless that is NULL, else as text. */
 static void show_family(FILE *stream, json_t *all, const jlt_descriptor *model)
 {
     for (const jlt_descriptor *const *d = model->family; *d != NULL; d++)
@@ -229,7 +230,7 @@ static void show_family(FILE *stream, json_t *all, const jlt_descriptor *model)
         else print_descriptor(stream, *d, d == model->family);
 }
 
-/* Tables of the user's own in the working directory; a command that names one compiles it. */
+/* List the user's own tables in the working directory. They are not compiled here. */
 static void list_folder(FILE *stream)
 {
     glob_t found;

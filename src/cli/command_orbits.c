@@ -1,3 +1,4 @@
+/* `jellett orbits`: finds periodic orbits of the return map, with multipliers, type, symmetry and residual. */
 #include "cli/interrupt.h"
 #include "cli/motion.h"
 #include "cli/orbit_columns.h"
@@ -82,7 +83,7 @@ static const struct argp parser = {
     children, NULL, NULL,
 };
 
-/* What the orbits say about an invariant measure, and how well the flux identity holds. */
+/* Write comments: what the orbits say about an invariant measure, and how well the flux identity for det DP holds. */
 static void write_findings(FILE *file, const jlt_orbits *list, const jlt_chart *chart)
 {
     double defect = 0;
@@ -91,7 +92,7 @@ static void write_findings(FILE *file, const jlt_orbits *list, const jlt_chart *
     for (size_t i = 0; i < list->count; i++) {
         const jlt_periodic *orbit = &list->orbits[i];
         defect = fmax(defect, fabs(orbit->defect));
-        /* The determinant is known to the defect of its identity; a hundred times that is beyond doubt. */
+        /* The error of the determinant is about the defect of the flux identity; a hundred times that leaves no doubt. */
         if (orbit->symmetric || !(fabs(orbit->determinant - 1) > 1e-8 + 100 * fabs(orbit->defect))) continue;
         obstructions++;
         if (jlt_orbits_mirror(list, chart, i) == list->count) without_mirror++;
@@ -131,7 +132,7 @@ static jlt_exit held_mask(unsigned char *held, const options *o, const jlt_chart
     return JLT_EXIT_DONE;
 }
 
-/* Where Newton's method finds none from the start: what attracts it. */
+/* If Newton's method finds no orbit from the start q: follow q for `settle` returns, and find the attracting orbit there. */
 static jlt_status find_attracting(jlt_periodic *out, jlt_map *map, const options *o, const double *q)
 {
     jlt_periodic orbit;
@@ -179,8 +180,8 @@ static jlt_exit from_start(jlt_orbits *list, jlt_map *map, const options *o, jlt
     return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, system, "--line");
 }
 
-/* The lines on which the reversor of a section that tables describe keeps every point: its angle is 0, or half a turn. Returns how
- * many there are. */
+/* The lines of fixed points of the reversor, on a section that tables describe: the angle that it flips is 0 or half a period, and
+ * the first coordinate with a known interval runs. Returns the number of lines. */
 static size_t symmetric_lines(jlt_symmetric_line lines[2], const jlt_system *system, size_t samples)
 {
     const jlt_chart *chart = system->flow.chart;
@@ -198,7 +199,7 @@ static size_t symmetric_lines(jlt_symmetric_line lines[2], const jlt_system *sys
     return 0;
 }
 
-/* The same of two coordinates of which one has no interval, or is no angle: it runs over its range of the grid. */
+/* The same on a section of two coordinates, of which the reversor flips one; the other one runs over its range of the grid. */
 static size_t symmetric_lines_of_grid(jlt_symmetric_line lines[2], const jlt_chart *chart, const jlt_grid_axis *axes,
                                        size_t samples)
 {
@@ -217,7 +218,7 @@ static size_t symmetric_lines_of_grid(jlt_symmetric_line lines[2], const jlt_cha
 
 static const char default_grid[] = "40x40";
 
-/* Of no point of a grid, but of symmetric orbits alone. */
+/* Whether --grid 0x0 asks for symmetric orbits only, without starts of a grid. */
 static bool searches_nowhere(const options *o) { return o->grid != NULL && strcmp(o->grid, "0x0") == 0; }
 
 static jlt_exit search_all(jlt_orbits *list, jlt_map *map, const options *o, jlt_system *system)

@@ -1,3 +1,4 @@
+/* `jellett plan`: prints which model answers a command, or each entry of a scene, and why. */
 #include <argp.h>
 #include <stdlib.h>
 #include <string.h>
@@ -61,7 +62,7 @@ static void print_tiers(void)
     printf("%-14s %5s  %s\n", "model", "-", "any model's own field, in t");
 }
 
-/* Commands that follow no motion and have no options in common with those that do. */
+/* Whether this command follows no motion and does not have the common options, so that it has no plan. */
 static bool is_still(const char *name)
 {
     static const char *const still[] = { "verify", "models", "bench" };
@@ -71,7 +72,7 @@ static bool is_still(const char *name)
     return false;
 }
 
-/* A command's plan in a process of its own, as it may end by itself. */
+/* Print a command's plan in a child process, since argp may end the process on an error. */
 static jlt_exit plan_job(const jlt_scene *scene, size_t index)
 {
     const jlt_scene_job *job = &scene->jobs[index];
@@ -89,7 +90,7 @@ static jlt_exit plan_job(const jlt_scene *scene, size_t index)
     return jlt_command_fail(code, "%s:%u: error: there is no plan for %s", scene->file, job->line, job->what);
 }
 
-/* `jellett plan COMMAND OPTION...` is COMMAND with an option more. */
+/* `jellett plan COMMAND OPTION...` runs COMMAND with the hidden option JLT_COMMON_PLAN added. */
 static jlt_exit plan_command(const jlt_command *command, int argc, char **argv)
 {
     char **more = calloc((size_t)argc + 2, sizeof *more), plan[] = JLT_COMMON_PLAN;
@@ -101,7 +102,7 @@ static jlt_exit plan_command(const jlt_command *command, int argc, char **argv)
     }
     if (more == NULL) return jlt_command_no_memory();
     more[0] = argv[0];
-    more[1] = plan; /* before an operand, behind which -- may make operands of options */
+    more[1] = plan; /* first, since a "--" in the arguments would turn it into an operand */
     for (int i = 1; i < argc; i++) more[i + 1] = argv[i];
     if (is_still(command->name))
         code = jlt_command_fail(JLT_EXIT_USAGE, "%s follows no motion that could be planned", command->name);

@@ -1,3 +1,4 @@
+/* `jellett run`: runs the commands of a scene. */
 #include <errno.h>
 #include <stdbool.h>
 #include <stdlib.h>
@@ -73,7 +74,7 @@ static bool is_one_file(const char *path, const char *other)
     return !jlt_command_is_standard_output(path) && !jlt_command_is_standard_output(other) && jlt_file_same(path, other);
 }
 
-/* Before anything is run: no file of a job is the scene, or that of another option. scene_path: where the scene lies. */
+/* Check, before anything is run, that no output file of a job is the scene itself, at scene_path, or the file of another option. */
 static jlt_exit check_files(const jlt_scene *scene, const char *scene_path)
 {
     for (size_t k = 0; k < scene->count; k++)
@@ -95,7 +96,7 @@ static jlt_exit check_files(const jlt_scene *scene, const char *scene_path)
     return JLT_EXIT_DONE;
 }
 
-/* A table of one's own lies where the scene says from here, also when the jobs run elsewhere. */
+/* Make the paths of the user's own tables absolute, so that they still hold when jobs run in another folder. */
 static jlt_exit fix_tables(jlt_scene *scene)
 {
     for (size_t k = 0; k < scene->count; k++) {

@@ -1,3 +1,4 @@
+/* `jellett section`: returns of orbits to a section, with fates and a picture. */
 #include "cli/section_run.h"
 #include "cli/shelf.h"
 #include "cli/swept.h"
@@ -138,7 +139,7 @@ static jlt_exit finish(void *run)
     return code == JLT_EXIT_DONE ? verdict : code;
 }
 
-/* What the runs follow, shape (JLT_SHELF_RUNS,). */
+/* Out: the section runs of `runs`, shape (count,); `out` has room for JLT_SHELF_RUNS. */
 static void list(jlt_section_run **out, void *const *runs, size_t count)
 {
     for (size_t i = 0; i < count; i++) out[i] = &((section *)runs[i])->run;

@@ -1,3 +1,4 @@
+/* `jellett separation`: whether attractor and repeller are apart, from the cells that orbits visit in both directions of time. */
 #include "cli/motion_many.h"
 #include "cli/swept.h"
 #include "dynamics/separation.h"
@@ -150,7 +151,7 @@ static jlt_exit run(int argc, char **argv)
         const jlt_separation *row = &table[i];
         fprintf(common->table.file, "%zu,%zu,%zu,%zu,%zu,%zu,", row->returns, row->alive_forward, row->alive_backward, row->forward,
                 row->backward, row->common);
-        /* empty where no cell is visited */
+        /* NaN, written as an empty field, if no cell is visited */
         jlt_csv_row(common->table.file, (const double[]){ row->overlap, row->mirror_overlap }, 2);
     }
     if (table[0].strayed > 0)

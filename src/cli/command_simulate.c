@@ -1,3 +1,4 @@
+/* `jellett simulate`: one orbit at given times, with drifts of integrals and observed quantities. */
 #include "cli/simulate.h"
 
 #include <math.h>
@@ -72,7 +73,7 @@ static const struct argp parser = {
     children, NULL, NULL,
 };
 
-/* ---- the courses: the orbit asked for, then those it is compared with ---- */
+/* ---- the courses: the orbit asked for, then those of --compare ---- */
 
 static jlt_exit open_course(jlt_simulate_request *r, const char *tier)
 {
@@ -106,7 +107,7 @@ static jlt_exit open_course(jlt_simulate_request *r, const char *tier)
     return JLT_EXIT_DONE;
 }
 
-/* The next name of --compare, from *at on. False: there is none. */
+/* Read the next name of --compare from *at, and move *at behind it. Returns false if there is none. */
 static bool next_compared(char name[64], const char **at)
 {
     if (*at == NULL || **at == '\0') return false;
@@ -116,7 +117,7 @@ static bool next_compared(char name[64], const char **at)
     return true;
 }
 
-/* Whether a tier of this name is that of the table or of a smaller one. */
+/* Whether there is a tier of this name, and no lift leads to its table: it is the table asked for, or a smaller one. */
 static bool is_smaller(const jlt_session *s, const char *name)
 {
     jlt_tier tier;
@@ -153,7 +154,7 @@ static jlt_exit open_courses(jlt_simulate_request *r)
 
 /* ---- rows ---- */
 
-/* What the kernel rests on without a proof, and the integrals of the asked table whose drifts are shown; NULL: nothing. */
+/* List the unproved claims that the results rest on: those of the kernel, and the integrals whose drifts are shown; NULL: none. */
 static const char *list_unproved(char *claims, size_t size, const jlt_simulate_request *r, const jlt_descriptor *told)
 {
     snprintf(claims, size, "%s", told->unproved != NULL ? told->unproved : "");
@@ -171,7 +172,7 @@ static void write_header(FILE *file, const jlt_simulate_request *r)
     const unsigned observes = jlt_course_observes(r->courses[0], &observed),
                    beside = jlt_course_tells_more(r->courses[0], &more, NULL);
 
-    /* tiers, and their levels, change over a sweep */
+    /* in a sweep the tier, and its levels as parameters, may change from point to point: name the table asked for */
     const jlt_descriptor *told = s->common.at_point ? s->descriptor : kernel->descriptor;
     char claims[512];
     double *params = jlt_common_steady(&s->common, told, s->common.at_point ? s->params : kernel->params);
@@ -198,7 +199,7 @@ static void write_header(FILE *file, const jlt_simulate_request *r)
     jlt_csv_names_end(&names);
 }
 
-/* The largest difference of states at time t; NaN when the other orbit has not got there. */
+/* The largest difference between the states x at time t and those of course k; NaN if that course stopped before. */
 static double difference(jlt_simulate_request *r, size_t k, const double *x, double t)
 {
     jlt_course_row row;
@@ -216,13 +217,13 @@ static double difference(jlt_simulate_request *r, size_t k, const double *x, dou
     return worst;
 }
 
-/* st: of the call that made the row. */
+/* Write the last field, the orbit's fate. st: the status of the call that made the row. */
 static void write_fate(FILE *file, const jlt_course_row *row, jlt_status st)
 {
     jlt_fate failure;
 
     if (st != JLT_OK) fprintf(file, ",%s\n", jlt_section_fate_of(&failure, st) ? jlt_section_fate_name(failure) : "unknown");
-    else if (row->end == JLT_END_POLE) /* of a tier: the table asked for may name none */
+    else if (row->end == JLT_END_POLE) /* a pole of the tier's table; the table asked for may have none */
         fprintf(file, ",%s\n", jlt_section_fate_name(row->side > 0   ? JLT_FATE_POLE_PLUS
                                                      : row->side < 0 ? JLT_FATE_POLE_MINUS
                                                                      : JLT_FATE_LEFT_DOMAIN));
@@ -250,7 +251,6 @@ static void write_row(FILE *file, jlt_simulate_request *r, const jlt_course_row 
     if (r->session.common.points != NULL) jlt_simulate_point(r, row);
 }
 
-/* The last row has the point. */
 static jlt_exit cannot_go_on(const jlt_simulate_request *r, const jlt_course_row *row, jlt_status st)
 {
     if (st == JLT_ERR_DOMAIN)
@@ -288,7 +288,7 @@ static jlt_exit follow(jlt_simulate_request *r)
     return code;
 }
 
-/* Where the orbit ended: the pole, and the limits of what moves. */
+/* Print at which pole the orbit ended, and the limits of the states there. */
 static void tell_pole(const jlt_simulate_request *r)
 {
     const jlt_descriptor *d = r->session.descriptor;
@@ -305,7 +305,7 @@ static void tell_pole(const jlt_simulate_request *r)
         if (i == row->pole) continue;
         if (!isfinite(row->x[i])) untold[count++] = d->states[i].name;
         if (!isfinite(row->x[i])) continue;
-        /* no rounding noise */
+        /* print rounding noise as 0 */
         fprintf(stderr, "%s%s = %.10g", first, d->states[i].name, fabs(row->x[i]) > 1e-16 * largest ? row->x[i] : 0.0);
         first = ", ";
     }
@@ -366,7 +366,7 @@ static jlt_exit run(int argc, char **argv)
     if (code != JLT_EXIT_DONE) goto done;
     write_header(common->table.file, &r);
     code = follow(&r);
-    /* rows that were computed before a failure are good: they are delivered all the same */
+    /* rows computed before a failure are good, and are saved nevertheless */
     const jlt_exit saved = jlt_common_save(common);
     if (saved != JLT_EXIT_DONE) code = saved;
     else closing_words(&r);

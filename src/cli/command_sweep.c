@@ -1,3 +1,4 @@
+/* `jellett sweep`: computes a study, or one shard of it. */
 #include <argp.h>
 #include <errno.h>
 #include <math.h>
@@ -28,7 +29,7 @@ typedef struct {
 
 enum { SHARD = 1000, RESUME, DRY };
 
-/* How long a piece should take. */
+/* How long a piece should take at least. */
 static const double WORTH_SECONDS = 0.25;
 
 static const struct argp_option option_table[] = {
@@ -92,18 +93,17 @@ typedef struct {
     jlt_worker worker;
     char *folder, *path;
     unsigned char *is_done; /* shape (own,), by position in the shard's order */
-    size_t own, before, lost, failed, empty; /* pieces */
-    jlt_exit worst; /* of the pieces that have rows */
+    size_t own, before, lost, failed, empty; /* pieces: of the shard; done before; killed; of status > 0; without rows */
+    jlt_exit worst; /* largest status of the pieces that have rows */
     char *names;    /* the columns of the first piece's rows */
 } sweep;
 
-/* The piece at this place of the shard's order. */
 static size_t piece_at(const sweep *self, size_t position)
 {
     return jlt_deal_piece(position, self->rank.index - 1, self->rank.count);
 }
 
-/* FOLDER/I-of-N.shard. */
+/* Set the path FOLDER/I-of-N.shard, and make the folder. */
 static jlt_exit place(sweep *self)
 {
     const char *scene = self->o->scene, *slash = strrchr(scene, '/'), *name = slash != NULL ? slash + 1 : scene;
@@ -139,10 +139,9 @@ static jlt_exit cannot_write(const sweep *self, jlt_status st)
                             strerror(errno));
 }
 
-/* A piece that is done, with this status. */
 static void note(sweep *self, jlt_exit status)
 {
-    if (status == JLT_EXIT_INPUT) self->empty++; /* nothing is at this point of what the study runs over */
+    if (status == JLT_EXIT_INPUT) self->empty++; /* the command has no rows at this point of `over` */
     else if (status > self->worst) self->worst = status;
 }
 
@@ -157,7 +156,7 @@ static int by_piece(const void *a, const void *b)
     return left < right ? -1 : left > right;
 }
 
-/* What is there already. */
+/* Mark the pieces that the file has already, and continue it behind its last whole record. */
 static jlt_exit take_done(sweep *self, jlt_shard_reader *reader)
 {
     own_piece *all = calloc(self->own + 1, sizeof *all);
@@ -178,7 +177,7 @@ static jlt_exit take_done(sweep *self, jlt_shard_reader *reader)
     return st == JLT_OK ? JLT_EXIT_DONE : cannot_write(self, st);
 }
 
-/* The shard's file, locked, with its study at the beginning and whole records behind it. */
+/* Open and lock the shard's file: check that it is of this study, and cut off a torn record, or begin it. */
 static jlt_exit open_file(sweep *self)
 {
     jlt_shard_reader reader = { .descriptor = -1 };
@@ -212,14 +211,14 @@ static jlt_exit open_file(sweep *self)
     return code;
 }
 
-/* Whether the study goes on after this status: rows are there, or there is nothing at this point of what the study runs over. */
+/* Whether the study goes on after this status: the piece has rows, or the command refused this point of `over`. */
 static bool goes_on(const sweep *self, jlt_exit status)
 {
     return status == JLT_EXIT_DONE || status == JLT_EXIT_FAILED || status == JLT_EXIT_NUMERICAL
            || (status == JLT_EXIT_INPUT && self->study.over_count > 0);
 }
 
-/* The piece at this place of the shard's order, which is what the worker knows it by. */
+/* Compute the piece at this position in the shard's order, by which the worker numbers its pieces, and add it to the file. */
 static jlt_exit compute(sweep *self, size_t position)
 {
     const size_t number = piece_at(self, position);
@@ -229,7 +228,7 @@ static jlt_exit compute(sweep *self, size_t position)
     int by;
     jlt_exit code = jlt_worker_run(worker, &status, &by, position);
 
-    if (code != JLT_EXIT_DONE || *worker->interrupt != 0) return code; /* half a piece is none */
+    if (code != JLT_EXIT_DONE || *worker->interrupt != 0) return code; /* drop an unfinished piece */
     jlt_study_place(at, &self->study, number);
     if (by != 0) {
         fprintf(stderr, "jellett: piece %zu (%s) was ended by signal %d, and is left out\n", number, at, by);
@@ -250,7 +249,7 @@ static jlt_exit compute(sweep *self, size_t position)
     return st == JLT_OK ? JLT_EXIT_DONE : cannot_write(self, st);
 }
 
-/* Where a piece is over so soon that its start is felt. */
+/* Suggest larger pieces if they take so little time that starting them costs a noticeable share. */
 static void advise(const sweep *self, size_t done, double lasted)
 {
     const double factor = WORTH_SECONDS * (double)done / lasted;
@@ -340,7 +339,7 @@ static jlt_exit run_shard(sweep *self)
     code = compute_all(self, &interrupted);
     if (code == JLT_EXIT_DONE && !interrupted && self->lost > 0)
         code = jlt_command_fail(JLT_EXIT_NUMERICAL, "%zu pieces were ended by signals: --resume tries again", self->lost);
-    /* Nothing at all is at any point; one of several shards may well have met none but such points. */
+    /* Fail if no point at all has rows. This needs all pieces: one of several shards may happen to have only such points. */
     if (code == JLT_EXIT_DONE && !interrupted && self->empty == self->study.pieces) code = JLT_EXIT_INPUT;
     return code == JLT_EXIT_DONE ? self->worst : code;
 }
@@ -354,7 +353,7 @@ static jlt_exit run(int argc, char **argv)
 
     argp_parse(&parser, argc, argv, 0, NULL, &o);
 #if defined(_OPENMP)
-    if (getenv("OMP_NUM_THREADS") == NULL) omp_set_num_threads(1); /* there is a process for each processor */
+    if (getenv("OMP_NUM_THREADS") == NULL) omp_set_num_threads(1); /* one process for each processor is expected */
 #endif
     if (jlt_rank_find(&self.rank, message, o.shard) != JLT_OK) code = jlt_command_fail(JLT_EXIT_USAGE, "%s", message);
     else code = jlt_study_open(&self.study, o.scene, &o.set);

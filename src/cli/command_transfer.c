@@ -1,3 +1,4 @@
+/* `jellett transfer`: transfer operators of the return map, their stationary densities, escape rates, and sets that mix slowly. */
 #include "cli/motion_many.h"
 #include "cli/motion_map.h"
 #include "cli/progress.h"
@@ -8,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Keys; most operators of one run; points that go at once, for each thread. */
+/* Keys of options; LIST_MAX, most values of --noise and of --coarse; BLOCK, points mapped together, for each thread. */
 enum { STRATA = 2000, NOISE, COARSE, SEED, BACKWARD, CANDIDATES, LIST_MAX = 8, BLOCK = 8192 };
 
 typedef struct {
@@ -21,7 +22,7 @@ typedef struct {
 
 static const char default_boxes[] = "100x100";
 
-static const double drawn = 1e-6; /* densities are drawn down to this part of the largest */
+static const double drawn = 1e-6; /* pictures show densities down to this fraction of the largest */
 
 static const struct argp_option option_table[] = {
     { "boxes", 'b', "COUNTxCOUNT", 0,
@@ -39,7 +40,7 @@ static const struct argp_option option_table[] = {
     { 0 },
 };
 
-/* The next of a list of texts separated by commas; false: there is none. */
+/* Read the next item of a list separated by commas. Returns false at its end. */
 static bool next_item(char item[64], const char **text, const char *option, struct argp_state *state)
 {
     const size_t length = strcspn(*text, ",");
@@ -129,7 +130,7 @@ static const struct argp parser = {
     children, NULL, NULL,
 };
 
-/* All that a run has made. */
+/* A run of the command: everything that has to be released at its end. */
 typedef struct {
     options *o;
     jlt_system *system;
@@ -244,7 +245,6 @@ static jlt_exit examine(study *s, jlt_transfer_case *c, const jlt_transfer *tran
     return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, NULL, "eigenvalues");
 }
 
-/* Operators of all noises and widths, and what they tell. */
 static jlt_exit examine_all(study *s)
 {
     const options *o = s->o;
@@ -313,7 +313,7 @@ static jlt_exit write_all(study *s, jlt_motion_map *map)
     return code == JLT_EXIT_DONE ? jlt_motion_failures(s->system, jlt_transfer_section_failures(s->section), s->points) : code;
 }
 
-/* A picture's grid is that of the boxes' centres. */
+/* Set the axes to the grid of the boxes' centres, for the picture. */
 static void centre_axes(jlt_grid_axis *axes, const jlt_boxes *boxes)
 {
     for (unsigned k = 0; k < boxes->dim; k++) {

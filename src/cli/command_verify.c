@@ -1,3 +1,4 @@
+/* `jellett verify`: proves the model's claims, and compares them with what the compiled kernels compute. */
 #include "claims/sample.h"
 #include "cli/common.h"
 #include "cli/interrupt.h"

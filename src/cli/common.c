@@ -107,7 +107,7 @@ static error_t parse_accuracy(int key, char *value, struct argp_state *state)
 
 static const struct argp_child children[] = { { &jlt_plot_argp, 0, NULL, 0 }, { 0 } };
 
-/* Help promises no array of what is never a table. */
+/* In the help of a command whose results are never a table, describe --output without NumPy arrays. */
 static char *filter(int key, const char *text, void *input)
 {
     const jlt_common *self = input;

@@ -33,13 +33,13 @@ typedef struct {
     jlt_equilibrium found;
 } jlt_eigen_row;
 
-/* Add the axes NAME=LOW:HIGH:COUNT,... of --sweep to the request; then compute and write a row for each of their points. */
+/* Add the axes NAME=LOW:HIGH:COUNT,... of --sweep to the request; compute and write a row for each of their points. */
 jlt_exit jlt_eigen_parse_sweep(jlt_eigen_request *request, const char *text);
 jlt_exit jlt_eigen_sweep(const jlt_eigen_request *request);
 
 /* Writers. */
 enum { JLT_EIGEN_REASON_MAX = 160 };
-void jlt_eigen_reason(char *text, const jlt_eigen_row *row); /* why a row was refused, shape (JLT_EIGEN_REASON_MAX,) */
+void jlt_eigen_reason(char *text, const jlt_eigen_row *row); /* why a row was refused; text: shape (JLT_EIGEN_REASON_MAX,) */
 void jlt_eigen_write_text(FILE *stream, const jlt_eigen_row *row);
 JLT_CHECKED jlt_status jlt_eigen_write_json(FILE *stream, const jlt_eigen_row *rows, size_t count, bool array);
 void jlt_eigen_write_csv(FILE *stream, const jlt_eigen_request *request, const jlt_eigen_row *rows, size_t count);

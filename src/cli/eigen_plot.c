@@ -2,7 +2,7 @@
 #include "cli/eigen.h"
 #include "cli/plot.h"
 
-/* Values that stay the same over the picture, for its caption. */
+/* Write the values that are constant over the picture into its caption. */
 static void write_caption(jlt_plot *plot, const jlt_eigen_request *r)
 {
     const jlt_descriptor *d = r->question.descriptor;

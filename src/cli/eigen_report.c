@@ -60,14 +60,14 @@ void jlt_eigen_reason(char *text, const jlt_eigen_row *row)
     else snprintf(text, size, "%s", jlt_status_text(e->status));
 }
 
-/* A number in a column of this width: the decimal where there is one. */
+/* Write a number in a column of this width: the decimal text if there is one (--digits), else the double. */
 static void write_number(FILE *stream, int width, int precision, const char *decimal, double value)
 {
     if (decimal != NULL) fprintf(stream, "%*s", width, decimal);
     else fprintf(stream, "%*.*g", width, precision, value);
 }
 
-/* Decimals, shape (count,), or NULL for the fewest digits that read back. */
+/* Write NAME=VALUE for all quantities: the decimals, shape (count,), or, if NULL, the fewest digits that read back. */
 static void write_values(FILE *stream, const char *title, const jlt_quantity *quantities, const double *values,
                          char *const *decimals, size_t count)
 {
@@ -209,7 +209,7 @@ static json_t *named_texts_json(const jlt_quantity *quantities, char *const *tex
     return o;
 }
 
-/* The same numbers as decimals, in texts. */
+/* The same numbers as strings of decimal digits. */
 static json_t *decimals_json(const jlt_descriptor *d, const jlt_linearization *r)
 {
     const jlt_ball_texts *t = r->texts;
@@ -288,7 +288,7 @@ static void write_csv_header(FILE *stream, const jlt_eigen_request *request)
     const jlt_descriptor *d = request->question.descriptor;
     jlt_csv_names names;
 
-    for (size_t i = 0; i < request->axis_count; i++) /* it runs over the rows, which have copies of their own */
+    for (size_t i = 0; i < request->axis_count; i++) /* swept: its value changes from row to row, and rows have copies of it */
         if (!request->targets[i].is_state) request->params[request->targets[i].index] = NAN;
     jlt_csv_header(stream, &(jlt_csv_settings){ .command = request->common.command, .descriptor = d, .params = request->params });
     fputs("# eigenvalues: first those that integrals make zero, then ascending; error_k bounds the error of the k-th\n", stream);

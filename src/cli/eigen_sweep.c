@@ -22,11 +22,11 @@ jlt_exit jlt_eigen_parse_sweep(jlt_eigen_request *request, const char *text)
     return code;
 }
 
-/* What the processes of a sweep share. They are no threads, which FLINT's numbers and ARPACK's state would be in the way of. */
+/* Memory that the processes of a sweep share. Threads would not do: FLINT's numbers and ARPACK's state do not allow them. */
 typedef struct {
-    size_t next;            /* row, changed atomically */
-    unsigned char *is_done; /* shape (points,): which rows are there */
-    jlt_eigen_row rows[];   /* then what they point to, then is_done */
+    size_t next;            /* the next row to compute, changed atomically */
+    unsigned char *is_done; /* shape (points,): whether a row is computed */
+    jlt_eigen_row rows[];   /* shape (points,); then the values that they point to, then is_done */
 } shared_rows;
 
 static size_t numbers_of(const jlt_descriptor *d) { return d->param_count + d->state_count; }
@@ -36,14 +36,14 @@ static size_t bytes_of(const jlt_eigen_request *r)
     return sizeof(shared_rows) + r->points * (sizeof(jlt_eigen_row) + numbers_of(r->question.descriptor) * sizeof(double) + 1);
 }
 
-/* Row `k` of the grid, the last axis fastest. */
+/* Compute row `k` of the grid, on which the last axis runs fastest. */
 static void compute_row(shared_rows *all, const jlt_eigen_request *r, size_t k)
 {
     const jlt_descriptor *d = r->question.descriptor;
     jlt_eigen_row *row = &all->rows[k];
     double values[JLT_EIGEN_AXES_MAX];
 
-    *row = (jlt_eigen_row){ .descriptor = d }; /* it may have been begun by a process that is gone */
+    *row = (jlt_eigen_row){ .descriptor = d }; /* a process that was killed may have begun it */
     row->params = (double *)(all->rows + r->points) + k * numbers_of(d);
     row->x = row->params + d->param_count;
     memcpy(row->params, r->params, d->param_count * sizeof *row->params);
@@ -60,8 +60,8 @@ static void compute_some(shared_rows *all, const jlt_eigen_request *r, const vol
         compute_row(all, r, k);
 }
 
-/* By several processes, this one among them, which also does what one that was killed has left. Returns how many rows are there:
- * all, unless interrupted. */
+/* Compute the rows by several processes, this one among them, which at the end also computes rows that a killed process left
+ * unfinished. Returns the number of finished rows: all, unless interrupted. */
 static size_t compute_all(shared_rows *all, const jlt_eigen_request *r, const volatile sig_atomic_t *interrupt)
 {
     const size_t wanted = r->processes > 0 ? r->processes : jlt_common_processors();
@@ -73,14 +73,14 @@ static size_t compute_all(shared_rows *all, const jlt_eigen_request *r, const vo
     for (size_t i = 0; made != NULL && i < others; i++) {
         made[i] = fork();
         if (made[i] != 0) continue;
-        prctl(PR_SET_PDEATHSIG, SIGTERM); /* also where this one is killed */
-        if (getppid() != self) _exit(0);  /* it was, before that */
+        prctl(PR_SET_PDEATHSIG, SIGTERM); /* end also if the parent is killed */
+        if (getppid() != self) _exit(0);  /* it was killed before prctl */
         compute_some(all, r, interrupt);
         _exit(0);
     }
     compute_some(all, r, interrupt);
     for (size_t i = 0; made != NULL && i < others; i++) {
-        if (made[i] < 0) continue; /* then there are fewer */
+        if (made[i] < 0) continue; /* fork failed: there is one process fewer */
         if (*interrupt != 0) kill(made[i], SIGTERM);
         while (waitpid(made[i], NULL, 0) < 0 && errno == EINTR) {}
     }

@@ -5,8 +5,8 @@
 
 #include "cli/fates_table.h"
 
-/* For each thread: orbits that are followed at once, so many that lanes seldom wait for the last ones; and the most systems that
- * these are of, of some 20 kB each. */
+/* For each thread: BLOCK, orbits followed together, so many that lanes rarely idle while the last ones end; PLACES, the most
+ * systems that these belong to, about 20 kB each. */
 enum { BLOCK = 4096, PLACES = 512 };
 
 const char *jlt_fates_crowd_grid(const jlt_motion_options *motion, const jlt_system *system)
@@ -16,7 +16,7 @@ const char *jlt_fates_crowd_grid(const jlt_motion_options *motion, const jlt_sys
 
 static jlt_fates_crowd_place *last_of(const jlt_fates_crowd *self) { return &self->places[self->place_count - 1]; }
 
-/* What has become of a start of the block. */
+/* Count how the orbit from start i of the block ended, and write its row. */
 static jlt_exit count_start(jlt_fates_crowd *self, size_t i)
 {
     const jlt_motion_options *motion = self->motion;
@@ -40,7 +40,7 @@ static jlt_exit count_start(jlt_fates_crowd *self, size_t i)
     return JLT_EXIT_DONE;
 }
 
-/* A batch of the last system alone. */
+/* Create a batch for the last system alone. */
 static jlt_exit open_batch(jlt_fates_crowd *self)
 {
     jlt_section_batch_options batch = { .last_only = true };
@@ -49,7 +49,7 @@ static jlt_exit open_batch(jlt_fates_crowd *self)
     return jlt_motion_many_open(&self->batch, &batch, self->motion, last_of(self)->system);
 }
 
-/* Systems before `end` have no more starts, and the batch none of theirs. */
+/* Report and destroy the systems before `end`, whose starts are all counted, and the batch. */
 static void let_go(jlt_fates_crowd *self, size_t end)
 {
     jlt_section_batch_destroy(self->batch);
@@ -62,7 +62,7 @@ static void let_go(jlt_fates_crowd *self, size_t end)
     memmove(self->places, self->places + end, self->place_count * sizeof *self->places);
 }
 
-/* Follow the starts of the block. is_complete: the last system has no more. */
+/* Follow the starts of the block and count them. is_complete: the last system has no further starts. */
 static jlt_exit follow_block(jlt_fates_crowd *self, bool is_complete)
 {
     jlt_exit code = JLT_EXIT_DONE;
@@ -94,7 +94,7 @@ static jlt_exit make_room(jlt_fates_crowd *self, unsigned dim)
     return JLT_EXIT_DONE;
 }
 
-/* The last system goes beside those of the batch; where it has other kernels than they, their starts are followed first. */
+/* Add the last system to the batch. If its kernels differ from the batch's, follow the starts of the others first. */
 static jlt_exit join(jlt_fates_crowd *self)
 {
     jlt_fates_crowd_place *place = last_of(self);

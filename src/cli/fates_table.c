@@ -10,7 +10,7 @@ static const char *conditions(const jlt_system *system) { return jlt_observed_co
 
 static bool tells_contact(const jlt_motion_options *options) { return strcmp(options->contact, "report") == 0; }
 
-/* The section that says what to show where an orbit ends; NULL: all states are shown. */
+/* The section, if it says which quantities to show where an orbit ends; NULL: all states are shown. */
 static const jlt_section_chart *ending_of(const jlt_system *system)
 {
     return system->surface != NULL && system->surface->section->ending_count > 0 ? system->surface->section : NULL;
@@ -56,12 +56,12 @@ void jlt_fates_table_row(FILE *file, const jlt_motion_options *options, const jl
     jlt_csv_row(file, values, count);
 }
 
-/* Columns of a sweep, in this order. */
+/* The fates that have a column in the table of a sweep, in this order. */
 static const jlt_fate told[] = { JLT_FATE_POLE_PLUS,   JLT_FATE_POLE_MINUS, JLT_FATE_INVALID, JLT_FATE_EQUILIBRIUM,
                                  JLT_FATE_LEFT_DOMAIN, JLT_FATE_ALIVE,      JLT_FATE_BUDGET };
 enum { TOLD = sizeof told / sizeof *told };
 
-/* Fates that can be of this section's orbits. */
+/* Whether orbits of this section can have this fate. */
 static bool can_be(const jlt_system *system, jlt_fate fate)
 {
     switch (fate) {

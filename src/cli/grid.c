@@ -78,7 +78,6 @@ jlt_exit jlt_grid_axis_parse(jlt_grid_axis *axis, const char *text, size_t lengt
     return code;
 }
 
-/* Whether an item NAME=... of the list stands before `end`. */
 static bool is_named_before(const char *list, const char *end, const char *name)
 {
     const size_t length = strlen(name);
@@ -88,7 +87,6 @@ static bool is_named_before(const char *list, const char *end, const char *name)
     return false;
 }
 
-/* FIRST:COUNT. */
 static jlt_exit read_part(jlt_grid_axis *first, const char *text, const char *option)
 {
     char copy[24] = "";
@@ -167,7 +165,7 @@ double jlt_grid_value(const jlt_grid_axis *axis, size_t index, double period)
     if (axis->low_text != NULL
         && jlt_number_between(&value, axis->low_text, axis->low_length, axis->high_text, axis->high_length, index, parts) == JLT_OK)
         return value;
-    return (axis->low * (double)(parts - index) + axis->high * (double)index) / (double)parts; /* an end is no text's */
+    return (axis->low * (double)(parts - index) + axis->high * (double)index) / (double)parts; /* the ends were not typed */
 }
 
 jlt_exit jlt_grid_size(size_t *all, const jlt_grid_axis *axes, size_t count, const char *text, const char *option)

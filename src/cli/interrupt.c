@@ -11,13 +11,13 @@
 
 enum { SECONDS = 1, SECONDS_TO_DRAW = 10, FILES = 8 };
 
-/* A handler can reach nothing but globals. Threads that the libraries start have signals delivered to them as well, so that what
- * one handler changes is read and written atomically. */
-static volatile sig_atomic_t raised; /* the first signal that asked */
+/* Handlers can use only globals. Handlers may run on several threads at once, as libraries start threads that receive signals too,
+ * so that what they share is set atomically. */
+static volatile sig_atomic_t raised; /* the first signal that asked the program to end; 0: none */
 static volatile sig_atomic_t polled; /* a command looks at `raised` */
-static volatile sig_atomic_t child;  /* where signals go on to; 0: nowhere */
+static volatile sig_atomic_t child;  /* the process to which signals are passed on; 0: none */
 static double raised_at;
-static int first;                    /* as `raised`, set atomically */
+static int first;                    /* the same as `raised`, set atomically: decides which handler is the first */
 static int phase;                    /* FREE, HELD while files change, ENDING for good; set atomically */
 static int due;                      /* a signal that ends the program once files no longer change; set atomically */
 static const jlt_file *files[FILES];
@@ -35,7 +35,7 @@ static void say(const char *text)
     (void)written; /* there is nowhere else to say it */
 }
 
-/* By the signal itself, so that whoever waits sees what ended the program. */
+/* End by the signal itself, with its default action, so that the parent sees what ended the program. */
 static void die(int signal_number)
 {
     struct sigaction action = { .sa_handler = SIG_DFL };
@@ -50,7 +50,7 @@ static void die(int signal_number)
     _exit(128 + signal_number);
 }
 
-/* late: the command was asked, and a second has passed. */
+/* Remove the files under way. late: the command was asked to end a second ago, so save the whole rows of each file instead. */
 static void clear_away(bool late)
 {
     for (int i = 0; i < FILES; i++) {
@@ -64,7 +64,7 @@ static void clear_away(bool late)
     }
 }
 
-/* At once, unless files are being changed: then when that is done. */
+/* End the program at once, or, while files are held, at jlt_interrupt_release. */
 static void end_now(int signal_number)
 {
     int free_phase = FREE;
@@ -90,7 +90,7 @@ static void meet(int signal_number, siginfo_t *about, void *unused)
     int none = 0;
 
     (void)unused;
-    /* What a terminal sends reaches the child by itself. */
+    /* A signal from the terminal (si_code > 0) reaches the child by itself, as it goes to the whole process group. */
     if (child > 0 && about->si_code <= 0) kill((pid_t)child, signal_number);
     if (__atomic_compare_exchange_n(&first, &none, signal_number, false, __ATOMIC_SEQ_CST, __ATOMIC_SEQ_CST)) {
         raised_at = jlt_interrupt_clock();
@@ -128,12 +128,12 @@ void jlt_interrupt_begin(void)
     for (int i = 0; i < ASKING; i++) sigaddset(&ask.sa_mask, asking[i]);
     for (int i = 0; i < ENDING_COUNT; i++) sigaddset(&ask.sa_mask, ending[i]);
     end.sa_mask = ask.sa_mask;
-    /* A shell that starts a job in the background has it ignore SIGINT, and nohup SIGHUP: let it be so. */
+    /* Leave ignored signals ignored: a shell starts background jobs with SIGINT ignored, and nohup its command with SIGHUP. */
     for (int i = 0; i < ASKING; i++)
         if (!is_ignored(asking[i])) sigaction(asking[i], &ask, NULL);
     for (int i = 0; i < ENDING_COUNT; i++)
         if (!is_ignored(ending[i])) sigaction(ending[i], &end, NULL);
-    signal(SIGXFSZ, SIG_IGN); /* writing then fails, and is told of as any failure is */
+    signal(SIGXFSZ, SIG_IGN); /* so that the write fails, and is reported like any other failure */
 }
 
 const volatile sig_atomic_t *jlt_interrupt_install(void)
@@ -175,7 +175,7 @@ void jlt_interrupt_obey(void)
 
 void jlt_interrupt_end(int signal_number)
 {
-    alarm(SECONDS); /* standard output may be a pipe that nobody empties */
+    alarm(SECONDS); /* the flush may block on a pipe that nobody reads */
     fflush(stdout);
     fprintf(stderr, "jellett: ended by signal %d\n", signal_number);
     die(signal_number);
@@ -226,7 +226,7 @@ pid_t jlt_interrupt_fork(void)
     block_asking(&before);
     made = fork();
     if (made == 0) {
-        prctl(PR_SET_PDEATHSIG, SIGTERM); /* also where the parent is killed, and passes nothing on */
+        prctl(PR_SET_PDEATHSIG, SIGTERM); /* end also if the parent is killed and can pass nothing on */
         polled = 0;
         raised = 0;
         first = due = 0;

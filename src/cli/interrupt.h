@@ -1,6 +1,6 @@
-/** Signals INT, TERM and HUP ask a command to finish the row it is at. A command that does not look at that request, or does
- *  not finish within a second (jlt_interrupt_draw gives it longer), is ended, and a signal more than a second after the first ends
- *  it at once. No temporary file stays behind. */
+/** Signal handling. INT, TERM and HUP ask a command to finish its current row. They end a command that has not called
+ *  jlt_interrupt_install at once, and one that has after a second (jlt_interrupt_draw grants more), or at a further signal that
+ *  comes a second after the first or later. No temporary file stays behind. */
 #ifndef JLT_CLI_INTERRUPT_H
 #define JLT_CLI_INTERRUPT_H
 
@@ -9,45 +9,46 @@
 
 #include "report/file.h"
 
-/** Take over the signals that are not ignored. Call it once, as the program begins. */
+/** Install handlers for the signals that are not ignored. Call it once, at the start of the program. */
 void jlt_interrupt_begin(void);
 
-/** From now on the command looks at the flag that this returns, which is raised for good by the first signal, and saves what it
- *  has. Until then a signal ends the program at once. */
+/** Returns the flag that the first signal sets to its number for good; 0 before. The caller promises to look at it, and to save its
+ *  rows when it is set. */
 const volatile sig_atomic_t *jlt_interrupt_install(void);
 
-/** Signals are left to the first thread, now that the command is to work on so many: threads are begun here that have them
- *  blocked, and parallel regions of as many or fewer use these. Of two signals that come together on two threads, the later could
- *  be met first. */
+/** Before the command works on this many threads: start the threads of the OpenMP pool with INT, TERM and HUP blocked, so that only
+ *  the first thread receives them. Otherwise two signals could be handled on two threads at once, the later one first. Parallel
+ *  regions of as many threads or fewer reuse these threads. */
 void jlt_interrupt_spare(size_t threads);
 
-/** The rows are saved, and a picture of them is drawn: where the flag was raised, the command has ten seconds from now, unless
- *  another signal comes. */
+/** Call it when the rows are saved, before drawing: if the flag is set, the command gets ten more seconds from now, unless another
+ *  signal comes. */
 void jlt_interrupt_draw(void);
 
-/** When the flag was raised: end the program by that signal, as whoever sent it expects. Otherwise nothing. */
+/** If the flag is set, end the program by that signal, so that its parent sees what ended it. */
 void jlt_interrupt_obey(void);
 
 /** End the program by this signal. */
 _Noreturn void jlt_interrupt_end(int signal_number);
 
-/** Between the two, no signal ends the program: a file is made, moved or removed. Short, and not nested. */
+/** Between these two calls no signal ends the program, so that files can be created, renamed and removed. Keep the span short; the
+ *  calls do not nest. */
 void jlt_interrupt_hold(void);
 void jlt_interrupt_release(void);
 
-/** A file under way, until it is forgotten; the signals are held meanwhile. Where the program is ended because a second has
- *  passed, the whole rows written so far are saved; by another signal, it is removed. At most 8. */
+/** Register a file that is being written; unregister it. Call both while signals are held. If the program is ended because the
+ *  second has passed, its whole rows so far are saved; if a signal ends the program at once, it is removed. At most 8 files. */
 void jlt_interrupt_remember(const jlt_file *file);
 void jlt_interrupt_forget(const jlt_file *file);
 
-/** Remove the files under way: the program is about to end without their being finished. */
+/** Remove the registered files, before the program ends without finishing them. */
 void jlt_interrupt_abandon(void);
 
-/** Seconds of a clock that nobody sets. It may be read while a signal is met. */
+/** Seconds of a clock that nobody sets. It may be read within a signal handler. */
 double jlt_interrupt_clock(void);
 
-/** Fork. The child begins as the program did; in the parent, signals are passed on to it until jlt_interrupt_alone, which
- *  returns the first of them, 0 where there was none. Returns as fork. */
+/** Fork. The child starts with no signal pending, as the program did. The parent passes signals on to the child until it calls
+ *  jlt_interrupt_alone, which returns the first signal that came, or 0. jlt_interrupt_fork returns what fork does. */
 pid_t jlt_interrupt_fork(void);
 int jlt_interrupt_alone(void);
 

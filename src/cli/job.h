@@ -1,4 +1,4 @@
-/** Entries of a scene as the command lines that they stand for. */
+/** Turns the entries of a scene into command lines, and runs them. */
 #ifndef JLT_CLI_JOB_H
 #define JLT_CLI_JOB_H
 
@@ -14,12 +14,12 @@ jlt_exit jlt_job_open(jlt_scene **scene, const char *path);
 /** Give parameters of a scene's commands the values of `set`, from --set. */
 jlt_exit jlt_job_set(jlt_scene *scene, const jlt_assign_list *set);
 
-/** The command line of an entry, *argc arguments, for jlt_command_free: argv[0] is "jellett NAME", and `more`, unless NULL, is one
- *  more option behind all others. NULL: memory is out. */
+/** The command line of an entry, *argc arguments, for jlt_command_free: argv[0] is "jellett NAME"; `more`, unless NULL, is added as
+ *  the last option. Returns NULL when memory is out. */
 char **jlt_job_arguments(const jlt_scene_job *job, const char *more, int *argc);
 
-/** Run a command line in a process of its own, so that whatever ends it leaves other entries alone. Out: *ending, the signal that
- *  asks this program to end, else 0. Returns the command's exit status, which the command has explained. */
+/** Run a command line in a child process, so that a crash does not affect other entries. Out: *ending, the signal that asks this
+ *  program to end, else 0. Returns the command's exit status, whose reason has been printed. */
 jlt_exit jlt_job_run(int *ending, const jlt_command *command, char **argv, int argc);
 
 #endif

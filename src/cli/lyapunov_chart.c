@@ -10,10 +10,9 @@
 #include "kernel/batch_isa.h"
 #include "report/csv.h"
 
-/* Starts of a chart that go together, for each thread. */
+/* Starts of a chart that are mapped together, for each thread. */
 enum { BLOCK = 256 };
 
-/* The point that exponents are measured from. */
 jlt_status jlt_lyapunov_chart_skip(jlt_map *map, double *q, size_t skip)
 {
     const jlt_chart *chart = jlt_map_flow(map)->chart;
@@ -40,7 +39,7 @@ jlt_exit jlt_lyapunov_chart_draw(const jlt_lyapunov_chart_options *o, const jlt_
     return jlt_plot_draw(&plot);
 }
 
-/* Starts first .. first + count - 1: their points q, exponents and times, NaN where the orbit ends. */
+/* Map the starts q, shape (count, dim): skip returns, then apply the maps for `returns` returns. Out: images. */
 static jlt_status exponents(const jlt_lyapunov_chart_options *o, jlt_map *map, jlt_map_batch *maps, const jlt_map_images *images,
                             double *q, size_t count)
 {
@@ -50,7 +49,7 @@ static jlt_status exponents(const jlt_lyapunov_chart_options *o, jlt_map *map, j
     memcpy(images->q, q, count * d * sizeof *q);
     for (size_t i = 0; i < count; i++)
         if ((st = jlt_lyapunov_chart_skip(map, images->q + i * d, o->skip)) != JLT_OK)
-            for (unsigned k = 0; k < d; k++) images->q[i * d + k] = NAN; /* it has ended already */
+            for (unsigned k = 0; k < d; k++) images->q[i * d + k] = NAN; /* the orbit has ended already */
     return st == JLT_ERR_NOMEM ? st : jlt_map_batch_apply(maps, images, images->q, count, o->returns, 1);
 }
 
@@ -106,7 +105,6 @@ jlt_exit jlt_lyapunov_chart_write(jlt_motion_map *picture, jlt_map *map, jlt_map
     return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, system, "chart");
 }
 
-/* The maps of a chart: in lanes, unless a method was asked for. */
 jlt_status jlt_lyapunov_chart_maps(jlt_map_batch **out, jlt_lyapunov_chart_options *o, const jlt_system *system, bool has_method)
 {
     const jlt_kernel_batch *kernels = has_method ? NULL : jlt_batch_isa_best(system->instance->descriptor, 0);
@@ -115,6 +113,6 @@ jlt_status jlt_lyapunov_chart_maps(jlt_map_batch **out, jlt_lyapunov_chart_optio
     if (o->threads == 0) o->threads = jlt_common_processors();
     jlt_interrupt_spare(o->threads);
     st = jlt_map_batch_create(out, &system->flow, kernels, NULL, (unsigned)o->threads);
-    if (st == JLT_OK) o->motion.in_lanes = jlt_map_batch_in_lanes(*out); /* says the header */
+    if (st == JLT_OK) o->motion.in_lanes = jlt_map_batch_in_lanes(*out); /* for the header */
     return st;
 }

@@ -50,7 +50,7 @@ static jlt_exit begin_file(jlt_merged *self)
     else code = st == JLT_ERR_IO ? jlt_command_cannot_write(self->path) : jlt_command_no_memory();
     jlt_interrupt_release();
     if (code != JLT_EXIT_DONE || self->kind != JLT_MERGED_CSV) return code;
-    const int copy = dup(self->place.descriptor); /* the place closes its own */
+    const int copy = dup(self->place.descriptor); /* fclose and jlt_file_end each close one */
     self->stream = copy >= 0 ? fdopen(copy, "w") : NULL;
     if (self->stream != NULL) return JLT_EXIT_DONE;
     if (copy >= 0) close(copy);

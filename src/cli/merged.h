@@ -1,5 +1,4 @@
-/** Files that a merged study is written to, each whole or not at all: CSV, a structured array of NumPy, or SQLite, by the name's
- *  ending. */
+/** Output files of a merged study: CSV, a structured NumPy array, or SQLite, by the path's ending; written whole or not at all. */
 #ifndef JLT_CLI_MERGED_H
 #define JLT_CLI_MERGED_H
 
@@ -16,27 +15,27 @@ typedef struct {
     const char *path;
     jlt_merged_kind kind;
     jlt_file place; /* zeroed for standard output */
-    FILE *stream;   /* of CSV */
+    FILE *stream;   /* takes the CSV */
     jlt_npy *array;
     jlt_database *database;
 } jlt_merged;
 
-/** The kind of file that a path's ending asks for: .csv, .npy, .sqlite or .db; "-" is CSV. False: it has none of these. */
+/** The kind of file that a path's ending means: .csv, .npy, .sqlite or .db; "-" is CSV. Returns false for any other ending. */
 bool jlt_merged_known(jlt_merged_kind *kind, const char *path);
 
-/** Begin a file, and write what stands before its rows. The first `over` columns are those that the study runs over. study: its
- *  manifest, for SQLite; header: comments, for CSV and NumPy. Discard *self after, whatever is returned. */
+/** Begin a file, and write what precedes its rows. The first `over` columns are those that the study runs over. study: its
+ *  manifest, for SQLite; header: comments, for CSV and NumPy. Call jlt_merged_discard in the end, whatever is returned. */
 jlt_exit jlt_merged_open(jlt_merged *self, const char *path, const jlt_table_form *form, size_t over, const char *study,
                          const char *header);
 
-/** Begin the rows of a piece; write one of them, its fields as text in the order of the columns. False: it cannot be written. */
+/** Begin the rows of a piece; write one row, its fields as text in the order of the columns. Return false if writing fails. */
 bool jlt_merged_piece(jlt_merged *self, const jlt_shard_record *record);
 bool jlt_merged_row(jlt_merged *self, const jlt_table_form *form, char *const *fields);
 
-/** Give the file its name. */
+/** Finish the file, and rename it to its path. */
 jlt_exit jlt_merged_close(jlt_merged *self);
 
-/** Close, and remove what has no name yet. Legal when zeroed, and twice. */
+/** Release everything, and remove an output that jlt_merged_close has not finished. Legal when zeroed, and twice. */
 void jlt_merged_discard(jlt_merged *self);
 
 #endif

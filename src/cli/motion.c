@@ -113,7 +113,7 @@ bool jlt_motion_interrupted(const jlt_motion_options *options)
     return options->flow.interrupt != NULL && *options->flow.interrupt;
 }
 
-/* Where the section has points in one of its coordinates; false: nothing is known of that. */
+/* The interval of a coordinate in which the section can have points. Returns false if it is not known. */
 static bool interval(const jlt_system *system, unsigned coordinate, double *low, double *high)
 {
     return system->surface != NULL && jlt_surface_interval(system, coordinate, low, high);
@@ -147,7 +147,7 @@ jlt_exit jlt_motion_fail(jlt_status status, const jlt_system *system, const char
     return jlt_command_fail(jlt_command_exit(status), "%s: %s", what, jlt_status_text(status));
 }
 
-/* The --direction in which the section is crossed at a start, where that is not the one that counts; else NULL. */
+/* The --direction in which the orbit crosses the section at a start, if that is not the one that counts; else NULL. */
 static const char *other_direction(const jlt_system *system, const char *start)
 {
     const jlt_chart *chart = system->flow.chart;
@@ -213,11 +213,11 @@ jlt_exit jlt_motion_start(double *q, const jlt_system *system, const char *text)
     return code;
 }
 
-/* A point that a plane section has, outside the domain, is named by the condition that fails there. */
+/* Print why no orbit can begin at a start. If it lies outside the domain on a plane section, names the condition that fails. */
 static jlt_exit refuse_start(jlt_status status, const jlt_system *system, const char *start, const double *q)
 {
     const jlt_region *region = NULL;
-    const jlt_chart *chart = &system->chart.plane; /* of the table's units */
+    const jlt_chart *chart = &system->chart.plane; /* in the table's units */
     double x[JLT_CHART_STATES_MAX], value;
 
     if (status == JLT_ERR_DOMAIN && system->surface == NULL && chart->lift(chart, x, NULL, q) == status &&
@@ -246,7 +246,7 @@ jlt_exit jlt_motion_axes(jlt_grid_axis *axes, const jlt_system *system, const ch
 {
     const jlt_chart *chart = system->flow.chart;
     size_t count = chart->dim;
-    bool runs[JLT_CHART_DIM_MAX]; /* it is known where */
+    bool runs[JLT_CHART_DIM_MAX]; /* its default range is known */
 
     for (unsigned k = 0; k < chart->dim; k++) {
         axes[k] = (jlt_grid_axis){ .low = -1, .high = 1, .count = 1 };
@@ -257,7 +257,7 @@ jlt_exit jlt_motion_axes(jlt_grid_axis *axes, const jlt_system *system, const ch
         double low, high;
         runs[k] = chart->period[k] != 0 || interval(system, k, &low, &high);
         if (!runs[k] || chart->period[k] != 0) continue;
-        /* a hundredth of the interval off its ends, where an angle beside it loses its meaning */
+        /* stay 1/200 of the interval off its ends, where an angle beside this coordinate may be undefined */
         axes[k].low = low + (high - low) / 200;
         axes[k].high = high - (high - low) / 200;
     }
@@ -325,7 +325,7 @@ jlt_exit jlt_motion_check_grid(const jlt_grid_axis *axes, const jlt_system *syst
 
 jlt_exit jlt_motion_scale(jlt_system *system, const double *q, const jlt_grid_axis *axes)
 {
-    enum { STARTS = 32 }; /* of a grid */
+    enum { STARTS = 32 }; /* the most points of a grid to look at */
     const unsigned dim = system->flow.chart->dim;
     const size_t all = axes != NULL ? jlt_motion_grid_size(axes, system) : 1, count = all < STARTS ? all : STARTS;
     double starts[STARTS * JLT_CHART_DIM_MAX], extents[JLT_CHART_DIM_MAX];

@@ -45,7 +45,7 @@ jlt_exit jlt_motion_family_fail(const jlt_motion_family *self, jlt_status status
     return jlt_motion_fail(status, NULL, where);
 }
 
-/* Names of what may run. */
+/* Refuse a name that cannot run, and print those that can. */
 static jlt_exit refuse(const jlt_motion_family *self, const jlt_descriptor *d, const char *name, const char *option)
 {
     if (self->surface != NULL) {

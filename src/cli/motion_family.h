@@ -1,4 +1,4 @@
-/** The family of systems that a command line describes while some of its parameters and levels run over ranges. */
+/** The family of systems that a command line describes when some of its parameters and levels run over ranges. */
 #ifndef JLT_CLI_MOTION_FAMILY_H
 #define JLT_CLI_MOTION_FAMILY_H
 
@@ -7,23 +7,23 @@
 enum { JLT_FAMILY_AXES_MAX = 3 };
 
 typedef struct {
-    jlt_motion_plane plane;     /* of a section STATE=VALUE */
-    const jlt_system *system;   /* the one it was opened for: coordinates have its sizes */
-    const jlt_surface *surface; /* of a section that tables describe; NULL: `plane` is in use, and the next two are not */
+    jlt_motion_plane plane;     /* for a section STATE=VALUE */
+    const jlt_system *system;   /* the one it was opened for, whose typical sizes of coordinates all its systems get */
+    const jlt_surface *surface; /* for a section that tables describe; NULL: `plane` is in use, and the next two members are not */
     double values[JLT_CHART_VALUES_MAX];
     jlt_flow flow;
-    double *entries[JLT_FAMILY_AXES_MAX]; /* where the values that run stand, by axis; write there, then call _make */
+    double *entries[JLT_FAMILY_AXES_MAX]; /* by axis, pointers to the values that run; write there, then call _make */
     jlt_system_family systems;            /* the same family as a function of the first axis alone, for continuation */
-    unsigned no_angle;                    /* a state said to be an angle that is none for the last system made; else states */
+    unsigned no_angle;                    /* as jlt_motion_plane_make sets it, for the last system made */
 } jlt_motion_family;
 
-/** Open the family. In: system, the one that the options describe; both must outlive the family. axes: shape (count,), of which
- *  only the names are read: what runs. option: which option named them, for messages. *out must not move; clear it in any case. */
+/** Open the family. In: system, the one that the options describe; both must outlive the family. axes, shape (count,): what runs;
+ *  only the names are read. option: the option that named them, for messages. *out must not move; clear it in any case. */
 jlt_exit jlt_motion_family_open(jlt_motion_family *out, const jlt_system *system, const jlt_motion_options *options,
                                 const jlt_grid_axis *axes, size_t count, const char *option);
 void jlt_motion_family_clear(jlt_motion_family *family);
 
-/** Make the system at the values that stand in `entries`. Out: *out, for jlt_system_destroy. Errors: as jlt_motion_plane_make and
+/** Make the system for the values that `entries` point to. Out: *out, for jlt_system_destroy. Errors: as jlt_motion_plane_make and
  *  jlt_surface_system. */
 JLT_CHECKED jlt_status jlt_motion_family_make(jlt_motion_family *family, jlt_system **out);
 

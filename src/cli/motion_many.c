@@ -47,7 +47,7 @@ void jlt_motion_many_settle(jlt_motion_options *options, const jlt_system *syste
     options->in_lanes = options->many && options->alone == NULL;
 }
 
-/* Lanes put orbits back at crossings, single orbits after every step. */
+/* Set up the projection onto levels: lanes project orbits at crossings, a single orbit is projected after every step. */
 static jlt_exit set_projection(jlt_section_batch_options *batch_options, const jlt_motion_options *options, jlt_system *system)
 {
     const jlt_descriptor *d = system->instance->descriptor;

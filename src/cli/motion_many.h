@@ -1,5 +1,5 @@
-/** For commands that follow many orbits at once: several in the lanes of one vector, and on several threads. Call in this order:
- *  jlt_motion_many_begin, argp_parse, _choose, jlt_motion_system, _settle, _open. */
+/** For commands that follow many orbits at once, several in the lanes of one vector and on several threads. The calls, in order:
+ *  jlt_motion_many_begin, argp_parse, jlt_motion_many_choose, jlt_motion_system, jlt_motion_many_settle, jlt_motion_many_open. */
 #ifndef JLT_CLI_MOTION_MANY_H
 #define JLT_CLI_MOTION_MANY_H
 
@@ -12,11 +12,12 @@ extern const struct argp jlt_motion_many_argp;
 /** Set defaults, after jlt_motion_begin: all processors, and no method named. */
 void jlt_motion_many_begin(jlt_motion_options *options);
 
-/** Say whether the command follows many orbits, and whether it puts them back onto the levels of their integrals. Many go in lanes
- *  unless --method was given, by which each goes alone. */
+/** Tell whether the command follows many orbits, and whether it puts them back onto the levels of their integrals. Many orbits are
+ *  followed in lanes unless --method was given, which follows them one at a time. */
 void jlt_motion_many_choose(jlt_motion_options *options, bool many, bool project);
 
-/** Decide whether lanes can follow orbits of this system: sets options->in_lanes, else options->alone to the reason. */
+/** Decide whether lanes follow the orbits of this system. Sets options->in_lanes, and options->alone to the reason why they cannot,
+ *  or to NULL. */
 void jlt_motion_many_settle(jlt_motion_options *options, const jlt_system *system);
 
 /** Create the batch that follows orbits of `system`. In/out: batch_options, in which threads and projection are set here. Out:
@@ -24,8 +25,9 @@ void jlt_motion_many_settle(jlt_motion_options *options, const jlt_system *syste
 jlt_exit jlt_motion_many_open(jlt_section_batch **batch, jlt_section_batch_options *batch_options,
                               const jlt_motion_options *options, jlt_system *system);
 
-/** Write a line for headers and plans, with `before` in front: by which method, instruction set and lanes orbits go, and what
- *  follows them near a pole; or why they go one at a time. Writes nothing for one orbit, or where the method was named. */
+/** Write a line for headers and plans, with `before` in front: which method follows the orbits, with which instruction set and how
+ *  many lanes, and which method takes over near a pole; or why orbits are followed one at a time. Writes nothing for a single
+ *  orbit, or if --method was given. */
 void jlt_motion_many_line(FILE *file, const char *before, const jlt_motion_options *options, const jlt_system *system);
 
 #endif

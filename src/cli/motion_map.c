@@ -51,7 +51,7 @@ void jlt_motion_map_close(jlt_motion_map *self)
     *self = (jlt_motion_map){ .points = NULL };
 }
 
-/* The grid point that this is, along one axis of the picture. */
+/* The index of a value on axis k of the picture's grid. Returns false if the value is not on the grid. */
 static bool place(size_t *index, const jlt_motion_map *self, unsigned k, double value)
 {
     const jlt_grid_axis *axis = &self->axes[self->shown[k]];
@@ -74,8 +74,8 @@ void jlt_motion_map_add(jlt_motion_map *self, const double *q, double value)
     else jlt_look_row(self->points, at, 3);
 }
 
-/* Between which values cells are drawn, and by how many dots: some hundreds, as viewers of SVG blur the edges of dots, and an even
- * number to the cell, as an angle's cells are cut in halves at the ends. */
+/* The range over which cells are drawn, and the number of image pixels for it: some hundreds, since viewers of SVG blur the edges
+ * of pixels; and an even number for each cell, since the ends of an angle's range cut a cell into halves. */
 static jlt_extent dots(unsigned *count, const jlt_motion_map *self, unsigned k, jlt_extent range)
 {
     const jlt_grid_axis *axis = &self->axes[self->shown[k]];
@@ -88,7 +88,7 @@ static jlt_extent dots(unsigned *count, const jlt_motion_map *self, unsigned k, 
     return range;
 }
 
-/* In a script: CELL_x(x), the number of the cell in its row, and CELL_y(y). */
+/* Define the gnuplot function CELL_x(x) or CELL_y(y), the index of the cell at a coordinate. */
 static void write_place(FILE *stream, const jlt_motion_map *self, unsigned k)
 {
     const jlt_grid_axis *axis = &self->axes[self->shown[k]];
@@ -100,7 +100,7 @@ static void write_place(FILE *stream, const jlt_motion_map *self, unsigned k)
     fprintf(stream, " - %.17g)/%.17g + 0.5)\n", axis->low, copysign(self->cell[k], axis->high - axis->low));
 }
 
-/* The grid as an array, and its value at any place. */
+/* Write the grid as a gnuplot array, and functions that give its value at any point. */
 static void write_grid(FILE *stream, const jlt_motion_map *self)
 {
     const size_t cells = self->count[0] * self->count[1];

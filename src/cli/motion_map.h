@@ -1,4 +1,4 @@
-/** Pictures in which every start of a grid is a cell over two coordinates of the section, coloured by a value. */
+/** Pictures over two coordinates of the section in which every start of a grid is a cell, coloured by a value. */
 #ifndef JLT_CLI_MOTION_MAP_H
 #define JLT_CLI_MOTION_MAP_H
 
@@ -13,14 +13,14 @@ typedef struct {
     size_t count[2];           /* of cells; shape of the grid: (count[1], count[0]) */
     double *grid;              /* values, NaN where there is none; owned */
     jlt_extent frame[2];       /* of the picture */
-    FILE *points;              /* starts that are no points of the grid; NULL: there is no picture */
-    char *text;                /* and what was written there, `size` bytes */
+    FILE *points;              /* takes starts that are not points of the grid; NULL: there is no picture */
+    char *text;                /* what was written to `points`, `size` bytes */
     size_t size;
-    jlt_extent values, extent[2]; /* least and largest value; the same of the starts' coordinates */
+    jlt_extent values, extent[2]; /* ranges of the values and of the starts' coordinates */
 } jlt_motion_map;
 
-/** Choose what is shown. grid: as typed, with its axes, shape (dim,); NULL: none. JLT_EXIT_INPUT: the section has one coordinate,
- *  or starts of the grid differ in a third one, which the picture cannot show. */
+/** Choose the coordinates to show. grid: as typed, with its axes, shape (dim,); NULL: none. JLT_EXIT_INPUT: the section has only
+ *  one coordinate, or starts of the grid differ in a third coordinate, which the picture cannot show. */
 jlt_exit jlt_motion_map_open(jlt_motion_map *self, const jlt_motion_options *options, const jlt_system *system, const char *grid,
                              const jlt_grid_axis *axes);
 void jlt_motion_map_close(jlt_motion_map *self); /* legal when zeroed */
@@ -34,7 +34,7 @@ void jlt_motion_map_frame(jlt_motion_map *self, jlt_plot *plot);
 /** Write a palette for the values, and the colour box with this label. */
 void jlt_motion_map_palette(const jlt_motion_map *self, jlt_plot *plot, const char *label);
 
-/** Write "plot ...": the grid as an image, whose size in bytes does not grow with its cells, other starts as points. */
+/** Write "plot ...": the grid as an image, whose size in bytes does not grow with its cells, and other starts as points. */
 void jlt_motion_map_plot(const jlt_motion_map *self, jlt_plot *plot);
 
 #endif

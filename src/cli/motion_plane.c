@@ -34,7 +34,7 @@ static const signed char *proved_reversor(const jlt_motion_plane *p, const jlt_d
     return NULL;
 }
 
-/* The reversor as it is typed; where nothing is, that which the table proves. An empty list: none. */
+/* Set the reversor: from --mirror, an empty list for none, or, if that is not given, the one that the table proves. */
 static jlt_exit read_mirror(jlt_motion_plane *out, const char *text, const jlt_descriptor *d)
 {
     const signed char *proved = text == NULL ? proved_reversor(out, d) : NULL;
@@ -55,7 +55,7 @@ static jlt_exit read_mirror(jlt_motion_plane *out, const char *text, const jlt_d
     return JLT_EXIT_DONE;
 }
 
-/* STATE=NUMBER,...: states and numbers, *count of them. */
+/* Read STATE=NUMBER,... into indices of states and numbers, *count of each. */
 static jlt_exit read_states(size_t *states, double *numbers, size_t *count, const char *text, const jlt_descriptor *d,
                             const char *option)
 {
@@ -82,7 +82,8 @@ static bool is_solved_for(const jlt_motion_plane *p, size_t state)
     return false;
 }
 
-/* Periods that the table proves, but of a state that levels determine, which may have many values there; then what is said. */
+/* Set the periods: those that the table proves, then those of --modulo. States that are solved for get none: levels have many
+ * solutions for an angle. */
 static jlt_exit read_modulo(jlt_motion_plane *out, const char *text, const jlt_descriptor *d)
 {
     size_t states[JLT_CHART_STATES_MAX], count;
@@ -114,7 +115,6 @@ static bool has_angles(const jlt_motion_plane *p, unsigned count)
     return false;
 }
 
-/* The table's integral of this name, proved. */
 static jlt_exit find_integral(unsigned *index, const char *name, const jlt_descriptor *d)
 {
     const jlt_claim *claim = jlt_descriptor_claim(d, "integral", name);
@@ -183,7 +183,7 @@ static void note_size(jlt_motion_plane *out, size_t state, double value)
     if (state < JLT_CHART_STATES_MAX) out->sizes[state] = fmax(out->sizes[state], fabs(value));
 }
 
-/* NAME=VALUE or NAME=LOW:HIGH:COUNT, and more of them; what is no number is told where orbits begin. */
+/* Note the sizes in a list of NAME=VALUE or NAME=LOW:HIGH:COUNT. Malformed items are skipped: reading the starts reports them. */
 static void note_values(jlt_motion_plane *out, const char *text, const jlt_descriptor *d)
 {
     char name[64];
@@ -197,7 +197,7 @@ static void note_values(jlt_motion_plane *out, const char *text, const jlt_descr
     }
 }
 
-/* Where orbits begin. */
+/* Note the typical sizes of states from all options that say where orbits begin. */
 static void note_sizes(jlt_motion_plane *out, const jlt_motion_options *options)
 {
     const jlt_descriptor *d = out->descriptor;
@@ -208,7 +208,7 @@ static void note_sizes(jlt_motion_plane *out, const jlt_motion_options *options)
     if (options->grid != NULL) note_values(out, options->grid, d);
 }
 
-/* The most special field for these parameters, whatever those that run come to. */
+/* Choose the most special field that holds for these parameters and for any values of those that run. */
 static jlt_exit choose(jlt_motion_plane *out, const jlt_descriptor *d, const jlt_grid_axis *running, size_t count)
 {
     double *params = malloc((d->param_count + 1) * sizeof *params);
@@ -231,7 +231,7 @@ jlt_exit jlt_motion_plane_read(jlt_motion_plane *out, const jlt_motion_options *
     out->descriptor = descriptor;
     out->flow = options->flow;
     if (code != JLT_EXIT_DONE) return code;
-    /* Of the table's variants the smallest that serves; integrals and densities for these parameters alone belong to one. */
+    /* Take the most special variant: integrals and densities that hold only for these parameters belong to it. */
     code = choose(out, descriptor, running, count);
     if (code == JLT_EXIT_DONE && strcmp(options->contact, "ignore") != 0 && descriptor->family[0]->valid_count == 0)
         code = jlt_command_fail(JLT_EXIT_USAGE, "--contact %s: %s has no condition to lose; its table says none by 'valid'",
@@ -286,7 +286,8 @@ done:
     return st;
 }
 
-/* An angle that runs one way crosses its section that way alone: two points of the section tell, one of them of no symmetry. */
+/* Warn if the section's state is an angle that seems to cross only against --direction: its rate has the wrong sign at two points
+ * of the section, the origin and one without symmetry. */
 static void tell_other_way(const jlt_system *system)
 {
     const jlt_chart *chart = system->flow.chart;

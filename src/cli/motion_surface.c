@@ -1,4 +1,4 @@
-/* Sections that tables describe: the system of a command line, what it is refused for, and what headers and pictures say of it. */
+/* Sections that tables describe: finds them, makes the system of a command line on one, and prints why that is refused. */
 #include "cli/motion.h"
 
 #include <math.h>
@@ -12,7 +12,7 @@
 #include "dynamics/surface_units.h"
 #include "kernel/descriptor.h"
 
-/* The names from `first` on, which parameters and levels have; and: what stands before the last of them. */
+/* List the names of parameters and levels number first .. end - 1; and: the separator before the last one. */
 static void list_names(char *text, size_t size, const jlt_surface *surface, unsigned first, unsigned end, const char *and)
 {
     size_t used = 0;
@@ -42,7 +42,7 @@ static jlt_exit refuse_empty(const jlt_surface *surface, const double *values, c
                             level > values[surface->params] ? "above" : "below", level);
 }
 
-/* Sections of tables have bounds that those of the table itself have not. */
+/* Refuse a section that exceeds the limits for sections that tables describe; plane sections do not have these limits. */
 static jlt_exit refuse_large(const jlt_surface *surface)
 {
     const jlt_section_chart *section = surface->section;
@@ -112,7 +112,8 @@ jlt_exit jlt_motion_refuse_point(const jlt_system *system, const char *what)
                             used > 0 ? text : "");
 }
 
-/* The section of a smaller table whose levels have other names, or other values under these names. */
+/* Refuse the section of a smaller table to which a claim gives the parameter `name` by something other than what has that name in
+ * the table asked for. */
 static jlt_exit refuse_renamed(const jlt_surface *surface, const jlt_claim *claim, const char *name)
 {
     return jlt_command_fail(JLT_EXIT_INPUT,
@@ -122,7 +123,7 @@ static jlt_exit refuse_renamed(const jlt_surface *surface, const jlt_claim *clai
                             surface->table->model, surface->table->states[surface->section->column].name, surface->section->level);
 }
 
-/* A section is one of motion while what its levels fix are integrals, and its table stands for the asked one. */
+/* Refuse a section that rests on an unproved claim: its levels must be integrals, and its table stand for the asked one. */
 static jlt_exit refuse_broken(const jlt_surface *surface, const jlt_claim *broken, const jlt_descriptor *asked)
 {
     const jlt_descriptor *table = surface->table;
@@ -145,7 +146,7 @@ static jlt_exit refuse_broken(const jlt_surface *surface, const jlt_claim *broke
                             table->states[surface->section->column].name, surface->section->level);
 }
 
-/* Where a proved reduction gives a parameter that cannot be followed: tell it. Returns whether it does. */
+/* If a proved reduction gives a parameter in a way that sections cannot follow, print it. Returns whether it does. */
 static bool tell_renamed(const jlt_descriptor *table, const jlt_claim *claim, const jlt_way_tables *others)
 {
     const bool leads = claim->target != NULL && strcmp(claim->kind, "reduction") == 0 && claim->condition[0] == '\0';
@@ -158,7 +159,7 @@ static bool tell_renamed(const jlt_descriptor *table, const jlt_claim *claim, co
     return true;
 }
 
-/* Tell the claims of a table that would lead to a section, and are not proved or not followed. Returns whether there are any. */
+/* Print the claims of a table that would lead to a section but are not proved or not followed. Returns whether there are any. */
 static bool tell_lost(const jlt_descriptor *table, const char *of, const jlt_way_tables *others)
 {
     bool is_lost = false;
@@ -173,7 +174,7 @@ static bool tell_lost(const jlt_descriptor *table, const char *of, const jlt_way
     return is_lost;
 }
 
-/* Where a section of this table, or of one beside it, would serve if a claim were proved. */
+/* Refuse if a section of this table, or of another one, would serve if some claim were proved; print these claims. */
 static jlt_exit refuse_lost(const jlt_descriptor *asked, const jlt_way_tables *others)
 {
     bool is_lost = tell_lost(asked, "this table", others);
@@ -189,7 +190,7 @@ static jlt_exit refuse_lost(const jlt_descriptor *asked, const jlt_way_tables *o
 
 enum { EMBEDDINGS_MAX = 4 };
 
-/* The larger table that this one is embedded into, by one claim or several, and that leads to a section; NULL: there is none. */
+/* A larger table that leads to a section, and into which this one is embedded by a chain of at most `depth` claims; NULL: none. */
 static const jlt_descriptor *embedded_into(jlt_surface *surface, const jlt_descriptor *of, const jlt_way_tables *others,
                                            const char *name, unsigned depth)
 {
@@ -206,7 +207,8 @@ static const jlt_descriptor *embedded_into(jlt_surface *surface, const jlt_descr
     return found;
 }
 
-/* Of a larger table the parameters are what the embedding says, and its orbits are not those of this one alone. */
+/* Refuse, and name a larger table with a section. It is not taken, since the embedding gives its parameters, and its orbits are not
+ * only those of the table asked for. */
 static jlt_exit refuse_larger(const jlt_descriptor *asked, const jlt_way_tables *others, const char *name)
 {
     jlt_surface surface;
@@ -220,8 +222,8 @@ static jlt_exit refuse_larger(const jlt_descriptor *asked, const jlt_way_tables 
                             asked->model, surface.section->name, larger->model);
 }
 
-/* Orbits on the section are followed in its own table, which must know where the model asked for ends to hold, and nothing more of
- * that. */
+/* Refuse a section whose table has other conditions (`valid`) than the table asked for, if that has any: orbits are followed in the
+ * section's table, which must tell where the model asked for ceases to hold. */
 static jlt_exit refuse_unwatched(const jlt_surface *surface, const jlt_descriptor *asked)
 {
     const jlt_descriptor *table = surface->table;
@@ -250,7 +252,6 @@ static jlt_exit refuse_unwatched(const jlt_surface *surface, const jlt_descripto
     return JLT_EXIT_DONE;
 }
 
-/* What is typed, over the defaults. */
 static jlt_exit read_values(double *values, const jlt_motion_options *options, const jlt_surface *surface)
 {
     const jlt_assign_list *const lists[] = { &options->common.set, &options->level };
@@ -278,7 +279,7 @@ static jlt_exit read_values(double *values, const jlt_motion_options *options, c
 
 enum { ALONG = 3 }; /* points of a grid, from its lowest corner to its highest */
 
-/* In units of the problem where orbits begin; what is no number there is told later. */
+/* Choose the units of the problem from the points where orbits begin. Malformed starts are skipped, and reported later. */
 static jlt_status count_from_starts(jlt_system *system, const jlt_motion_options *options)
 {
     const jlt_chart *chart = system->flow.chart;

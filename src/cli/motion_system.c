@@ -1,4 +1,4 @@
-/* The system that options describe, on a section of tables or on a plane; or its plan. */
+/* Makes the system that the options describe, on a section that tables describe or on a plane section; or prints its plan. */
 #include "cli/motion_many.h"
 #include "cli/motion_plane.h"
 #include "cli/planned.h"

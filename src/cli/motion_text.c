@@ -1,4 +1,4 @@
-/* What headers and pictures say of a system. */
+/* Writes what headers and pictures say of a system. */
 #include "cli/motion.h"
 
 #include <math.h>
@@ -19,7 +19,7 @@ static bool is_swept(const jlt_motion_options *options, const char *name)
     return jlt_common_runs(&options->common, name);
 }
 
-/* Whether one value of a parameter of the table holds for all rows. */
+/* Whether a parameter of the table has the same value in all rows: no sweep changes it, or anything that it is computed from. */
 static bool is_one(const jlt_motion_options *options, const jlt_surface *surface, const jlt_descriptor *d, unsigned param)
 {
     const char *name = d->params[param].name;
@@ -113,7 +113,7 @@ static const char *unit_of(const jlt_system *system, unsigned coordinate)
     return jlt_descriptor_state(d, system->flow.chart->names[coordinate], &index) ? d->states[index].unit : "";
 }
 
-/* An interval of the coordinate, or of its angle; infinite where there is none. */
+/* The interval of a coordinate in its table, one period around 0 for an angle; infinite if there is none. */
 static jlt_extent bounds_of(const jlt_system *system, unsigned coordinate)
 {
     const double period = system->flow.chart->period[coordinate];

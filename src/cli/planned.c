@@ -50,7 +50,7 @@ void jlt_planned_show(const jlt_plan *plan, const char *why)
 
 void jlt_planned_chosen(const jlt_plan *plan) { show_candidate(plan, plan->chosen, NULL); }
 
-/* What the asked table says of a level. */
+/* Print whether the level is an integral of the table asked for, and proved, or a parameter. */
 static void show_proof(const jlt_descriptor *asked, const char *level)
 {
     static const char *const words[] = { [JLT_PROVED] = "proved", [JLT_REFUTED] = "refuted", [JLT_UNSETTLED] = "not settled" };
@@ -60,9 +60,9 @@ static void show_proof(const jlt_descriptor *asked, const char *level)
     else if (jlt_descriptor_param(asked, level, &(size_t){ 0 })) fputs(" (a parameter of this table)", stdout);
 }
 
-enum { LOOKED_AT = 1 << 20 }; /* points of a grid */
+enum { LOOKED_AT = 1 << 20 }; /* the most points of a grid to lift */
 
-/* Where orbits begin. Says why one cannot. */
+/* Print where orbits begin, and how many points of a grid are on the section. */
 static jlt_exit show_starts(const jlt_system *system, const jlt_motion_options *options)
 {
     const size_t starts = options->start_count;
@@ -106,7 +106,7 @@ jlt_exit jlt_planned_motion(const jlt_system *system, const jlt_motion_options *
                           .candidates = { { .tier = { .name = "model", .dimension = system->instance->descriptor->state_count },
                                             .descriptor = system->instance->descriptor } } };
         jlt_tier whole;
-        jlt_tier_whole(&whole, asked); /* integrals are watched in all states */
+        jlt_tier_whole(&whole, asked); /* drifts of integrals are measured in the whole model */
         const jlt_question question = { .model = asked,
                                         .others = &others,
                                         .params = params,
@@ -138,7 +138,7 @@ jlt_exit jlt_planned_motion(const jlt_system *system, const jlt_motion_options *
     return code;
 }
 
-/* The first claim of these, from `from` on, by which another table would serve, and which is not proved; NULL: none. */
+/* The first claim, from `from` on, by which another table would serve but which is not proved; NULL: none. */
 static const jlt_claim *broken_claim(const jlt_claim *from)
 {
     for (const jlt_claim *c = from; c->kind != NULL; c++)
@@ -146,8 +146,8 @@ static const jlt_claim *broken_claim(const jlt_claim *from)
     return NULL;
 }
 
-/* The claim without a proof for which a table of this name, or at the end of a way of this name, is not even looked for; NULL:
- * none. */
+/* The unproved claim because of which the planner does not look for a table of this name, or for the target of the record of this
+ * name; NULL: none. */
 static const jlt_claim *broken_way(const jlt_descriptor *asked, const char *name)
 {
     for (unsigned i = 0; i < asked->way_count; i++) {
@@ -176,7 +176,7 @@ static jlt_exit refuse_name(const jlt_descriptor *asked, const char *tier)
                             tier, asked->model, broken->kind, broken->name, broken->reason);
 }
 
-/* Of the asked table's own tiers the last is meant to answer, whatever the others need. */
+/* Refuse with the reason of the last of the table's own tiers, which is meant to answer when the others cannot. */
 static jlt_exit refuse_all(const jlt_plan *plan, const jlt_descriptor *asked)
 {
     const jlt_candidate *own = NULL;
@@ -194,7 +194,8 @@ static jlt_exit refuse_all(const jlt_plan *plan, const jlt_descriptor *asked)
                             asked->model, own->tier.name, refusal);
 }
 
-/* Where a larger table tells more, but is proved of another table alone: a copy of this one, or what this one was. */
+/* Refuse --track. If a larger table that observes more is proved only of another table, such as a copy or an earlier text of this
+ * one, name it. */
 static jlt_exit refuse_more(const jlt_plan *plan, const jlt_descriptor *asked)
 {
     for (unsigned i = 0; i < plan->count; i++) {

@@ -188,7 +188,7 @@ jlt_status jlt_plot_open(jlt_plot *self, const jlt_common *common)
     *self = (jlt_plot){ .common = common, .look = &common->look };
     if (jlt_command_open(&self->script) == JLT_OK && jlt_command_open(&self->title) == JLT_OK) {
         self->stream = self->script.stream;
-        /* gnuplot guesses how wide texts are: a letter more keeps a column off the next one */
+        /* gnuplot only guesses the width of texts: one more letter keeps the columns of the key apart */
         jlt_look_key(self->stream, self->look, "bmargin center horizontal Left reverse samplen 2 height 1 width 1");
         return JLT_OK;
     }
@@ -260,7 +260,7 @@ void jlt_plot_panel(jlt_plot *self, unsigned index, const char *label, jlt_exten
     fputs(last ? "set format x '% h'\n" : "set format x ''\n", self->stream);
 }
 
-/* "title ..." or "set title ...": what --title says, or the caption. Returns its lines. */
+/* Write the string of "title ..." or "set title ...": --title, or the caption. Returns its number of lines. */
 static unsigned write_title(FILE *stream, const jlt_plot *self)
 {
     const char *text = self->look->title;
@@ -270,7 +270,7 @@ static unsigned write_title(FILE *stream, const jlt_plot *self)
     return text != NULL && *text == '\0' ? 0 : lines;
 }
 
-/* Where panels one below the other would be less than three letters high, the title is the first line of its caption. */
+/* Cut the caption to its first line if stacked panels would otherwise be too low. */
 static void shorten_title(jlt_plot *self)
 {
     const double letters = self->look->height * 72 / 2.54 / jlt_look_points(self->look);
@@ -278,7 +278,7 @@ static void shorten_title(jlt_plot *self)
     if (self->stacked && letters - 10 < 3.8 * self->rows) self->title.text[strcspn(self->title.text, "\n")] = '\0';
 }
 
-/* Panels, with a common axis one below the other, with room for labels on the left and the key on the right. */
+/* Begin the panels; stacked ones get margins for labels on the left and the key on the right. */
 static void write_panels(FILE *stream, const jlt_plot *self)
 {
     const double em = jlt_look_points(self->look) * 2.54 / 72, x = em / self->look->width, y = em / self->look->height;
@@ -291,7 +291,7 @@ static void write_panels(FILE *stream, const jlt_plot *self)
     fputc('\n', stream);
 }
 
-/* The whole script, and where it names its own output. */
+/* Make the whole script; names_output: with `set output`, for --keep. */
 static jlt_status write_script(jlt_command_output *whole, const jlt_plot *self, bool names_output)
 {
     jlt_status st = jlt_command_open(whole);

@@ -1,38 +1,38 @@
-/** The picture of a command: the options that all pictures have, and its gnuplot script, from opening to drawing. Call _open, write
- *  caption, data, axes and "plot ..." to it, then _draw. */
+/** The picture of a command: the options that all pictures share, and its gnuplot script. Call jlt_plot_open, write caption, data,
+ *  axes and "plot ..." to it, then call jlt_plot_draw. */
 #ifndef JLT_CLI_PLOT_H
 #define JLT_CLI_PLOT_H
 
 #include "cli/common.h"
 
-/* Parsers to be named as children: of how pictures look, with a jlt_look for input; and of --axes, for commands that let users
- * choose what a picture shows, with a jlt_common. */
+/* Child parsers: of how pictures look, whose input is a jlt_look; and of --axes, for commands that let users choose what a picture
+ * shows, whose input is a jlt_common. */
 extern const struct argp jlt_plot_argp, jlt_plot_axes_argp;
 
 /** A gnuplot script with its data, which have full digits. */
 typedef struct {
     const jlt_common *common;
     const jlt_look *look;
-    FILE *stream;           /* takes commands of gnuplot; errors show when it is drawn */
+    FILE *stream;           /* takes gnuplot commands; write errors show in jlt_plot_draw */
 
     /* private */
-    unsigned rows, columns; /* of panels; 0: one picture alone */
-    bool stacked;
+    unsigned rows, columns; /* of panels; 0: there is one picture without panels */
+    bool stacked;           /* panels share the x axis */
     jlt_command_output script, title;
-    bool valued;
+    bool valued;            /* the caption ends with NAME=VALUE */
 } jlt_plot;
 
 /** Open a script; jlt_plot_draw closes it. Errors: NOMEM. */
 JLT_CHECKED jlt_status jlt_plot_open(jlt_plot *self, const jlt_common *common);
 
-/** Add to the caption, which --title replaces: words, formatted as by printf, and behind them NAME=VALUE. A NaN is left out. */
+/** Add to the caption, which --title replaces: text, formatted as by printf; NAME=VALUE, unless the value is NaN. */
 JLT_PRINTF(2, 3) void jlt_plot_words(jlt_plot *self, const char *format, ...);
 void jlt_plot_value(jlt_plot *self, const char *name, double value);
 
 /** Write a block of data, $NAME for gnuplot. rows: lines of numbers; NULL: none. */
 void jlt_plot_block(jlt_plot *self, const char *name, const char *rows);
 
-/** The label of an axis for what has this name, with the unit of the model's parameter or state, if it is one. Out: label, shape
+/** The label of an axis for a quantity of this name, with its unit if it is a parameter or state of the model. Out: label, shape
  *  (JLT_LOOK_LABEL_MAX,). */
 void jlt_plot_label(char *label, const jlt_descriptor *model, const char *name);
 
@@ -43,22 +43,22 @@ jlt_extent jlt_plot_axis(jlt_plot *self, char axis, const char *label, jlt_exten
  *  numbers. */
 void jlt_plot_log(jlt_plot *self, char axis, int base);
 
-/** Draw `count` panels in place of one picture: stacked, one below the other with a common x axis; else side by side where there is
- *  room. */
+/** Lay out `count` panels in place of one picture: if stacked, one below the other with a common x axis, else side by side where
+ *  there is room. */
 void jlt_plot_panels(jlt_plot *self, unsigned count, bool stacked);
 
-/** Begin panel number `index` of stacked ones; label and range are those of the common x axis. */
+/** Begin panel number `index` of stacked panels; label and range are those of the common x axis. */
 void jlt_plot_panel(jlt_plot *self, unsigned index, const char *label, jlt_extent range);
 
-/** While options are parsed, check that --xrange or --yrange of each axis in `axes`, "x" or "xy", which will be logarithmic, begins
- *  above 0. Ends the program with status 2 otherwise. */
+/** While options are parsed: check that --xrange and --yrange begin above 0 for the axes in `axes` ("x" or "xy"), which will be
+ *  logarithmic. Ends the program with status 2 otherwise. */
 void jlt_plot_check_log(const jlt_common *common, const char *axes, const struct argp_state *state);
 
-/** Choose the quantities, of names (count,), that --axes names for x and y. Out: shown, their numbers; unchanged without --axes. */
+/** Find the quantities that --axes names for x and y among names (count,). Out: shown, their indices; unchanged without --axes. */
 jlt_exit jlt_plot_shown(unsigned shown[2], const jlt_common *common, const char *const *names, unsigned count);
 
-/** Draw to --plot, keeping the script where asked, and close. To be called when the table is saved: says what is wrong, and that
- *  the table is there all the same. */
+/** Draw to --plot, keep the script if --keep asks for it, and close. Call it after the table was saved: on failure the message says
+ *  that the table is there nevertheless. */
 jlt_exit jlt_plot_draw(jlt_plot *self);
 
 #endif

@@ -11,7 +11,7 @@
 #include <string.h>
 #include <unistd.h>
 
-/* What standard output still holds must arrive, also after --help of a command, which ends the program by itself. */
+/* Runs at exit: report a failure to write buffered standard output, also after --help, where argp ends the program. */
 static void close_output(void)
 {
     const bool failed = ferror(stdout) != 0;
@@ -38,7 +38,7 @@ jlt_exit jlt_program_begin(void)
     jlt_interrupt_begin();
     ttc_exhaustion_handle(end_without_memory);
     argp_err_exit_status = JLT_EXIT_USAGE;
-    setenv("ARGP_HELP_FMT", "opt-doc-col=30", 0); /* --start=STATE=VALUE,... stands before it */
+    setenv("ARGP_HELP_FMT", "opt-doc-col=30", 0); /* the column of descriptions: wide enough for --start=STATE=VALUE,... */
     return atexit(close_output) == 0 ? JLT_EXIT_DONE : JLT_EXIT_NUMERICAL;
 }
 
@@ -59,7 +59,7 @@ jlt_exit jlt_program_run(const jlt_command *command, int argc, char **argv)
     char name[64], *first = argv[0];
     jlt_exit code;
 
-    /* argp takes the name of the program from here. */
+    /* argp takes the program's name from argv[0]. */
     snprintf(name, sizeof name, "jellett %s", command->name);
     argv[0] = name;
     code = jlt_program_call(command, argc, argv);

@@ -1,21 +1,22 @@
-/** How a program begins and ends, whatever it does in between, and where it finds its companions. */
+/** What `jellett` and `jellett-bench` share: how a program begins and ends, and where it finds programs installed with it. */
 #ifndef JLT_CLI_PROGRAM_H
 #define JLT_CLI_PROGRAM_H
 
 #include "cli/command.h"
 
-/** Call it first: it opens standard descriptors that are closed, takes over signals, makes exhausted memory an error, and sees to
- *  it that a failure of standard output is noticed at the end. */
+/** Call it first. It opens standard descriptors that are closed, installs signal handlers, lets the program end with a message when
+ *  FLINT or GMP run out of memory, and with JLT_EXIT_IO when standard output could not be written. */
 jlt_exit jlt_program_begin(void);
 
-/** One run of the command, by itself, with its name for argv[0] already. */
+/** Run the command once, by itself. argv[0] is "jellett NAME" already. */
 jlt_exit jlt_program_call(const jlt_command *command, int argc, char **argv);
 
-/* Run it, with its name for argv[0]. A command that was interrupted does not return: it has finished its row, and ends the
- * program by the signal. */
+/* Run a command, with "jellett NAME" for argv[0]. Does not return if the command was interrupted: the program then ends by the
+ * signal, after the command has saved its rows. */
 jlt_exit jlt_program_run(const jlt_command *command, int argc, char **argv);
 
-/** The path of the file `name` beside this program's own. Out: path, shape (size,). False: that folder cannot be found out. */
+/** The path of the file `name` in the folder of this program. Out: path, shape (size,). Returns false if the folder is not known,
+ *  or the path is too long. */
 bool jlt_program_beside(char *path, size_t size, const char *name);
 
 #endif

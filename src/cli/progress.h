@@ -1,4 +1,4 @@
-/** A line of progress on standard error, with share, rate and remaining time; nothing is written where that is no terminal. */
+/** A progress line on standard error, with share, rate and remaining time; nothing is written if that is not a terminal. */
 #ifndef JLT_CLI_PROGRESS_H
 #define JLT_CLI_PROGRESS_H
 
@@ -9,14 +9,14 @@ typedef struct {
     const char *unit; /* "returns", "starts" */
     bool visible;
     double started, shown;
-    char showing; /* a thread shows it; set atomically */
+    char showing; /* a thread is writing the line; set atomically */
 } jlt_progress;
 
 /* Begin; `unit` names what is counted, in the plural. */
 void jlt_progress_start(jlt_progress *self, const char *unit);
 
-/* Show that `done` of `all` are done; all: 0 where that is not known. Cheap to call often: the line is renewed five times a second
- * at most. Several threads may call it at once. */
+/* Show that `done` of `all` are done; all: 0 if it is not known. Cheap to call often: the line is rewritten at most five times a
+ * second. Several threads may call it at once. */
 void jlt_progress_show(jlt_progress *self, size_t done, size_t all);
 
 /* Wipe the line. */

@@ -6,7 +6,7 @@
 
 #include "core/memory.h"
 
-/* A picture holds so many points at most: memory does not grow with the returns. Beyond so many they are drawn as dots. */
+/* POINTS bounds the points of a picture, so that memory does not grow with the returns; more than DOTS points are drawn as dots. */
 enum { POINTS = 400000, DOTS = 60000 };
 
 jlt_exit jlt_section_picture_open(jlt_section_picture *self, const jlt_motion_options *options, const jlt_system *system)
@@ -51,7 +51,7 @@ void jlt_section_picture_end(jlt_section_picture *self, jlt_fate fate)
     self->by_fate[fate]++;
 }
 
-/* The whole section, a third more than the grid that was named in a part of it, or what the points cover. */
+/* Write the axes: over the whole section; over the ranges named in --grid and a third more; or over what the points cover. */
 static void frame(jlt_plot *plot, const jlt_section_picture *self, const jlt_system *system, const char *grid,
                   const jlt_grid_axis *axes)
 {

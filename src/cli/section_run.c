@@ -6,18 +6,18 @@
 
 #include "cli/interrupt.h"
 
-/* Of many orbits, for each thread: those that are followed at once, so many that lanes seldom wait for the last ones; rows that are
- * written at once. For all threads together: the most of these rows. */
+/* For each thread: BLOCK, orbits followed together, so many that lanes rarely idle while the last ones end; ROWS, rows written
+ * together. ROWS_MAX: the most rows written together, for all threads. */
 enum { BLOCK = 256, ROWS = 1024, ROWS_MAX = 1 << 16 };
 
 struct jlt_section_run_company {
     jlt_section_batch *batch;
-    size_t users; /* runs that have it */
+    size_t users; /* how many runs still use it */
 };
 
 static void show(jlt_section_run *f, size_t done) { jlt_progress_show(&f->progress, done, f->all); }
 
-/* Many at once are half done when they are followed, and done when they are written. */
+/* Orbits of a batch count as half done when they are followed, and as done when their rows are written. */
 static void show_batch(void *context, size_t made)
 {
     jlt_section_run *f = context;
@@ -39,7 +39,7 @@ static jlt_status put(jlt_section_run *f, const jlt_return *at, const double *be
 
     if (st != JLT_OK) return st;
     f->sum.rows++;
-    if (at->number == 0 && f->o->motion.grid != NULL) return JLT_OK; /* a lattice of starts is no motion */
+    if (at->number == 0 && f->o->motion.grid != NULL) return JLT_OK; /* the picture does not show the grid of starts */
     return jlt_section_picture_add(f->picture, at->q);
 }
 
@@ -48,7 +48,7 @@ static bool stopped(const jlt_section_run *f)
     return jlt_motion_interrupted(&f->o->motion) && (!f->cut || jlt_interrupt_clock() - f->cut_at > 0.5);
 }
 
-/* Where DP of the next return is taken: not a number where the chart's point is another state than the orbit's. */
+/* The point at which to compute DP of the next return; NaN if the chart lifts it to another state than the orbit's. */
 static void point_before(double *before, const jlt_section_run *f, const jlt_return *at)
 {
     const jlt_chart *chart = f->system->flow.chart;
@@ -57,7 +57,7 @@ static void point_before(double *before, const jlt_section_run *f, const jlt_ret
     for (unsigned k = 0; k < chart->dim; k++) before[k] = is_lifted ? at->q[k] : NAN;
 }
 
-/* Orbit number `index` of its block. */
+/* Write the rows of orbit number `index` of its block, and follow it unless the batch has done so. */
 static jlt_status run_orbit(jlt_section_run *f, const double *q, size_t index)
 {
     jlt_section_run_totals *sum = &f->sum;
@@ -123,7 +123,6 @@ static size_t starts_of(const jlt_section_run *f)
     return motion->start_count + (motion->grid != NULL ? jlt_motion_grid_size(f->o->axes, f->system) : 0);
 }
 
-/* Starts number first .. first + count - 1. */
 static jlt_exit read_starts(const jlt_section_run *f, double *q, size_t first, size_t count)
 {
     jlt_exit code = JLT_EXIT_DONE;
@@ -133,7 +132,7 @@ static jlt_exit read_starts(const jlt_section_run *f, double *q, size_t first, s
     return code;
 }
 
-/* Those that are fewer than a block may go with those of other runs. */
+/* Let a run with fewer starts than a block share a batch with other runs: read its starts into `joined`. */
 static jlt_exit open_to_others(jlt_section_run *f)
 {
     const size_t all = starts_of(f);
@@ -184,8 +183,8 @@ static void leave_batch(jlt_section_run *f)
     f->company = NULL;
 }
 
-/* Those of the first run and of all behind it that fit beside it, flow_of[] of each, SIZE_MAX where it does not. Returns how many
- * starts. */
+/* Add to the first run's batch the flows of all runs that fit. Out: flow_of, shape (count,), their numbers, SIZE_MAX where a run
+ * does not fit. Returns the number of starts of all that fit. */
 static size_t gather(jlt_section_run *const *runs, size_t *flow_of, size_t count)
 {
     size_t starts = starts_of(runs[0]);
@@ -201,7 +200,7 @@ static size_t gather(jlt_section_run *const *runs, size_t *flow_of, size_t count
     return starts;
 }
 
-/* Their batch is the first one's from now on. */
+/* Let all runs that fit share the batch of the first run. */
 static jlt_status share_batch(jlt_section_run *const *runs, const size_t *flow_of, size_t count)
 {
     jlt_section_run_company *company = calloc(1, sizeof *company);
@@ -221,7 +220,6 @@ static jlt_status share_batch(jlt_section_run *const *runs, const size_t *flow_o
     return JLT_OK;
 }
 
-/* The first run with all that fit beside it. */
 static jlt_status follow_group(jlt_section_run *const *runs, size_t count)
 {
     const unsigned dim = runs[0]->system->flow.chart->dim;
@@ -254,7 +252,7 @@ void jlt_section_run_follow(jlt_section_run *const *runs, size_t count)
         if (runs[i]->joined != NULL && runs[i]->company == NULL && follow_group(runs + i, count - i) != JLT_OK) return;
 }
 
-/* Orbits from so many starts, the first of which has the number `first`. */
+/* Follow the orbits from the starts q, shape (count, dim), of which the first has number `first`, and write their rows. */
 static jlt_exit run_block(jlt_section_run *f, const double *q, size_t first, size_t count)
 {
     const jlt_section_run_options *o = f->o;
@@ -274,7 +272,7 @@ static jlt_exit run_block(jlt_section_run *f, const double *q, size_t first, siz
     for (size_t i = 0; i < count && (f->batch == NULL || f->begins + i < jlt_section_batch_begun(f->batch)); i++) {
         st = run_orbit(f, q + i * system->flow.chart->dim, i);
         if (first + i >= o->motion.start_count && (st == JLT_ERR_EMPTY || st == JLT_ERR_DOMAIN)) f->sum.empty++;
-        else if (ferror(f->writer.stream)) return JLT_EXIT_DONE; /* it says so when it is closed */
+        else if (ferror(f->writer.stream)) return JLT_EXIT_DONE; /* closing the stream reports it */
         else if (st != JLT_OK)
             return jlt_motion_fail(st, system,
                                    first + i < o->motion.start_count ? o->motion.starts[first + i] : "a start of the grid");
@@ -284,7 +282,7 @@ static jlt_exit run_block(jlt_section_run *f, const double *q, size_t first, siz
     return st == JLT_ERR_NOMEM ? jlt_command_no_memory() : JLT_EXIT_DONE;
 }
 
-/* All starts, those of --start first. */
+/* Follow all starts, those of --start first, in blocks. */
 static jlt_exit run_all(jlt_section_run *f, FILE *stream)
 {
     const jlt_section_run_options *o = f->o;

@@ -17,18 +17,19 @@ typedef struct {
     bool project;
 } jlt_section_run_options;
 
-/* Counts for the closing words. */
+/* Counts for the closing messages. empty: points of the grid without a state; invalid, unknown: orbits on which a condition of the
+ * model breaks, or has no value. */
 typedef struct {
     size_t orbits, empty, rows, invalid, unknown;
     jlt_failures failures;
-    size_t lost[JLT_OBSERVED_CONDITIONS_MAX]; /* of the invalid: by condition, the one that is lost most */
+    size_t lost[JLT_OBSERVED_CONDITIONS_MAX]; /* of the invalid orbits, by condition: those on which it has the least value */
 } jlt_section_run_totals;
 
-/* A batch that several runs have in common. */
+/* A batch that several runs share. */
 typedef struct jlt_section_run_company jlt_section_run_company;
 
-/** Orbits are followed by the section, or many at once by the batch. Zeroed, with options and system set, before
- *  jlt_section_run_open. */
+/** One run. `section` follows its orbits one at a time, or `batch` many at once. Before jlt_section_run_open the caller sets the
+ *  first three members and zeroes the others. */
 typedef struct {
     const jlt_section_run_options *o;
     jlt_system *system;
@@ -43,36 +44,36 @@ typedef struct {
     jlt_section *section;
     jlt_section_batch *batch; /* NULL: one at a time */
     jlt_section_batch_options batch_options;
-    jlt_section_run_company *company; /* the batch is its, and has followed the orbits; NULL: it is the run's own */
-    double *joined;           /* starts of a run that may go with others, (all starts, dim); NULL: it goes by itself */
-    size_t begins;            /* number of the first orbit in the batch */
+    jlt_section_run_company *company; /* shares `batch`, which has followed the orbits already; NULL: the batch is the run's own */
+    double *joined;           /* starts, (all starts, dim), of a run that may share a batch; NULL: it may not */
+    size_t begins;            /* number of the run's first orbit in the batch */
     jlt_progress progress;
-    size_t returns, all;      /* of each orbit, if it does not end; of all orbits, 0: endless */
+    size_t returns, all;      /* of each orbit, if it does not end; of all orbits, 0: too many for the progress line */
     size_t first;             /* number of the first return that is shown */
     size_t before;            /* returns of the blocks before */
     size_t block;             /* returns of the block that is being followed */
-    bool cut;                 /* an interrupt came before the batch was done: its rows are written, for half a second */
+    bool cut;                 /* an interrupt came before the batch was done: rows are still written for half a second */
     double cut_at;
 } jlt_section_run;
 
-/** Whether orbits are followed together: many, an orbit put back onto integrals of a section that tables describe as well, which
- *  lanes can, and one of a sweep, which the other points' go beside. */
+/** Whether a batch follows the orbits: if there are several starts; if --project is given on a section that tables describe, where
+ *  only lanes can put orbits back onto levels; and in a sweep, where orbits of several points share a batch. */
 bool jlt_section_run_is_of_many(const jlt_section_run_options *options);
 
-/** Whatever orbits are followed with, and what lets them go with those of other runs. Says what is wrong. */
+/** Create what follows the orbits, and read the starts of a run that may share a batch. Says what is wrong. */
 jlt_exit jlt_section_run_open(jlt_section_run *self);
 void jlt_section_run_close(jlt_section_run *self); /* legal on a zeroed one */
 
-/** Of runs that were opened, whether they have orbits enough to fill lanes and threads; and follow those of all that may go
- *  together. Where that fails, jlt_section_run_write follows them again, and says why. */
+/** For opened runs, shape (count,): whether they have enough orbits to fill lanes and threads; and follow the orbits of those that
+ *  may share a batch. On failure _follow is silent: jlt_section_run_write follows these orbits again, and says why. */
 bool jlt_section_run_are_enough(jlt_section_run *const *runs, size_t count);
 void jlt_section_run_follow(jlt_section_run *const *runs, size_t count);
 
-/** Follow the orbits, unless that is done, and write the table to the stream of the options, with its header. Says what is
+/** Write the table with its header to the stream of the options, and follow the orbits first unless that is done. Says what is
  *  wrong. */
 jlt_exit jlt_section_run_write(jlt_section_run *self);
 
-/** What is said when the table is saved, and the status that its rows call for. */
+/** Print the closing messages, after the table was saved. Returns the exit status that its rows call for. */
 jlt_exit jlt_section_run_verdict(const jlt_section_run *self);
 
 #endif

@@ -43,7 +43,7 @@ void jlt_section_table_names(FILE *stream, const jlt_section_table *table)
     jlt_csv_names_end(&names);
 }
 
-/* DP from the point before. */
+/* Write the columns of --check: DP at the point before, of which this row is the return. */
 static void write_check(FILE *stream, jlt_section_table *table, const jlt_section_row *row)
 {
     const unsigned d = table->system->flow.chart->dim, states = table->system->flow.chart->states;

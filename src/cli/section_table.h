@@ -9,12 +9,12 @@
 
 typedef struct {
     const jlt_system *system;
-    bool least; /* a column for the least value of the model's conditions */
-    bool check;   /* columns for DP */
-    jlt_map *map; /* of check; not owned */
+    bool least;   /* add a column for the least value of the model's conditions */
+    bool check;   /* add columns for DP */
+    jlt_map *map; /* computes DP for `check`; not owned */
     int time_direction;
-    double worst_share, worst_defect; /* of the defect that is the largest part of its bound: that, and it */
-    size_t checked, unchecked;        /* returns whose DP was computed, and could not be */
+    double worst_share, worst_defect; /* the largest ratio of a defect to its bound, and that defect */
+    size_t checked, unchecked;        /* returns whose DP was computed; whose DP could not be */
 } jlt_section_table;
 
 /* What the table shows of one return. */
@@ -23,22 +23,22 @@ typedef struct {
     double t, least;
     jlt_fate fate;
     unsigned lost;
-    double values[]; /* q (dim,); x (states,); the point before (dim,), which is read by check and not for number 0 */
+    double values[]; /* q (dim,); x (states,); the previous point (dim,), read for `check` unless number is 0 */
 } jlt_section_row;
 
-/** Bytes of a row for sections of this chart, and filling one: `at` is return number at->number of orbit number `orbit`; before,
- *  shape (dim,), is the point whose return it is, for check alone, else NULL. */
+/** The size in bytes of a row for sections of this chart. Fill a row from `at`, return number at->number of orbit number `orbit`;
+ *  before, shape (dim,), is the point of which it is the return, needed for `check` alone, else NULL. */
 size_t jlt_section_row_size(const jlt_chart *chart);
 void jlt_section_row_fill(jlt_section_row *row, const jlt_chart *chart, size_t orbit, const jlt_return *at, const double *before);
 
 void jlt_section_table_names(FILE *stream, const jlt_section_table *table);
 
-/** Write a row, as a jlt_writer_text: table is a jlt_section_table, row a jlt_section_row. With check, not from several threads at
- *  once. */
+/** Write a row, as a jlt_writer_text: table is a jlt_section_table, row a jlt_section_row. With `check`, do not call it from
+ *  several threads at once. */
 void jlt_section_table_row(FILE *stream, void *table, const void *row);
 
-/** Print on standard error what the check of DP found. False: a determinant is beyond its bound, or there were returns and DP of
- *  none of them could be computed. */
+/** Print on standard error what the check of DP found. Returns false if a defect of det DP exceeds its bound, or if there were
+ *  returns but DP could be computed at none of them. */
 bool jlt_section_table_verdict(const jlt_section_table *table);
 
 /** Name the conditions that orbits lose: "contact", or "contact (2) or grip (1)". Out: text, `size` bytes. orbits, shape

@@ -51,7 +51,7 @@ bool jlt_session_interrupted(const jlt_session *self)
     return *self->interrupt != 0;
 }
 
-/* kind: of the ways to follow; NULL: all. */
+/* Set the tables that may serve in place of the model. kind: as for jlt_table_others. */
 static jlt_exit look_at_others(jlt_session *self, const char *kind)
 {
     if (self->common.model == NULL) return JLT_EXIT_DONE;

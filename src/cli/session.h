@@ -16,11 +16,11 @@ typedef struct {
 
     /* after jlt_session_open */
     const jlt_descriptor *descriptor; /* the model's general field */
-    jlt_way_tables others;            /* tables of the user's own that may serve in its place */
+    jlt_way_tables others;            /* the user's own tables that may serve in its place */
     double *params, *x;               /* owned */
 } jlt_session;
 
-/* The parser of --start and the options of common.h, to be named as a child; its input is a jlt_session. */
+/* A child parser of --start and the options of common.h; its input is a jlt_session. */
 extern const struct argp jlt_session_argp;
 
 /** Set defaults and install the handler of Ctrl-C. Call it before argp_parse, with the same argv, and _end last; the session must
@@ -28,10 +28,10 @@ extern const struct argp jlt_session_argp;
 void jlt_session_begin(jlt_session *self, int argc, char **argv);
 void jlt_session_end(jlt_session *self);
 
-/** Open the model and check the parameters: sets descriptor, params, shape (param_count,), and others, those with fewer states. */
+/** Open the model and check the parameters. Sets descriptor; params, shape (param_count,); others, to tables with fewer states. */
 jlt_exit jlt_session_open(jlt_session *self);
 
-/** Set others to the tables with more states as well, which take longer to compile than all else. */
+/** Set others to tables with more states too; compiling these takes longer than anything else. */
 jlt_exit jlt_session_look_at_larger(jlt_session *self);
 
 /** Read --start into x, shape (state_count,), in the table's units: it must name every state and lie in the model's domain. */

@@ -29,14 +29,14 @@ static jlt_exit begin(jlt_shelf_place *place, const jlt_work *work)
 
     place->argv = work->arguments(work->context, place->piece, &place->argc);
     if (place->argv == NULL) return jlt_command_no_memory();
-    snprintf(place->name, sizeof place->name, "jellett %s", work->command->name); /* argp takes the name of the program from here */
+    snprintf(place->name, sizeof place->name, "jellett %s", work->command->name); /* argp takes the program's name from argv[0] */
     place->first = place->argv[0];
     place->argv[0] = place->name;
     place->run = work->command->together->begin(&code, place->argc, place->argv);
     return code;
 }
 
-/* The same before its turn, when nothing can be heard: a run that says something, or is over, is not begun. */
+/* Begin a run before its turn. If it writes to standard error or ends, undo that and drop it: it is begun again in its turn. */
 static void begin_ahead(jlt_shelf_place *place, const jlt_work *work)
 {
     const off_t before = lseek(STDERR_FILENO, 0, SEEK_CUR);
@@ -57,7 +57,7 @@ static size_t list(const jlt_shelf *self, void **runs)
     return count;
 }
 
-/* Those behind the first place, and what they have in common with it. */
+/* Begin runs after the first place until there are enough, and do their common work. */
 static void fill(jlt_shelf *self, const jlt_work *work)
 {
     void *runs[JLT_SHELF_RUNS];

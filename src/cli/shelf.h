@@ -1,4 +1,4 @@
-/** Runs of a command that were begun before they are asked for, and computed together. */
+/** Runs of a command that are begun before they are asked for, so that they can be computed together. */
 #ifndef JLT_CLI_SHELF_H
 #define JLT_CLI_SHELF_H
 
@@ -6,43 +6,45 @@
 
 enum { JLT_SHELF_RUNS = 256 };
 
-/** How runs of a command are computed together: all are begun, then what they have in common is computed, then each is finished.
- *  What is written for a run must not depend on the others. */
+/** How runs of a command are computed together: all are begun, then their common work is done, then each is finished. What a run
+ *  writes must not depend on the others. */
 typedef struct jlt_shelf_form {
-    /* Up to the first word of results; NULL: the run is over, with status *code. argv must stay. */
+    /* Do everything before the first output. Returns the run; NULL: it has ended, with status *code. argv must live until
+     * `drop`. */
     void *(*begin)(jlt_exit *code, int argc, char **argv);
-    bool (*are_enough)(void *const *runs, size_t count); /* nothing is gained by more of them; count <= JLT_SHELF_RUNS */
-    void (*follow)(void *const *runs, size_t count);     /* silent: of what fails, `finish` says so when it computes it again */
-    jlt_exit (*finish)(void *run);
-    void (*drop)(void *run);                             /* whether finished or not */
+    bool (*are_enough)(void *const *runs, size_t count); /* whether more runs would gain nothing; count <= JLT_SHELF_RUNS */
+    void (*follow)(void *const *runs, size_t count);     /* do the common work; silent on failure, which `finish` reports */
+    jlt_exit (*finish)(void *run);                       /* write the results */
+    void (*drop)(void *run);                             /* free a run, finished or not */
 } jlt_shelf_form;
 
 /* A piece of work whose run was begun. */
 typedef struct {
     size_t piece;
     char **argv;
-    char *first; /* of argv, while the command's name stands there */
+    char *first; /* the original argv[0], which `name` replaces */
     int argc;
     char name[64];
-    void *run;   /* NULL: it had something to say before its turn, and is begun again */
+    void *run;   /* NULL: it wrote a message or ended before its turn, and is begun again then */
 } jlt_shelf_place;
 
 /* All zero: empty. */
 typedef struct {
     jlt_shelf_place places[JLT_SHELF_RUNS];
-    size_t count, taken; /* pieces are asked for in the order of places */
+    size_t count, taken; /* pieces are asked for in the order of places; the first `taken` are finished */
 } jlt_shelf;
 
-/** What pieces of work there are. */
+/** The pieces of work: one command with different command lines. */
 typedef struct {
     const jlt_command *command;
-    char **(*arguments)(const void *context, size_t piece, int *argc); /* of a piece; for jlt_command_free. NULL: no memory */
+    char **(*arguments)(const void *context, size_t piece, int *argc); /* a piece's command line, for jlt_command_free; NULL: no
+                                                                          memory */
     const void *context;
-    size_t (*next)(const void *context, size_t piece); /* the piece that is asked for after it; SIZE_MAX: there is none */
+    size_t (*next)(const void *context, size_t piece); /* the piece that will be asked for after this one; SIZE_MAX: none */
 } jlt_work;
 
-/** The run of a piece, with those that will be asked for next begun and computed beside it unless `alone`. What it writes, and its
- *  status, depend neither on that nor on what was asked for before. A command that was interrupted does not return, as with
+/** Run a piece, and unless `alone` begin the pieces that will be asked for next and do their common work. What a piece writes, and
+ *  its status, depend neither on that nor on earlier calls. Does not return if the command was interrupted, as with
  *  jlt_program_run. */
 jlt_exit jlt_shelf_run(jlt_shelf *self, const jlt_work *work, size_t piece, bool alone);
 void jlt_shelf_clear(jlt_shelf *self, const jlt_work *work);

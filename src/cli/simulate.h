@@ -1,4 +1,4 @@
-/** The command simulate: one orbit, its rows and its picture. */
+/** The command `jellett simulate`, shared by its files: what was asked for, and its picture. */
 #ifndef JLT_CLI_SIMULATE_H
 #define JLT_CLI_SIMULATE_H
 
@@ -16,12 +16,12 @@ typedef struct {
     size_t time_count, rows;
     jlt_plan plans[JLT_SIMULATE_COURSES_MAX]; /* the orbit's own first, then those of --compare */
     jlt_course *courses[JLT_SIMULATE_COURSES_MAX];
-    jlt_status broken[JLT_SIMULATE_COURSES_MAX]; /* why a course that is compared could not go on; OK: it does */
+    jlt_status broken[JLT_SIMULATE_COURSES_MAX]; /* why a course of --compare stopped; OK: it goes on */
     size_t course_count;
     jlt_course_row last;
 
     jlt_extent *extents; /* of the picture's columns */
-    unsigned shown[2];   /* those of --axes */
+    unsigned shown[2];   /* the columns that --axes names */
 } jlt_simulate_request;
 
 /** Read --times, or --until and --every, into `times`. */

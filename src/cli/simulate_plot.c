@@ -9,7 +9,7 @@
 
 enum { PANELS_MAX = 4 };
 
-/* Of the columns: t, states, drifts, what the table observes, and with --track what the larger table tells. */
+/* The first column of each kind: t, states, drifts, what the table observes, and with --track what the larger table adds. */
 static unsigned first_drift(const jlt_simulate_request *r)
 {
     return 1 + r->session.descriptor->state_count;
@@ -64,7 +64,7 @@ static void caption(jlt_plot *plot, const jlt_simulate_request *r)
     jlt_plot_words(plot, "; tier %s, tolerance %.3g", jlt_plan_tier(&r->plans[0]), r->session.tolerance);
 }
 
-/* A column against t, for `plot`; series: its number in its panel. */
+/* Write one curve of `plot`: a column against t. series: the number of the curve in its panel. */
 static void curve(jlt_plot *plot, unsigned column, unsigned series, const char *name)
 {
     fprintf(plot->stream, "%s$ROWS using 1:%u ", series == 0 ? "plot " : ", ", column);
@@ -74,7 +74,7 @@ static void curve(jlt_plot *plot, unsigned column, unsigned series, const char *
     fputc('\'', plot->stream);
 }
 
-/* Beside a panel, one of so many: where it is low the key's lines are nearer to each other, and then smaller. */
+/* Place the key beside a panel, one of `panels`; in a low panel its lines are closer together, or even smaller. */
 static void key(jlt_plot *plot, unsigned entries, unsigned panels)
 {
     const double letter = jlt_look_points(plot->look), height = 0.6 * plot->look->height * 72 / 2.54 / panels / letter;
@@ -86,7 +86,7 @@ static void key(jlt_plot *plot, unsigned entries, unsigned panels)
     jlt_look_key(plot->stream, plot->look, where);
 }
 
-/* States of the same unit share a panel. */
+/* Draw states against t, those of the same unit in one panel, and drifts in another. */
 static void draw_states(jlt_plot *plot, const jlt_simulate_request *r)
 {
     const jlt_descriptor *d = r->session.descriptor;
@@ -132,7 +132,6 @@ static void draw_states(jlt_plot *plot, const jlt_simulate_request *r)
     fputc('\n', plot->stream);
 }
 
-/* A curve, and a mark where it begins. */
 static void curve_in_plane(jlt_plot *plot, unsigned x, unsigned y)
 {
     fprintf(plot->stream, "$ROWS using %u:%u ", x, y);
@@ -142,7 +141,7 @@ static void curve_in_plane(jlt_plot *plot, unsigned x, unsigned y)
     fputs(" title 'start'\n", plot->stream);
 }
 
-/* Of a column that is no drift: t, a state, or what one of the tables tells. */
+/* The quantity in a column that is not a drift: t, a state, or what one of the tables observes. */
 static jlt_quantity quantity_of(const jlt_simulate_request *r, unsigned column)
 {
     const jlt_quantity *observed, *more;
@@ -156,7 +155,8 @@ static jlt_quantity quantity_of(const jlt_simulate_request *r, unsigned column)
 
 static bool has_values(const jlt_simulate_request *r, unsigned column) { return r->extents[column].low <= r->extents[column].high; }
 
-/* to_scale: both axes have the same scale, and the same length. Where a column has no values its axis is left open. */
+/* Draw one column against another. to_scale: both axes have the same scale and length. The axis of a column without values is left
+ * to gnuplot. */
 static void draw_pair(jlt_plot *plot, const jlt_simulate_request *r, const unsigned columns[2], bool to_scale)
 {
     double length = 0;
@@ -175,8 +175,8 @@ static void draw_pair(jlt_plot *plot, const jlt_simulate_request *r, const unsig
     curve_in_plane(plot, columns[0] + 1, columns[1] + 1);
 }
 
-/* What the larger table observes first: two quantities against each other, and the next two, where they have values; else the first
- * that has some against t; else the states. */
+/* Draw what the larger table observes: its first and second quantity against each other, and its third and fourth, each pair only
+ * if both have values; else its first quantity with values against t; else the states. */
 static void draw_more(jlt_plot *plot, const jlt_simulate_request *r)
 {
     unsigned states, pairs[2], count = 0, k = 0;
@@ -195,7 +195,7 @@ static void draw_more(jlt_plot *plot, const jlt_simulate_request *r)
     for (unsigned i = 0; i < count; i++) draw_pair(plot, r, (unsigned[]){ pairs[i], pairs[i] + 1 }, true);
 }
 
-/* All columns but drifts may be shown. */
+/* --axes may name all columns except drifts. */
 jlt_exit jlt_simulate_axes(jlt_simulate_request *request)
 {
     const unsigned drift = first_drift(request), drifts = first_observed(request) - drift;
@@ -212,7 +212,6 @@ jlt_exit jlt_simulate_axes(jlt_simulate_request *request)
     return code;
 }
 
-/* Of an axis there is nothing to draw where its column has no value in any row. */
 static jlt_exit check_shown(const jlt_simulate_request *r)
 {
     for (unsigned k = 0; r->session.common.axes != NULL && k < 2; k++)

@@ -1,3 +1,4 @@
+/* Reads the times of `jellett simulate`. */
 #include "cli/simulate.h"
 
 #include <math.h>

@@ -7,7 +7,7 @@
 
 #include "cli/interrupt.h"
 
-/* Text that is looked at together for an array. */
+/* How much text is passed to an array at a time. */
 enum { BUFFER = 1 << 16 };
 
 static jlt_exit cannot_write(const jlt_stream *self, int reason)
@@ -16,12 +16,12 @@ static jlt_exit cannot_write(const jlt_stream *self, int reason)
     return jlt_command_cannot_write(self->path);
 }
 
-/* What the FILE of an array passes on; the signals are held while rows may be moved. */
+/* The write function of an array's FILE. Signals are held meanwhile, since rows may be moved in the file. */
 static ssize_t take(void *stream, const char *text, size_t size)
 {
     jlt_stream *self = stream;
 
-    if (self->array == NULL) return (ssize_t)size; /* given up */
+    if (self->array == NULL) return (ssize_t)size; /* the stream is being discarded */
     jlt_interrupt_hold();
     errno = EINVAL;
     const jlt_status st = jlt_npy_take(self->array, text, size);
@@ -31,7 +31,7 @@ static ssize_t take(void *stream, const char *text, size_t size)
     return st == JLT_OK ? (ssize_t)size : 0;
 }
 
-/* The file is there: what its rows are written to. */
+/* Open the FILE that takes the rows of a file that was begun. */
 static jlt_status open_rows(jlt_stream *self)
 {
     if (!jlt_stream_is_array(self->path)) {
@@ -74,7 +74,7 @@ jlt_exit jlt_stream_open(jlt_stream *self, const char *path)
     return code;
 }
 
-/* What is on the disk of a file that could not be written to its end, or on its way through. */
+/* Save the whole rows of a file that could not be written completely. Returns the exit status, with a message. */
 static jlt_exit save_rows(const jlt_stream *self, int reason)
 {
     if (self->place.temporary == NULL || jlt_file_commit_lines(&self->place) != JLT_OK) return cannot_write(self, reason);
@@ -82,7 +82,8 @@ static jlt_exit save_rows(const jlt_stream *self, int reason)
                             strerror(reason));
 }
 
-/* Why text could not be written some time ago, which stdio forgets: what it says of one byte more, which no row has. */
+/* The errno of an earlier failed write, which stdio does not keep: write one more byte to see. If it succeeds, the byte is cut off
+ * with the incomplete row. */
 static int reason_again(const jlt_stream *self)
 {
     if (self->array != NULL) return EIO;

@@ -1,5 +1,5 @@
-/** Rows written as they come: to standard output, or to a file that appears under its name when it is closed; as text, or, where
- *  the name ends in .npy, as an array of NumPy. */
+/** Writes rows as they come: to standard output, or to a file that appears under its name when it is closed; as text, or, if the
+ *  name ends in .npy, as a NumPy array. */
 #ifndef JLT_CLI_STREAM_H
 #define JLT_CLI_STREAM_H
 
@@ -9,9 +9,9 @@
 #include "report/npy.h"
 
 typedef struct {
-    FILE *file;     /* callers write CSV here, whatever it becomes */
+    FILE *file;     /* callers write CSV here, also for an array */
     jlt_npy *array; /* NULL: the file is text */
-    int reason;     /* errno when writing the array failed first; 0: it has not */
+    int reason;     /* errno of the first failure to write the array; 0: none */
     jlt_file place; /* all zeros for standard output */
     const char *path;
 } jlt_stream;
@@ -22,11 +22,11 @@ bool jlt_stream_is_array(const char *path);
 /** Open a stream to a file, or to standard output where path is NULL or "-". It must not move after that. */
 jlt_exit jlt_stream_open(jlt_stream *self, const char *path);
 
-/** Flush, and give the file its name. Where not all could be written, the file has the whole rows that were, and the message says
- *  so. */
+/** Flush, and rename the file to its path. If not everything could be written, the file keeps the whole rows that could be, and the
+ *  message says so. */
 jlt_exit jlt_stream_close(jlt_stream *self);
 
-/** Write a finished table, as jlt_command_deliver does, or as an array where the path asks for one. */
+/** Write a finished table, as jlt_command_deliver does, or as a NumPy array if the path ends in .npy. */
 jlt_exit jlt_stream_deliver(jlt_command_output *output, const char *path);
 
 /* Give up: remove the temporary file. Legal on a closed or zeroed stream. */

@@ -10,9 +10,9 @@
 #include "report/json.h"
 #include "scene/tier.h"
 
-/* What a study may ask for: rows of commands that say the same whichever others are computed beside them. `dealt` is the option
- * whose points are dealt out, NULL where the command is run whole at each point that the study runs over; `least`, how many of
- * these points are worth a start of the command. The first that the scene gives is taken. */
+/* The commands of which a study can be made: what they write for a point does not depend on other points. `dealt` is the option
+ * whose grid is cut into pieces; NULL: the command is run whole at each point of `over`. `least`: the default number of points in a
+ * piece, to be worth a start of the command. The first entry applies whose option the scene gives. */
 static const struct {
     const char *command, *dealt;
     size_t least;
@@ -24,8 +24,7 @@ static const struct {
 };
 enum { KINDS = sizeof kinds / sizeof *kinds };
 
-/* Pieces that a study is cut into where it does not say, and the grid is large enough: many more than ranks, so that uneven rows
- * balance. */
+/* The default number of pieces, if the grid is large enough: many more than ranks, so that points of uneven cost balance out. */
 enum { PIECES_WANTED = 4096 };
 
 __attribute__((format(printf, 3, 4)))
@@ -40,7 +39,7 @@ static jlt_exit refuse(const jlt_study *self, unsigned line, const char *format,
     return jlt_command_fail(JLT_EXIT_INPUT, "%s:%u: error: %s", self->scene->file, line, text);
 }
 
-/* The option whose points are dealt out, and how many of them are worth a start. */
+/* Find the option whose grid is cut into pieces, and how many of its points are worth a start of the command. */
 static jlt_exit find_dealt(jlt_study *self, size_t *least)
 {
     const jlt_scene_job *job = self->job;
@@ -63,7 +62,7 @@ static jlt_exit find_dealt(jlt_study *self, size_t *least)
     return JLT_EXIT_DONE;
 }
 
-/* What belongs to one run of the command, and not to pieces of it. */
+/* Refuse options that make sense for one run of the command but not for its pieces. */
 static jlt_exit check_options(const jlt_study *self)
 {
     const jlt_scene_job *job = self->job;
@@ -78,7 +77,7 @@ static jlt_exit check_options(const jlt_study *self)
     return JLT_EXIT_DONE;
 }
 
-/* What runs has its values from nowhere else. set: of the command line. */
+/* Check that nothing that runs has a value elsewhere: in the scene, or in --set of the command line, `set`. */
 static jlt_exit check_over(const jlt_study *self, const jlt_assign_list *set)
 {
     const jlt_scene *scene = self->scene;
@@ -100,7 +99,7 @@ static jlt_exit check_over(const jlt_study *self, const jlt_assign_list *set)
     return JLT_EXIT_DONE;
 }
 
-/* Points of the grid that is dealt out. */
+/* Count the points of the grid that is cut into pieces. */
 static jlt_exit count_inner(jlt_study *self)
 {
     jlt_grid_axis axes[JLT_STUDY_OVER_MAX] = { 0 };
@@ -141,8 +140,8 @@ static jlt_exit count_pieces(jlt_study *self, size_t least)
     return JLT_EXIT_DONE;
 }
 
-/* The tables that may serve, and the compiler that made their kernels; those that lie beside a table of the user's own by what its
- * records were proved of. */
+/* The tables that may serve, with their digests and the compiler that made their kernels. Tables that lie beside the user's own one
+ * are listed with the digests of which its records were proved. */
 static json_t *kernels_of(const jlt_descriptor *model)
 {
     jlt_tier tiers[JLT_TIERS_MAX];
@@ -153,7 +152,7 @@ static json_t *kernels_of(const jlt_descriptor *model)
         const jlt_descriptor *d = i == 0 ? model : tiers[i - 1].table;
         if (d == NULL) continue;
         (void)json_object_set_new(kernels, d->model, json_sprintf("table %s, %s", d->sha256, d->generator));
-        for (unsigned k = 0; k < d->section_count; k++) /* a section may be a table's of its own */
+        for (unsigned k = 0; k < d->section_count; k++) /* the coordinates of a section have a table too */
             (void)json_object_set_new(kernels, d->sections[k].chart, json_sprintf("table %s", d->sections[k].sha256));
         for (unsigned k = 0; k < d->way_count; k++)
             if (json_object_get(kernels, d->ways[k].model) == NULL)
@@ -171,7 +170,7 @@ static jlt_exit make_manifest(jlt_study *self)
     for (size_t k = 0; k < job->count; k++)
         (void)json_object_set_new(options, job->options[k].name,
                                   job->options[k].value != NULL ? json_string(job->options[k].value) : json_true());
-    /* Kernels on vectors of four and of eight do the same operations; those on two do without the fused multiply-add. */
+    /* Kernels with four and with eight lanes do the same operations; those with two have no fused multiply-add. */
     whole = json_pack("{s:i, s:s, s:s, s:o, s:s?, s:I, s:I, s:I, s:s, s:o, s:s}", "format", 1, "command", job->what, "model",
                       job->model != NULL ? job->model : model->model, "options", options, "over", self->scene->over, "points",
                       (json_int_t)(self->outer * self->inner), "piece", (json_int_t)self->piece, "pieces", (json_int_t)self->pieces,
@@ -209,7 +208,7 @@ void jlt_study_clear(jlt_study *self)
     *self = (jlt_study){ .scene = NULL };
 }
 
-/* A piece's points: of what the study runs over, and of the grid. */
+/* The points of a piece: *outer, its point of `over`; *first and *count, its part of the command's grid. */
 static void points_of(size_t *outer, size_t *first, size_t *count, const jlt_study *self, size_t piece)
 {
     const size_t each = self->pieces / self->outer;

@@ -1,5 +1,5 @@
-/** A study: a scene with one command, whose work is cut into pieces. A piece is a command line: the scene's, at one point of what
- *  the study runs over (`over`), with a part of the command's own grid. */
+/** A study: a scene with one command, whose work is cut into pieces. A piece is the scene's command line for one point of the grid
+ *  `over`, and for a part of the command's own grid. */
 #ifndef JLT_CLI_STUDY_H
 #define JLT_CLI_STUDY_H
 
@@ -16,13 +16,13 @@ typedef struct {
     jlt_grid_axis over[JLT_STUDY_OVER_MAX]; /* what the study runs over, the last one fastest */
     size_t over_count;
     size_t outer;         /* how many points `over` has; 1 where the study runs over nothing */
-    size_t inner;         /* how many points the command's grid has; 1 where that is not cut */
-    size_t dealt;         /* number of the job's option that has this grid; job->count: none */
-    size_t piece, pieces; /* points of the grid in a piece; how many pieces */
-    char *manifest;       /* JSON of everything that decides what the rows are; shards of one study agree in it */
+    size_t inner;         /* how many points the command's grid has; 1 if it is not cut into parts */
+    size_t dealt;         /* index of the job's option that gives this grid; job->count: none */
+    size_t piece, pieces; /* points of the command's grid in a piece; number of pieces */
+    char *manifest;       /* JSON of everything that determines the rows; it is the same in all shards of a study */
 } jlt_study;
 
-/** Read a scene, and give parameters other values, those of `set`. Clear *out after, whatever is returned. */
+/** Read a scene, and set parameters to the values of `set`. Call jlt_study_clear in the end, whatever is returned. */
 jlt_exit jlt_study_open(jlt_study *out, const char *path, const jlt_assign_list *set);
 void jlt_study_clear(jlt_study *self);
 

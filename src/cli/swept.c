@@ -38,14 +38,15 @@ typedef struct {
     jlt_swept_rows rows;
     size_t all;   /* points */
     jlt_worker worker;
-    char *told;   /* words of the last point that were shown */
-    size_t lost, refused; /* points whose process was ended, or which refused their input */
+    char *told;   /* the last messages of a point that were shown */
+    size_t lost, refused; /* points whose process was ended by a signal; points that refused their input */
     jlt_exit worst;
 } sweep;
 
 /* ---- the command line of a point ---- */
 
-/* Before "--", behind which there are no options; what is given later counts. */
+/* The command line of a point: the hidden options come after all typed ones, so that they win, but before a "--", behind which are
+ * only operands. */
 static char **arguments(const void *context, size_t point, int *argc)
 {
     const sweep *self = context;
@@ -76,7 +77,7 @@ static size_t next_point(const void *context, size_t point)
 
 /* ---- what a point wrote ---- */
 
-/* What a point said, unless it is what the last one said. */
+/* Print the messages of a point, unless they repeat those of the point before. */
 static void tell(sweep *self, size_t point, const char *words)
 {
     char where[JLT_GRID_PLACE_MAX];
@@ -131,7 +132,7 @@ static jlt_exit open_sweep(sweep *self)
     return JLT_EXIT_DONE;
 }
 
-/* Of the first point, in this process. */
+/* Print the plan of the first point, in this process. */
 static jlt_exit plan(const sweep *self)
 {
     char where[JLT_GRID_PLACE_MAX];

@@ -10,7 +10,7 @@
 
 enum { COLUMNS_MAX = 256 };
 
-/* The length of the line that begins here, without its end; *next: the one behind it, NULL for none. */
+/* The length of the line at the start of the text, without its newline. Out: *next, the line after it, NULL if there is none. */
 static size_t line_at(const char *text, const char **next)
 {
     const size_t length = strcspn(text, "\n");
@@ -26,7 +26,7 @@ static bool has_line(const char *text, const char *line, size_t length)
     return false;
 }
 
-/* Comments before the names of columns, or of `with` those that are there as well; for the caller to free. */
+/* The comment lines before the column names, and if `with` is not NULL only those that it has too; for the caller to free. */
 static char *comments(const char *text, const char *with)
 {
     char *found = NULL;
@@ -42,7 +42,7 @@ static char *comments(const char *text, const char *with)
     return NULL;
 }
 
-/* Fields of a line, which is cut at its commas. Returns how many. */
+/* Cut a line at its commas into fields. Returns their number, at most COLUMNS_MAX. */
 static unsigned cut(char *fields[COLUMNS_MAX], char *line)
 {
     const size_t count = jlt_table_cut(fields, COLUMNS_MAX, line);
@@ -50,13 +50,13 @@ static unsigned cut(char *fields[COLUMNS_MAX], char *line)
     return (unsigned)(count < COLUMNS_MAX ? count : COLUMNS_MAX);
 }
 
-/* For each column of the table its place among those of a point, COLUMNS_MAX where it has none. */
+/* from: for each column of the table, shape (count,), its index among a point's columns, COLUMNS_MAX if it is not among them. */
 typedef struct {
     unsigned from[COLUMNS_MAX], count;
-    bool same; /* nothing is to be moved */
+    bool same; /* the point has the table's columns; `from` is not set */
 } column_map;
 
-/* Say what is missing of one list of names in the other; returns how many. */
+/* Print which of the names are not among `others`. Returns their number. */
 static unsigned tell_missing(const char *where, char *const *names, unsigned count, char *const *others, unsigned other_count,
                              const char *ending)
 {
@@ -73,7 +73,7 @@ static unsigned tell_missing(const char *where, char *const *names, unsigned cou
     return missing;
 }
 
-/* names: of the point, ended by a NUL. False: no memory. */
+/* Map the columns `names` of a point to those of the table, and print the differences once. Returns false when memory is out. */
 static bool map_columns(column_map *map, jlt_swept_rows *self, size_t point, const char *names)
 {
     char where[JLT_GRID_PLACE_MAX], *own[COLUMNS_MAX], *whole[COLUMNS_MAX];
@@ -103,7 +103,7 @@ static bool map_columns(column_map *map, jlt_swept_rows *self, size_t point, con
     return has_memory;
 }
 
-/* A row as the table has it, without its end: values of the point, fields; for the caller to free. */
+/* A row of the table without its newline, the point's values and the mapped fields; for the caller to free. */
 static char *row_of(const column_map *map, const char *values, const char *row, size_t length)
 {
     char *text = NULL, *line, *fields[COLUMNS_MAX];
@@ -127,7 +127,7 @@ static char *row_of(const column_map *map, const char *values, const char *row, 
     return NULL;
 }
 
-/* A row for the picture: two of its columns, where both are numbers. The row is cut. */
+/* Add a row to the picture's data if both of its columns have numbers. Cuts the row at its commas. */
 static void draw_row(jlt_swept_rows *self, char *row)
 {
     char *fields[COLUMNS_MAX], *end;
@@ -149,7 +149,7 @@ static void draw_row(jlt_swept_rows *self, char *row)
     jlt_look_row(self->common->points, at, 2);
 }
 
-/* text: what the command wrote, from its first comment on; names: where its names of columns stand. */
+/* Write the rows of a point, and its comments that are not in the header. names: the line of column names within text. */
 static jlt_exit write_rows(jlt_swept_rows *self, size_t point, const char *text, const char *names)
 {
     FILE *file = self->common->table.file;
@@ -177,7 +177,6 @@ static jlt_exit write_rows(jlt_swept_rows *self, size_t point, const char *text,
     return JLT_EXIT_DONE;
 }
 
-/* The picture's columns, by the names of all. */
 static jlt_exit choose(jlt_swept_rows *self)
 {
     char *text = strdup(self->names), *columns[COLUMNS_MAX];
@@ -195,7 +194,7 @@ static jlt_exit choose(jlt_swept_rows *self)
     return code;
 }
 
-/* Where the names of columns stand; NULL: there are none. */
+/* The line of column names, the first that is not a comment; NULL: there is none. */
 static const char *names_in(const char *text)
 {
     for (const char *next; text != NULL && *text != '\0'; text = next) {
@@ -258,7 +257,7 @@ static jlt_exit refuse_picture(const jlt_swept_rows *self, const char *x, const 
     return jlt_command_fail(JLT_EXIT_INPUT, "--axes: no row has values of both %s and %s: nothing is drawn", x, y);
 }
 
-/* Whether " NAME=" stands in the text before this place. */
+/* Whether the text has " NAME=" before offset `place`. */
 static bool stands_before(const char *text, size_t place, const char *name)
 {
     const size_t length = strlen(name);
@@ -268,7 +267,8 @@ static bool stands_before(const char *text, size_t place, const char *name)
     return false;
 }
 
-/* Parameters and levels that all points have: the assignments NAME=VALUE of the common comments, in lines of nothing else. */
+/* Write the parameters and levels that all points share into the caption: the assignments NAME=VALUE in the header's lines that
+ * begin with one, each name once. */
 static void caption(jlt_plot *plot, const jlt_swept_rows *self)
 {
     char *text = strdup(self->header != NULL ? self->header : ""), *lines = NULL, *words = NULL;

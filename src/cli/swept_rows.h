@@ -1,5 +1,4 @@
-/** The table of a sweep, under one header: the rows of every point, each with the values of that point in front; and its
- *  picture. */
+/** The table of a sweep, the rows of all points under one header, each with the values of its point in front; and its picture. */
 #ifndef JLT_CLI_SWEPT_ROWS_H
 #define JLT_CLI_SWEPT_ROWS_H
 
@@ -13,26 +12,27 @@ typedef struct {
     jlt_common *common; /* whose table is written to */
     const jlt_descriptor *model;
     const char *what;   /* the command's name, for messages */
-    unsigned lead;      /* columns that only number the rows; a picture shows the next one where --axes says nothing */
+    unsigned lead;      /* how many leading columns only number the rows; without --axes a picture shows the column after them */
     jlt_grid_axis axes[JLT_SWEPT_AXES_MAX];
     size_t count;
 
     /* private */
-    char *header;      /* comments of the first point, then those that the second has as well */
-    char *names;       /* columns of the first point's rows, which are those of the table; NULL: no point has had rows */
-    char *held;        /* what the first point wrote, while the second is not there */
-    size_t held_point;
-    char *odd;         /* column names of the last point whose names were others than these */
+    char *header;      /* comment lines of the first point; from the second point on, those that it has as well */
+    char *names;       /* column names of the first point, which become the table's; NULL: no point has had rows */
+    char *held;        /* the first point's text, kept until the second point's has come */
+    size_t held_point; /* number of that point */
+    char *odd;         /* column names of the last point that had others than `names` */
     unsigned shown[2]; /* columns of the picture, x and y */
-    bool has_numbers[2], has_points; /* of those columns, in rows so far; rows in which both have */
-    jlt_extent extent[2];            /* of the latter, where has_points */
+    bool has_numbers[2], has_points; /* whether a row so far has a number in these columns; in both */
+    jlt_extent extent[2];            /* of the rows with numbers in both, if has_points */
 } jlt_swept_rows;
 
-/** What the command wrote at a point: comments, names of columns, rows; "" is nothing. Comments of this point alone stay with
- *  its rows. Columns that the first point had not are left out, and those that this one has not are empty; says so. */
+/** Take what the command wrote at a point: comments, column names, rows; text without column names is ignored. Comments that are
+ *  not in the header stay with the rows. Columns that the first point lacks are left out, and those that this point lacks are
+ *  empty; a message says so. */
 jlt_exit jlt_swept_rows_take(jlt_swept_rows *self, size_t point, const char *text);
 
-/** After all points. */
+/** Write what is still held, after all points. */
 jlt_exit jlt_swept_rows_finish(jlt_swept_rows *self);
 
 /** Draw one column over another, when the table is saved. */

@@ -38,7 +38,7 @@ static jlt_exit no_model(const char *model)
     return JLT_EXIT_INPUT;
 }
 
-/* In the child: the ttc that was installed with this program, else that of $PATH. */
+/* In the child: run the ttc beside this program, else the one in $PATH. */
 static _Noreturn void run_ttc(const char *table, bool lanes, int output, int error)
 {
     char path[PATH_MAX], option[] = "--lanes=0";
@@ -52,7 +52,7 @@ static _Noreturn void run_ttc(const char *table, bool lanes, int output, int err
     _exit(127);
 }
 
-/* One line of what the child writes, without its end. */
+/* Read the child's output to its end, and keep the first line, without its newline. */
 static void read_line(char *line, size_t size, int from)
 {
     size_t used = 0;
@@ -67,7 +67,7 @@ static void read_line(char *line, size_t size, int from)
     line[strcspn(line, "\n")] = '\0';
 }
 
-/* Pass on what the child says on standard error, to its end. Returns whether it said anything. */
+/* Pass on everything that the child writes to standard error. Returns whether it wrote anything. */
 static bool pass_on(int from)
 {
     char words[4096];
@@ -84,7 +84,7 @@ static bool pass_on(int from)
     return has_said;
 }
 
-/* The object's path, as ttc names it; *has_said: ttc has told what is not proved, or more. */
+/* Run `ttc build`. Out: path, that of the shared object; *has_said: ttc wrote messages, such as which claims are not proved. */
 static jlt_exit build(char *path, size_t size, bool *has_said, const char *table, bool lanes)
 {
     int ends[2], words[2], status = 0;
@@ -117,8 +117,8 @@ static jlt_exit build(char *path, size_t size, bool *has_said, const char *table
     return WEXITSTATUS(status) == 0 ? JLT_EXIT_DONE : (jlt_exit)WEXITSTATUS(status);
 }
 
-/* Tables that this process has loaded, or the one that it was forked from: whatever becomes of the file, one process and all that
- * compute with it answer by one text of a table. */
+/* The tables that this process, or the one that forked it, has loaded. They make sure that one process and its children use one
+ * text of a table, even if the file changes. */
 static struct {
     char *table;
     bool lanes;
@@ -126,8 +126,7 @@ static struct {
 } loaded[LOADED_MAX];
 static size_t loaded_count;
 
-/* Out: *descriptor, that of the same kernels, or NULL. Returns the digest of the table's text as it was read first; NULL: it was
- * not. */
+/* Find a loaded table. Out: *descriptor, if it was loaded with the same `lanes`, else NULL. Returns its digest; NULL: none. */
 static const char *find_loaded(const jlt_descriptor **descriptor, const char *table, bool lanes)
 {
     const char *sha256 = NULL;
@@ -174,7 +173,7 @@ jlt_exit jlt_table_open(const jlt_descriptor **descriptor, bool *has_said, const
     return *descriptor != NULL ? JLT_EXIT_DONE : no_model(model);
 }
 
-/* FILE beside the table that names it. */
+/* The path of FILE in the folder of the table that names it. Returns false if the path is too long. */
 static bool beside(char *path, size_t size, const char *table, const char *file)
 {
     const char *slash = strrchr(table, '/');
@@ -184,7 +183,7 @@ static bool beside(char *path, size_t size, const char *table, const char *file)
     return used > 0 && (size_t)used < size;
 }
 
-/* Whether a file beside the table is there with this digest. */
+/* Whether there is a file of this name and digest beside the table `model`. */
 static bool is_beside(const char *model, const char *file, const char *sha256)
 {
     ttc_diagnostics *diagnostics = ttc_diagnostics_create();
@@ -198,8 +197,8 @@ static bool is_beside(const char *model, const char *file, const char *sha256)
     return strcmp(digest, sha256) == 0;
 }
 
-/* Whether a table that is built in may stand for the same one beside the model: what it claims of other tables was proved of those
- * that are beside it here. */
+/* Whether a built-in table may stand for its copy beside `model`: the tables that its records lead to, and of which they were
+ * proved, are beside `model` with the same digests. */
 static bool stands_for(const jlt_descriptor *built_in, const char *model)
 {
     for (unsigned i = 0; i < built_in->way_count; i++)
@@ -209,8 +208,8 @@ static bool stands_for(const jlt_descriptor *built_in, const char *model)
     return true;
 }
 
-/* Whether the table that a way leads to is built in, and what it claims is so here as well; of a larger one, that it reduces to the
- * very table where the way begins. */
+/* Whether a built-in table may be used as a way's target: the way holds, which for a larger table includes its reduction to `from`
+ * itself, and the table's own records hold beside `model` too. */
 static bool may_stay(const jlt_descriptor *from, const jlt_way *way, const char *model)
 {
     const jlt_descriptor *built_in = jlt_way_target(way, NULL);

@@ -1,28 +1,26 @@
-/** The model that a command line names: one that is built in, or a table of the user's own. */
+/** Opens the model that a command line names: a built-in one, or the user's own table. */
 #ifndef JLT_CLI_TABLE_H
 #define JLT_CLI_TABLE_H
 
 #include "cli/command.h"
 #include "kernel/way.h"
 
-/** Whether this is the path of a table, with a slash or ending in .tt, and not the name of a model that is built in. */
+/** Whether this is the path of a table, with a slash or ending in .tt, and not the name of a built-in model. */
 bool jlt_table_is_file(const char *model);
 
-/** Open a model: *descriptor is its general field. A table of the user's own is read, proved and compiled by ttc, unless its
- *  kernels are in the cache; lanes: also kernels on vectors, which take longer to compile. What is wrong with a table ttc prints.
- *  A process that has opened a table, and those that it forks, go on with what was read then, or refuse it with JLT_EXIT_IO where
- *  it was edited since. *has_said:
- *  ttc has compiled, and printed the claims that are not proved, so that the caller need not. */
+/** Open a model: *descriptor is its general field. ttc reads, proves and compiles a user's own table, unless its kernels are in the
+ *  cache, and prints what is wrong with it. lanes: also make kernels on vectors, which take longer to compile. *has_said: ttc wrote
+ *  messages, among them the claims that are not proved, so that the caller need not. A process that has opened a table, and its
+ *  children, keep using the text read then, or refuse with JLT_EXIT_IO if new kernels are needed and the file was edited. */
 jlt_exit jlt_table_open(const jlt_descriptor **descriptor, bool *has_said, const char *model, bool lanes);
 
-/** Open the tables that the user's own table leads to by proved records, as `reduction` or `lift`, and that are not built in: they
- *  are read, proved and compiled as it is. of: that table's field; model, lanes: as for jlt_table_open. A model that is built in
- *  has none. kind: "reduction", only tables with fewer states; NULL: all.
- *  Out: *others. */
+/** Open the tables to which the user's own table leads by proved records `reduction` or `lift`, unless they are built in: each is
+ *  read, proved and compiled like that table. of: the table's field; model, lanes: as for jlt_table_open. kind: "reduction", only
+ *  tables with fewer states; NULL: all. Out: *others, empty if `model` is built in. */
 jlt_exit jlt_table_others(jlt_way_tables *others, const jlt_descriptor *of, const char *model, const char *kind, bool lanes);
 
-/** Open a model for a scene, as jlt_scene_program.open. Errors: EMPTY, no model of this name is built in; IO, ARG, NOMEM, a table
- *  cannot be used, and why has been printed. */
+/** Open a model for a scene; serves as jlt_scene_program.open. Errors: EMPTY, there is no built-in model of this name; IO, ARG,
+ *  NOMEM, a table cannot be used, and the reason has been printed. */
 jlt_status jlt_table_of(const jlt_descriptor **out, const char *model);
 
 #endif

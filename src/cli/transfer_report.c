@@ -7,7 +7,7 @@
 #include "report/csv.h"
 #include "report/json.h"
 
-/* Name of a kind of loss. */
+/* The column name of a kind of loss. */
 static const char *loss_name(char name[JLT_FATE_TEXT_MAX], const jlt_transfer_report *r, unsigned loss)
 {
     if (loss == 0) return "outside";
@@ -72,8 +72,8 @@ void jlt_transfer_report_rows(FILE *file, const jlt_transfer_report *r)
     }
 }
 
-/* The order in the boxes' width with which the known density's defect falls from this case to the next finer one; NaN: this has the
- * finest boxes, or it cannot be told. */
+/* The observed order, in the width of boxes, with which the defect of the known density falls from this case to the next finer one;
+ * NaN if this case has the finest boxes, or a defect is not positive. */
 static double order_of(const jlt_transfer_report *r, size_t i)
 {
     const jlt_transfer_case *coarse = &r->cases[i], *fine = i > 0 ? &r->cases[i - 1] : coarse;

@@ -1,4 +1,4 @@
-/** What `jellett verify` says: findings as text or JSON. */
+/** Writes the findings of `jellett verify` as text or JSON. */
 #ifndef JLT_CLI_VERIFY_REPORT_H
 #define JLT_CLI_VERIFY_REPORT_H
 

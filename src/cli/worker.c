@@ -11,7 +11,7 @@
 
 #include "cli/interrupt.h"
 
-/* Then the process is begun again, so that nothing that a command forgets to give back adds up. */
+/* After this many pieces the child is replaced by a new one, so that resources that a command does not release cannot add up. */
 enum { PIECES_MAX = 1024 };
 
 jlt_exit jlt_worker_open(jlt_worker *self, const jlt_work *work)
@@ -40,13 +40,12 @@ static bool receive_all(int line, void *data, size_t size)
     return got == (ssize_t)size;
 }
 
-/* What is sent to the process. */
 typedef struct {
     size_t piece;
-    size_t alone; /* 0 or 1; no byte of a request is unset */
+    size_t alone; /* 0 or 1; a size_t, so that the structure has no padding */
 } request;
 
-/* What the process does until the line is closed. */
+/* The child: run pieces until the socket is closed. */
 _Noreturn static void serve(const jlt_worker *self, int line)
 {
     static jlt_shelf shelf;
@@ -81,7 +80,7 @@ static jlt_exit begin(jlt_worker *self)
     return jlt_command_fail(JLT_EXIT_NUMERICAL, "cannot start %s: %s", self->work->command->name, strerror(errno));
 }
 
-/* Returns how the process ended, as waitpid says it. */
+/* End the child. Returns its wait status, as from waitpid; 0 if there was no child. */
 static int end(jlt_worker *self)
 {
     int status = 0;
@@ -104,7 +103,7 @@ void jlt_worker_close(jlt_worker *self)
     *self = (jlt_worker){ .output = -1, .error = -1, .line = -1 };
 }
 
-/* All that is in the file, which is empty after. */
+/* Take everything out of a file in memory, and empty it. Out: *text, ended by a NUL. */
 static bool take(char **text, size_t *size, int descriptor)
 {
     struct stat about;
@@ -124,7 +123,7 @@ static bool take(char **text, size_t *size, int descriptor)
     return ftruncate(descriptor, 0) == 0 && lseek(descriptor, 0, SEEK_SET) == 0;
 }
 
-/* One piece, by a process that is there or is begun. */
+/* Have the child compute one piece; start a child if there is none. */
 static jlt_exit ask(jlt_worker *self, jlt_exit *status, int *by, const request *wanted)
 {
     int answer = 0;
@@ -136,7 +135,7 @@ static jlt_exit ask(jlt_worker *self, jlt_exit *status, int *by, const request *
     if (code != JLT_EXIT_DONE) return code;
     self->computed++;
     if (!send_all(self->line, wanted, sizeof *wanted) || !receive_all(self->line, &answer, sizeof answer)) {
-        const int ending = end(self); /* by a signal, or by itself, as where options are wrong */
+        const int ending = end(self); /* it ended by a signal, or by exit(), as argp does on wrong options */
         if (WIFSIGNALED(ending)) *by = WTERMSIG(ending);
         answer = WEXITSTATUS(ending);
     }

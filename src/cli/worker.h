@@ -1,5 +1,5 @@
-/** Computes pieces of work, which are command lines, one after the other in a process of its own, and takes what they write. A
- *  crash or a signal ends that process alone, and the next piece begins a new one. */
+/** Computes pieces of work, each a command line, one after the other in a child process, and collects what they write. A crash or a
+ *  signal ends the child alone, and the next piece starts a new one. */
 #ifndef JLT_CLI_WORKER_H
 #define JLT_CLI_WORKER_H
 
@@ -10,24 +10,25 @@
 
 typedef struct {
     const jlt_work *work;
-    const volatile sig_atomic_t *interrupt; /* the signal that is to end this program, else 0 */
-    int output, error;  /* files in memory that the commands write to */
-    int line;           /* to the process: what it is to compute goes out, statuses come back; -1: there is none */
-    pid_t process;
-    size_t computed;    /* pieces by this process */
-    size_t alone;       /* so many pieces more are computed by themselves: a process was ended, by one of those it had begun
-                           together */
-    char *rows, *words; /* what the last piece wrote, each ended by a NUL; owned */
+    const volatile sig_atomic_t *interrupt; /* the signal that asked this program to end, else 0 */
+    int output, error;  /* files in memory that are the child's standard output and standard error */
+    int line;           /* socket to the child: requests go out, exit statuses come back; -1: there is no child */
+    pid_t process;      /* the child */
+    size_t computed;    /* pieces that this child was asked for */
+    size_t alone;       /* how many of the next pieces to compute one at a time: any of them may have ended a child that was
+                           computing several together */
+    char *rows, *words; /* what the last piece wrote to standard output and standard error, each ended by a NUL; owned */
     size_t rows_size, words_size;
 } jlt_worker;
 
-/** Open a worker; close it with jlt_worker_close, whatever is returned. `work` must outlive it. */
+/** Open a worker; call jlt_worker_close in the end, whatever is returned. `work` must outlive it. */
 jlt_exit jlt_worker_open(jlt_worker *self, const jlt_work *work);
 void jlt_worker_close(jlt_worker *self);
 
-/** Compute a piece. Out: *status, of its command; *by, the signal that ended it, and then the status means nothing, else 0. What
- *  ends the process while pieces are computed together ends none but the one that does so by itself as well. Says what is wrong on
- *  this side. Cost: beside the command's own about 0.3 ms. */
+/** Compute a piece. Out: *status, its command's exit status; *by, 0, or the signal that ended the child, and then *status means
+ *  nothing; self->rows and self->words. If a signal ends the child while several pieces are under way, the piece is computed again
+ *  by itself, so that a crash counts only for its cause. Returns another status than JLT_EXIT_DONE if the worker itself failed, and
+ *  says why. Cost: about 0.3 ms beside the command's own. */
 jlt_exit jlt_worker_run(jlt_worker *self, jlt_exit *status, int *by, size_t piece);
 
 #endif

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Rows that a thread writes at a stretch. */
+/* Rows that a thread formats at a time. */
 enum { PIECE = 64 };
 
 jlt_status jlt_writer_open(jlt_writer *self, FILE *stream, jlt_writer_text text, void *context, size_t width, size_t room,

@@ -27,9 +27,10 @@ typedef struct {
     double seed;        /* distance of gamma(0) from the saddle's point, scaled (jlt_chart_scaled) */
 } jlt_branch;
 
-/** Take the stable or the unstable branch at the orbit's first point (jlt_periodic_rotate makes another the first). In: side, +1
- *  along the eigenvector whose larger component is positive, -1 against it; seed, in [JLT_BRANCH_SEED_LEAST, JLT_BRANCH_SEED_MOST].
- *  Errors: ARG, the orbit is no saddle of a two-dimensional map; side or seed out of range. */
+/** Take the stable or the unstable branch at the orbit's first point (jlt_periodic_rotate makes another point the first). In: side,
+ *  +1 along the eigenvector whose larger component is positive, -1 against it; seed, the distance of the branch's first point, in
+ *  [JLT_BRANCH_SEED_LEAST, JLT_BRANCH_SEED_MOST]. Errors: ARG, the orbit is no saddle of a two-dimensional map; side or seed out of
+ *  range. */
 JLT_CHECKED jlt_status jlt_branch_init(jlt_branch *out, jlt_map *map, const jlt_periodic *saddle, bool stable, int side,
                                        double seed);
 

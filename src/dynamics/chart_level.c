@@ -30,7 +30,8 @@ static double look(const jlt_chart_level *self, double *off, double *sizes, doub
         for (unsigned k = 0; k < n; k++) size = fmax(size, fabs(gradient[k] * x[k]));
         sizes[i] = size;
         off[i] = values[level->integral] - level->value;
-        if (!(fabs(off[i]) <= worst * size)) worst = off[i] == 0 ? worst : fabs(off[i]) / size;
+        const double part = off[i] == 0 ? 0 : fabs(off[i]) / size;
+        if (part > worst || isnan(part)) worst = part; /* and stays so */
         for (unsigned j = 0; j < count; j++) by_solved[i * count + j] = gradient[self->base.solved[j]];
         if (by_all != NULL) memcpy(by_all + i * n, gradient, n * sizeof *gradient);
     }

@@ -54,7 +54,7 @@ bool jlt_descriptor_unproved(char *claims, size_t size, const jlt_descriptor *of
 /** Append the claim of this kind and name to such a list, if the table makes it, and it is neither proved nor listed yet. */
 void jlt_descriptor_add_unproved(char *claims, size_t size, const jlt_descriptor *of, const char *kind, const char *name);
 
-/** The condition on a parameter's sign, " > 0" and the like; "" if any value is allowed. */
+/** The condition on a parameter's sign, " > 0" and the like; "" if it may have any value. */
 const char *jlt_descriptor_condition(const jlt_quantity *param);
 
 /** Whether the parameter may have this finite value. */

@@ -10,13 +10,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Fields whose text is made at a stretch. */
+/* How many fields are formatted before they are written. */
 enum { FIELDS = 32 };
 
-/* A text, or null for none. */
 static json_t *text_or_null(const char *text)
 {
-    /* NULL too where it is no UTF-8, as files may be called */
+    /* json_string returns NULL for text that is not UTF-8, which file names may contain */
     json_t *string = text != NULL && text[0] != '\0' ? json_string(text) : NULL;
     return string != NULL ? string : json_null();
 }
@@ -68,7 +67,7 @@ FILE *jlt_csv_names_begin(jlt_csv_names *self, FILE *file)
     return self->line != NULL ? self->line : file;
 }
 
-/* Of names with commas between them. */
+/* Write names, given with commas between them, each made distinct. Cuts `text` at its commas. */
 static jlt_status write_names(FILE *file, char *text)
 {
     const size_t count = jlt_table_cut(NULL, 0, text);
@@ -101,14 +100,14 @@ void jlt_csv_value(FILE *stream, double value)
     jlt_csv_values(stream, &value, 1);
 }
 
-/* The text of many fields is made first: a stream is asked once. */
+/* Format up to FIELDS numbers, then write them in one call. more: put a comma before the first number too. */
 static void write_fields(FILE *stream, const double *values, size_t count, bool more)
 {
     char text[FIELDS * JLT_DIGITS_SIZE], *at = text;
 
     for (size_t i = 0; i < count; i++) {
         if (more || i > 0) *at++ = ',';
-        if (isfinite(values[i])) at = jlt_digits_shortest(at, values[i] + 0.0); /* zero has no sign */
+        if (isfinite(values[i])) at = jlt_digits_shortest(at, values[i] + 0.0); /* turns -0 into 0 */
         if (i % FIELDS < FIELDS - 1 && i + 1 < count) continue;
         fwrite(text, 1, (size_t)(at - text), stream);
         at = text;

@@ -1,4 +1,4 @@
-/** Writes names with their values for people, each with the fewest digits that read back. */
+/** Writes names with their values for readers: with the fewest digits that read back, or rounded. */
 #ifndef JLT_REPORT_DECIMAL_H
 #define JLT_REPORT_DECIMAL_H
 

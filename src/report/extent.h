@@ -1,4 +1,4 @@
-/** The interval that values fill. */
+/** The smallest interval that contains given values. */
 #ifndef JLT_REPORT_EXTENT_H
 #define JLT_REPORT_EXTENT_H
 
@@ -8,14 +8,14 @@ typedef struct {
     double low, high;
 } jlt_extent;
 
-#define JLT_EXTENT_NONE ((jlt_extent){ INFINITY, -INFINITY })
-#define JLT_EXTENT_OPEN ((jlt_extent){ NAN, NAN }) /* as far as the data go */
+#define JLT_EXTENT_NONE ((jlt_extent){ INFINITY, -INFINITY }) /* empty: to begin with */
+#define JLT_EXTENT_OPEN ((jlt_extent){ NAN, NAN })            /* unknown: gnuplot takes the range of the data */
 
-/* Widen the interval so that it holds the value; NaN and infinities are passed over. */
+/* Widen the interval so that it contains the value; NaN and infinities are ignored. */
 void jlt_extent_add(jlt_extent *self, double value);
 
-/** The interval with a twentieth more on both sides, for an axis; some interval around a single value; OPEN where there is no
- *  value. */
+/** The interval for an axis: longer by a twentieth at both ends; around a single value, or values that hardly differ, some interval
+ *  in which ticks can be told apart; OPEN for an empty one. */
 jlt_extent jlt_extent_wider(jlt_extent self);
 
 #endif

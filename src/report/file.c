@@ -13,14 +13,15 @@
 
 enum { LINKS_MAX = 40, NAMES_TRIED = 100, MODE = 07777 };
 
-/* The length of the folder's part of a path, with its slash; 0 where there is none. */
+/* The length of a path up to and with its last slash; 0 if there is none. */
 static size_t folder_length(const char *path)
 {
     const char *slash = strrchr(path, '/');
     return slash == NULL ? 0 : (size_t)(slash - path) + 1;
 }
 
-/* Where a path leads when symbolic links are followed, also one to a file that is not there; to be freed. NULL: errno says why. */
+/* Follow the symbolic links of a path, also to a file that does not exist. Returns the path at the end, for the caller to free;
+ * NULL: errno says why. */
 static char *follow(const char *path)
 {
     char *at = strdup(path), link[PATH_MAX];
@@ -40,7 +41,8 @@ static char *follow(const char *path)
     return NULL;
 }
 
-/* A new file beside the target, of a name that is nobody's: open() applies the umask, which a library cannot read safely. */
+/* Create a file beside the target under an unused name, by open(), not mkstemp(), so that the umask decides its mode. Returns
+ * its descriptor; -1: errno says why. */
 static int make_temporary(jlt_file *self)
 {
     const size_t room = strlen(self->target) + 8;
@@ -70,14 +72,14 @@ jlt_status jlt_file_begin(jlt_file *self, const char *path)
     struct stat about;
     const bool exists = stat(path, &about) == 0, is_device = exists && !S_ISREG(about.st_mode);
 
-    /* The links of /dev/stdout lead to no name where it is a pipe. */
+    /* Links of a device are not followed: where /dev/stdout is a pipe, they end at no name in a file system. */
     *self = (jlt_file){ .descriptor = -1, .target = is_device ? strdup(path) : follow(path) };
     if (self->target == NULL) return errno == ENOMEM ? JLT_ERR_NOMEM : JLT_ERR_IO;
     if (is_device) {
         self->descriptor = open(path, O_WRONLY | O_CLOEXEC); /* a folder is refused here */
     } else {
         self->descriptor = make_temporary(self);
-        /* Not every disk has permissions: then the file does without. */
+        /* A failure is ignored: some file systems have no permissions. */
         if (self->descriptor >= 0 && exists) (void)!fchmod(self->descriptor, about.st_mode & MODE);
     }
     if (self->descriptor >= 0) return JLT_OK;
@@ -116,7 +118,7 @@ jlt_status jlt_file_get(const jlt_file *self, char *data, size_t size, size_t of
     return got == (ssize_t)size ? JLT_OK : JLT_ERR_IO;
 }
 
-/* The tail of a file that is no text. */
+/* Cut a binary file to its whole bytes, and append its tail. */
 static jlt_status put_tail(const jlt_file *self)
 {
     if (self->whole == 0) return JLT_ERR_EMPTY;
@@ -134,7 +136,7 @@ jlt_status jlt_file_commit(jlt_file *self)
     return JLT_OK;
 }
 
-/* The length up to the last newline; 0 where there is none, or the file cannot be read. */
+/* The length of a file up to and with its last newline; 0 if it has none or cannot be read. */
 static off_t whole_lines(const char *path)
 {
     char piece[4096];
@@ -172,7 +174,7 @@ void jlt_file_end(jlt_file *self)
 {
     const int reason = errno;
 
-    if (self->target == NULL) return; /* zeroed: its descriptor is none */
+    if (self->target == NULL) return; /* zeroed: descriptor 0 is not its own */
     if (self->descriptor >= 0) close(self->descriptor);
     if (self->temporary != NULL) unlink(self->temporary);
     free(self->temporary);
@@ -206,7 +208,7 @@ jlt_status jlt_file_write(const char *path, const char *data, size_t size)
     return st;
 }
 
-/* The folder of a path; to be freed. */
+/* The folder of a path, for the caller to free. */
 static char *folder_of(const char *path)
 {
     const size_t length = folder_length(path);

@@ -11,7 +11,8 @@
 /* A new reference to a real, or to null for NaN and infinities. NULL, here and below: memory is out. */
 json_t *jlt_json_number(double value);
 
-/* New references to an array of numbers; to an array of rows; to an object with the names of `quantities` as keys. */
+/* New references to an array of numbers, values (count,); to an array of rows, values (rows, columns); to an object with the names
+ * of `quantities` as keys. */
 json_t *jlt_json_numbers(const double *values, size_t count);
 json_t *jlt_json_matrix(const double *values, size_t rows, size_t columns);
 json_t *jlt_json_named(const jlt_quantity *quantities, const double *values, size_t count);
@@ -19,7 +20,7 @@ json_t *jlt_json_named(const jlt_quantity *quantities, const double *values, siz
 /* A new reference to a string, or to null for NULL. */
 json_t *jlt_json_string(const char *text);
 
-/** Write to a stream in memory, indented by two, 17 digits, with a newline at the end. Takes the reference.
+/** Write to a stream in memory, indented by two, with 17 digits and a newline at the end. Takes over the reference.
  *  Errors: NOMEM, also when `value` is NULL. */
 JLT_CHECKED jlt_status jlt_json_write(FILE *stream, json_t *value);
 

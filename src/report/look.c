@@ -8,7 +8,7 @@
 #include "core/digits.h"
 #include "report/symbol.h"
 
-/* The first colours are those of Okabe and Ito (2008), dark and light in turn; greys of areas are as far apart as they can be. */
+/* The first colours are those of Okabe and Ito (2008), dark and light in turn. The greys, for areas, are chosen far apart. */
 static const char *const colours[JLT_LOOK_SERIES] = { "#1a1a1a", "#d55e00", "#0072b2", "#e69f00", "#009e73",
                                                       "#cc79a7", "#56b4e9", "#808080", "#b0b0b0", "#8b4513" };
 static const char *const greys[JLT_LOOK_SERIES] = { "#000000", "#909090", "#d0d0d0", "#606060", "#b0b0b0",
@@ -29,7 +29,7 @@ bool jlt_look_font_fits(const char *name, size_t length)
     return length > 0;
 }
 
-/* Bytes of the character of UTF-8 that begins here; 0: there is none. */
+/* The length in bytes of the UTF-8 character at the start of the text; 0: there is no valid one. */
 static size_t character(const char *text)
 {
     const unsigned char *c = (const unsigned char *)text;
@@ -59,9 +59,9 @@ double jlt_look_points(const jlt_look *self)
     return self->points > 0 ? self->points : fmin(12, fmax(7, round(2 * (5.6 + 0.3 * self->width)) / 2));
 }
 
-/* A line of it, in single quotes. Marks that begin something in gnuplot stand by their numbers: gnuplot 5.4 takes two single quotes
- * at the start of a string for an empty one, and looks for macros beside quotes of the other kind. small: in smaller letters, for
- * markup. */
+/* Write one line of text as a string in single quotes. Characters with a meaning to gnuplot become octal escapes in a concatenated
+ * string: gnuplot 5.4 reads two single quotes at the start of a string as an empty string, and expands macros next to double
+ * quotes. small: in smaller letters, for markup. */
 static void quote(FILE *stream, const char *text, size_t length, bool small)
 {
     const char *marks = small ? "'\"`@" : "'\"`@\\";
@@ -80,17 +80,18 @@ void jlt_look_quote(FILE *stream, const char *text)
         fputs(".\"\\n\".", stream);
 }
 
-/* How wide a character is, by its first byte in UTF-8, in sizes of letters: about, of DejaVu Sans, which stands for Helvetica where
- * that is not installed, and is the wider one. */
+/* The approximate width of a UTF-8 byte's character in units of the font size, for DejaVu Sans: it replaces Helvetica where that is
+ * not installed, and is wider. */
 static double breadth(char first)
 {
-    if (((unsigned char)first & 0xc0) == 0x80) return 0; /* the rest of one */
+    if (((unsigned char)first & 0xc0) == 0x80) return 0; /* a continuation byte */
     if (strchr(" .,;:'|!/()[]ijltfI-", first) != NULL) return 0.34;
     if (strchr("mwMW%@=+<>", first) != NULL) return 0.86;
     return isupper((unsigned char)first) ? 0.72 : 0.63;
 }
 
-/* How much of a text fits a line of this room, in sizes of letters: to its end, to a blank, or to the first blank beyond. */
+/* How many bytes of a text to put on a line with this room, in units of the font size: up to a newline or its end, or to the last
+ * blank that fits; a first word that does not fit stays whole. */
 static size_t fitting(const char *text, double room, bool markup)
 {
     size_t last = 0, i;
@@ -105,8 +106,8 @@ static size_t fitting(const char *text, double room, bool markup)
 
 unsigned jlt_look_lines(FILE *stream, const jlt_look *self, const char *text, bool markup)
 {
-    /* a title stands over the middle of the axes, up to three letters beside that of the picture; below its first line a caption is
-     * small */
+    /* a title is centred over the axes, up to three letters off the centre of the picture; a caption is small below its first
+     * line */
     const double room = self->width * 72 / 2.54 / jlt_look_points(self) - 6.5;
     unsigned lines = 1;
     bool small = false;
@@ -137,7 +138,7 @@ void jlt_look_label(char *label, const char *name, const char *unit)
     label[JLT_LOOK_LABEL_MAX - 1] = '\0';
 }
 
-/* Ticks at multiples of pi/2, or of a multiple of pi where there is no room for them. */
+/* Write ticks at multiples of pi/2, or, if these do not fit, of the least multiple of pi that does. */
 static void angle_ticks(FILE *stream, char axis, double low, double high, double room)
 {
     const double half = acos(0);
@@ -166,7 +167,7 @@ double jlt_look_step(jlt_extent range, double room)
                  part = least / power * (1 - 1e-9);
 
     const double round = part <= 1 ? 1 : part <= 2 ? 2 : part <= 5 ? 5 : 10;
-    /* A single tick tells no scale: then the next shorter step that puts two of them into the range. */
+    /* One tick gives no scale: take the largest step that puts two ticks into the range. */
     static const double shorter[] = { 10, 8, 6, 5, 4, 3, 2, 1.5, 1 };
     for (size_t i = 0; i < sizeof shorter / sizeof *shorter; i++)
         if (shorter[i] <= round && ticks(range, shorter[i] * power) >= 2) return shorter[i] * power;
@@ -177,8 +178,7 @@ jlt_extent jlt_look_axis(FILE *stream, const jlt_look *self, char axis, const ch
                          unsigned panels)
 {
     const double two_pi = 4 * acos(0), letters = 72 / 2.54 / jlt_look_points(self) / panels;
-    /* a fourth of the width, and a third of the height, are taken by labels; a tick has room for six letters, or for nearly two
-     * lines */
+    /* labels take a fourth of the width and a third of the height; a tick gets the room of six letters in x, of 1.8 lines in y */
     const double room = axis == 'x' ? 0.75 * self->width * letters / (6 * 0.55) : 0.65 * self->height * letters / 1.8;
     const int k = axis == 'y';
     char ends[2][JLT_DIGITS_SIZE];
@@ -189,7 +189,7 @@ jlt_extent jlt_look_axis(FILE *stream, const jlt_look *self, char axis, const ch
     if (!isnan(self->low[k])) range = (jlt_extent){ self->low[k], self->high[k] };
     if (range.high <= range.low) range = jlt_extent_wider(range);
     if (!(range.high > range.low)) return range;
-    jlt_digits_shortest(ends[0], range.low); /* in full: points lie at the ends of angles */
+    jlt_digits_shortest(ends[0], range.low); /* in full: points may lie exactly at the ends of an angle's range */
     jlt_digits_shortest(ends[1], range.high);
     fprintf(stream, "set %crange [%s:%s]\n", axis, ends[0], ends[1]);
     if (fabs(period - two_pi) < 1e-9 && range.high - range.low > two_pi / 2.001 && range.high - range.low < 1000)
@@ -213,7 +213,7 @@ void jlt_look_pen(FILE *stream, const jlt_look *self, jlt_pen pen)
 {
     const bool lines = strstr(pen.with, "line") != NULL, points = strcmp(pen.with, "lines") != 0;
     const bool dots = self->dots && strcmp(pen.with, "points") == 0;
-    const bool cloud = !lines && pen.size < 0.3; /* of which marks cannot be told apart */
+    const bool cloud = !lines && pen.size < 0.3; /* points too small for marks to distinguish series */
     const char *colour = cloud || !self->grey ? jlt_look_colour(self, pen.colour) : pen.colour % 2 == 0 ? "#000000" : "#808080";
 
     fprintf(stream, "with %s lc rgb '%s'", dots ? "dots" : pen.with, colour);
@@ -224,7 +224,7 @@ void jlt_look_pen(FILE *stream, const jlt_look *self, jlt_pen pen)
         fprintf(stream, " pt %d ps %.3g", shapes[pen.mark % (sizeof shapes / sizeof *shapes)], pen.size * self->size);
 }
 
-/* Letters of the widest number beside a box of colours. */
+/* The number of letters in the longest tick label of the colour box. */
 static int widest(jlt_extent values, double step)
 {
     int most = 0;
@@ -241,7 +241,7 @@ void jlt_look_palette(FILE *stream, const jlt_look *self, const char *label, jlt
     fputs("set cblabel ", stream);
     jlt_look_quote(stream, label);
     fputs(" offset 0.7,0\n", stream);
-    /* gnuplot leaves the same room for box, numbers and label whatever the numbers are */
+    /* set the margin: gnuplot leaves the same room for the colour box however long its tick labels are */
     if (step > 0) fprintf(stream, "set cbtics %.15g\nset rmargin %.1f\n", step, 4.7 + 0.8 * widest(values, step));
     fputs(self->grey ? "set palette defined (0 '#202020', 1 '#f0f0f0')\n"
                      : "set palette defined (0 '#440154', 1 '#3b528b', 2 '#21918c', 3 '#5ec962', 4 '#fde725')\n",

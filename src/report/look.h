@@ -1,7 +1,7 @@
-/** How pictures look: what is asked of all of them alike, and the parts of a gnuplot script that obey it.
+/** How pictures look: the options that all pictures share, and writers for the parts of a gnuplot script that depend on them.
  *
- *  Text stands in a script in single quotes, in which gnuplot replaces nothing, so that no title and no name is ever a command.
- *  Markup is gnuplot's enhanced text, as of report/symbol.h. */
+ *  The writers quote all text so that gnuplot substitutes nothing in it: a title or a name is never executed as a command. "Markup"
+ *  is gnuplot's enhanced text, as report/symbol.h writes it. */
 #ifndef JLT_REPORT_LOOK_H
 #define JLT_REPORT_LOOK_H
 
@@ -11,79 +11,82 @@
 #include <stddef.h>
 #include <stdio.h>
 
-/* A command: lines behind all curves. */
+/* A gnuplot command: grid lines behind all curves. */
 #define JLT_LOOK_GRID "set grid lc rgb '#d0d0d0' dt 1\n"
 
 enum { JLT_LOOK_LABEL_MAX = 256, JLT_LOOK_SERIES = 10 };
 
 typedef struct {
     double width, height;        /* [cm] */
-    const char *font;            /* its name, which needs no quoting, as jlt_look_font_fits has it; not ended by '\0' */
+    const char *font;            /* its name, which jlt_look_font_fits accepts; shape (font_length,), without a NUL */
     size_t font_length;
-    double points;               /* of letters; 0: by the width */
-    const char *title;           /* NULL: what the command says; "": none */
-    double low[2], high[2];      /* of the x and the y axis; NaN: as the command has them */
+    double points;               /* size of letters; 0: chosen by the width */
+    const char *title;           /* NULL: the command's own caption; "": none */
+    double low[2], high[2];      /* ranges of the x and the y axis; NaN: chosen by the command */
     bool grey, dots, no_key;
-    double size, line;           /* of points and lines, times what they are otherwise */
-    bool asked;                  /* an option has set any of these */
+    double size, line;           /* factors of the size of points and the width of lines */
+    bool asked;                  /* an option has set one of these members */
 } jlt_look;
 
 /** Set the look of a picture for which no option is given. */
 void jlt_look_default(jlt_look *self);
 
-/** Whether this can be a font's name: letters, digits, blanks, '-', '.', ':', '+'. */
+/** Whether this can be a font's name, which is then safe inside quotes: letters, digits, blanks, '-', '.', ':', '+'. */
 bool jlt_look_font_fits(const char *name, size_t length);
 
-/** Whether this is UTF-8 without control characters but for ends of lines. */
+/** Whether this is valid UTF-8 with no control characters other than newlines. */
 bool jlt_look_text_fits(const char *text);
 
 /** The size of letters, in points. */
 double jlt_look_points(const jlt_look *self);
 
-/** Write a string of gnuplot that stands for this text, to the letter. */
+/** Write a gnuplot string expression whose value is exactly this text. */
 void jlt_look_quote(FILE *stream, const char *text);
 
-/** The same, broken at blanks into lines that fit the picture's width. Returns how many lines. markup: the text has marks of
- *  gnuplot's enhanced text, which take no room. */
+/** The same, with the text broken at blanks into lines that fit the picture's width. Returns the number of lines. markup: the text
+ *  is gnuplot's enhanced text, whose marks take no room; lines behind its first newline are smaller. */
 unsigned jlt_look_lines(FILE *stream, const jlt_look *self, const char *text, bool markup);
 
-/** The label "SYMBOL [UNIT]" of an axis as markup; unit may be "". Out: label, shape (JLT_LOOK_LABEL_MAX,). */
+/** The label "SYMBOL [UNIT]" of an axis as markup, without the unit where that is "" or "1". Out: label, shape
+ *  (JLT_LOOK_LABEL_MAX,). */
 void jlt_look_label(char *label, const char *name, const char *unit);
 
-/** The distance of ticks in a range: about `room` of them or fewer, and two at least where the range is not empty. */
+/** The distance between ticks, so that about `room` of them or fewer lie in the range, and at least two if it is not empty. */
 double jlt_look_step(jlt_extent range, double room);
 
-/** Write the axis 'x' or 'y' with its label in markup, its range and as many ticks as fit. panels: how many of them stand side by
- *  side, or one above the other, in this direction. period: 2 pi for an angle, whose ticks are multiples of pi/2; else 0. Returns
- *  the range drawn, in which --xrange and --yrange win. */
+/** Write the axis 'x' or 'y' with its label in markup, its range and as many ticks as fit. panels: how many panels share the
+ *  picture in the direction of this axis. period: 2 pi for an angle, whose ticks are multiples of pi/2 where the range is long;
+ *  else 0. Returns the range drawn: that of --xrange or --yrange where given. */
 jlt_extent jlt_look_axis(FILE *stream, const jlt_look *self, char axis, const char *label, jlt_extent range, double period,
                          unsigned panels);
 
 /** Write "set key WHERE", or "unset key" with --style nokey. */
 void jlt_look_key(FILE *stream, const jlt_look *self, const char *where);
 
-/** How data are drawn. with: lines, points, linespoints, or bars of errors, as gnuplot calls them; colour, dash and mark are
- *  numbers in a list, which begins anew behind its last one. */
+/** How data are drawn. with: gnuplot's name of the style: lines, points, linespoints, yerrorbars, ...; colour, dash and mark index
+ *  lists, modulo their lengths. */
 typedef struct {
     const char *with;
     unsigned colour, dash, mark;
-    double size; /* of points; lines have twice the width where it is 0 */
+    double size; /* of points; 0: there are none, and lines are wider */
 } jlt_pen;
 
-/** Write the "with ..." of `plot`. Colours are told apart by the colour-blind; in grey, dashes and marks tell series apart. */
+/** Write the "with ..." of `plot`. Colour-blind readers can distinguish the colours; in grey, dashes and marks distinguish
+ *  series. */
 void jlt_look_pen(FILE *stream, const jlt_look *self, jlt_pen pen);
 
 /** The colour of areas and of clouds of points, #rrggbb. */
 const char *jlt_look_colour(const jlt_look *self, unsigned series);
 
-/** Write the palette for continuous values, whose lightness rises with them, with the box of colours beside the picture, its label
- *  and ticks for this range of values. */
+/** Write a palette for continuous values, whose lightness increases with the value, and the colour box's label and ticks for this
+ *  range of values. */
 void jlt_look_palette(FILE *stream, const jlt_look *self, const char *label, jlt_extent values);
 
-/** Write the palette for the values 0 .. count - 1, each in its colour of areas (jlt_look_colour). */
+/** Write a palette that gives each of the values 0 .. count - 1 its colour (jlt_look_colour), without a colour box. */
 void jlt_look_steps(FILE *stream, const jlt_look *self, unsigned count);
 
-/** Write data: a number with the fewest digits that read back bit for bit; a row of them with blanks between. */
+/** Write data: a number with the fewest digits that read back bit for bit; a line of numbers, values (count,), with blanks
+ *  between them. */
 void jlt_look_value(FILE *stream, double value);
 void jlt_look_row(FILE *stream, const double *values, size_t count);
 

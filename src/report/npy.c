@@ -13,14 +13,14 @@ enum { ALIGNMENT = 64, NUMBER = sizeof(uint64_t), BLOCK = 1 << 20 };
 
 struct jlt_npy {
     jlt_file *place;
-    FILE *notes;          /* the comments: the file's tail */
-    jlt_table_form form;  /* rows: those in the file */
-    size_t head, width;   /* bytes before the rows, and of a row */
-    char *begun;          /* the line that is not whole yet */
+    FILE *notes;          /* collects comments into the file's tail */
+    jlt_table_form form;  /* its `rows` counts the rows in the file */
+    size_t head, width;   /* bytes before the rows; bytes of a row */
+    char *begun;          /* a line whose end has not come yet */
     size_t begun_size, begun_room;
-    char *block;          /* rows that are not in the file yet */
+    char *block;          /* rows that are not in the file yet, `held` bytes of BLOCK */
     size_t held;
-    jlt_status failed;    /* what was taken is lost from then on */
+    jlt_status failed;    /* how jlt_npy_take failed; it takes nothing after that */
 };
 
 static size_t width_of(const jlt_table_column *column) { return column->is_text ? column->width : NUMBER; }
@@ -30,7 +30,7 @@ static void put_number(char *to, uint64_t value, unsigned bytes)
     for (unsigned i = 0; i < bytes; i++) to[i] = (char)(value >> 8 * i & 0xff);
 }
 
-/* The array's description as Python writes it, for so many rows. */
+/* Make the header's Python dictionary for an array of this many rows. */
 static jlt_status describe(char **text, size_t *size, const jlt_table_form *form, size_t rows)
 {
     FILE *stream = open_memstream(text, size);
@@ -48,7 +48,7 @@ static jlt_status describe(char **text, size_t *size, const jlt_table_form *form
     return fclose(stream) == 0 ? JLT_OK : JLT_ERR_NOMEM;
 }
 
-/* Bytes of what stands before the rows, however many these become. */
+/* Set the width of a row, and the size of the header so that it has room for any number of rows. */
 static jlt_status measure(jlt_npy *self)
 {
     char *text = NULL;
@@ -117,7 +117,7 @@ void jlt_npy_destroy(jlt_npy *self)
     free(self);
 }
 
-/* The head tells of no row that is not there. */
+/* Write the rows first, then the header, so that the header never counts a row that is not in the file. */
 jlt_status jlt_npy_flush(jlt_npy *self)
 {
     jlt_status st = JLT_OK;
@@ -133,7 +133,7 @@ done:
     return st;
 }
 
-/* What a row had in a column, as text of this width. */
+/* Write a field's old bytes, a text of another width or a number, as text of this width. */
 static void put_text(char *to, size_t width, const char *from, bool was_text, size_t was_width)
 {
     char text[JLT_DIGITS_SIZE] = "";
@@ -151,7 +151,8 @@ static void put_text(char *to, size_t width, const char *from, bool was_text, si
     memcpy(to, text, strlen(text));
 }
 
-/* A column becomes one of texts, or of longer ones. Rows become no shorter: the last one is moved first. */
+/* Make a column one of texts at least `width` bytes long. Rows do not become shorter, so moving the last row first overwrites
+ * none. */
 static jlt_status widen(jlt_npy *self, size_t index, size_t width)
 {
     jlt_table_column *column = &self->form.columns[index];
@@ -179,7 +180,7 @@ done:
     return st;
 }
 
-/* False: the column is not of the field's kind, or too narrow. */
+/* Returns false if the column holds numbers and the field is a text, or the field is too long for it. */
 static bool put_field(char *to, const jlt_table_column *column, const char *field, const char *end)
 {
     const size_t size = (size_t)(end - field);
@@ -198,8 +199,8 @@ static bool put_field(char *to, const jlt_table_column *column, const char *fiel
     return true;
 }
 
-/* The row behind those that wait, from its fields or, where these are NULL, from a line that has them. A column that does not take
- * its field is widened, and the row begun again. */
+/* Add a row to the block from its fields or, if these are NULL, from a line of CSV. When a field does not fit its column, widen the
+ * column and begin the row again. */
 static jlt_status put_row(jlt_npy *self, char *const *fields, const char *line)
 {
     const char *field = line;
@@ -230,7 +231,7 @@ jlt_status jlt_npy_row(jlt_npy *self, char *const *fields)
     return put_row(self, fields, NULL);
 }
 
-/* Names of columns: numbers, until a field shows another kind. */
+/* Take the line of column names. All columns hold numbers until a field is a text. */
 static jlt_status take_names(jlt_npy *self, char *line)
 {
     const size_t count = jlt_table_cut(NULL, 0, line);
@@ -273,7 +274,7 @@ jlt_status jlt_npy_take(jlt_npy *self, const char *text, size_t size)
     memmove(self->begun, line, self->begun_size);
     if (self->form.count > 0) st = jlt_npy_flush(self);
 done:
-    if (st == JLT_ERR_ARG) self->place->whole = 0; /* that was no table: nothing of it takes another file's place */
+    if (st == JLT_ERR_ARG) self->place->whole = 0; /* not a table: committing fails, so that no other file is replaced */
     self->failed = st;
     return st;
 }

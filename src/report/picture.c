@@ -9,7 +9,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-/* Sizes are those of paper in all three: letters in points, lines of 0.5 and points of 6 points to the unit. */
+/* All three terminals use sizes on paper: letters in points; gnuplot's unit is 0.5 pt for line widths, 6 pt for points. */
 static void svg(FILE *stream, const jlt_look *look)
 {
     const double dots = 96 / 2.54; /* to the cm, as CSS has them */
@@ -49,7 +49,7 @@ bool jlt_picture_known(const char *path)
     return format_of(path) != NULL;
 }
 
-/* Everything that `descriptor` gives until its end, for the caller to free; NULL when memory is out. */
+/* Read `descriptor` to its end. Returns the data, for the caller to free; NULL when memory is out. */
 static char *read_all(int descriptor, size_t *size)
 {
     size_t room = 1 << 16;
@@ -70,10 +70,11 @@ static char *read_all(int descriptor, size_t *size)
     return data;
 }
 
-/* Where standard input or output were closed, an end may lie in their place: move both away first. */
+/* In the child. If standard input or output were closed, script or pipe may have their numbers: move both out of the way before
+ * dup2. */
 static void run_gnuplot(int script, int picture, int words)
 {
-    prctl(PR_SET_PDEATHSIG, SIGKILL); /* nobody waits for the picture then */
+    prctl(PR_SET_PDEATHSIG, SIGKILL); /* when the parent ends, nobody reads the picture */
     script = fcntl(script, F_DUPFD, STDERR_FILENO + 1);
     picture = fcntl(picture, F_DUPFD, STDERR_FILENO + 1);
     if (dup2(script, STDIN_FILENO) == STDIN_FILENO && dup2(picture, STDOUT_FILENO) == STDOUT_FILENO
@@ -92,7 +93,7 @@ void jlt_picture_terminal(FILE *stream, const char *path, const jlt_look *look)
     fputs("\nset encoding utf8\n", stream);
 }
 
-/* What gnuplot said where it failed: that there is nothing to be seen, or something else, which is passed on. */
+/* Why gnuplot failed, from its words: EMPTY, there is nothing to draw; IO for any other reason, and the words are passed on. */
 static jlt_status failure(FILE *words)
 {
     char text[4096];
@@ -109,8 +110,8 @@ static jlt_status failure(FILE *words)
     return JLT_ERR_IO;
 }
 
-/* gnuplot reads the script from an unlinked temporary file, so that no pipe can block, and writes the picture to a pipe, which is
- * closed before gnuplot is waited for: it ends also where nobody reads on. */
+/* gnuplot reads the script from an unlinked temporary file, so that no pipe can block, and writes the picture to a pipe. The pipe
+ * is closed before waiting for gnuplot, which then ends even if reading stopped early. */
 jlt_status jlt_picture_draw(char **picture, size_t *size, const char *whole, size_t length)
 {
     FILE *script = tmpfile(), *words = tmpfile();

@@ -5,16 +5,16 @@
 #include "core/status.h"
 #include "report/look.h"
 
-/* True when the extension of the path is one that jlt_picture_draw knows: .svg, .png, .pdf. */
+/* Whether the path's extension is one that jlt_picture_terminal knows: .svg, .png, .pdf. */
 bool jlt_picture_known(const char *path);
 
-/** Write the first lines of a script: the terminal that the look and the extension of `path`, which must be known, ask for. */
+/** Write the first lines of a script: the terminal for this look and the extension of `path`, for which jlt_picture_known is
+ *  true. */
 void jlt_picture_terminal(FILE *stream, const char *path, const jlt_look *look);
 
-/** Draw a picture by gnuplot. In: whole, a script of `length` bytes, which sets no output. Out: *picture, `*size` bytes, for the
- *  caller to free(). Errors: UNSUPPORTED (no gnuplot to be found), EMPTY (nothing lies within the ranges of the axes, or
- *  there is nothing at all), IO (gnuplot failed, and said why on standard error), NOMEM.
- *  Cost: a process, about 0.1 s. */
+/** Run gnuplot on a script. In: whole, `length` bytes, without `set output`. Out: *picture, `*size` bytes, for the caller to
+ *  free(). Errors: UNSUPPORTED (gnuplot is not found), EMPTY (there are no data, or none within the ranges of the axes), IO
+ *  (gnuplot failed, and what it said is passed on to standard error), NOMEM. Cost: a process, about 0.1 s. */
 JLT_CHECKED jlt_status jlt_picture_draw(char **picture, size_t *size, const char *whole, size_t length);
 
 #endif

@@ -23,7 +23,7 @@ void jlt_symbol_plain(FILE *stream, const char *text, size_t length)
     }
 }
 
-/* The name, or as many characters of it; true: it is one letter. */
+/* Write the first `length` characters of a name, as a Greek letter if they name one. Returns whether one letter was written. */
 static bool write_part(FILE *stream, const char *name, size_t length)
 {
     for (size_t i = 0; i < sizeof greek / sizeof *greek; i++)

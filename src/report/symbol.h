@@ -1,4 +1,4 @@
-/** Names of quantities as they are printed: alpha_1 is α with the index 1. */
+/** Names of quantities as printed symbols: alpha_1 becomes α with the index 1. */
 #ifndef JLT_REPORT_SYMBOL_H
 #define JLT_REPORT_SYMBOL_H
 
@@ -8,7 +8,7 @@
  *  behind a single letter, as an index. Any other text is written as it stands. */
 void jlt_symbol_write(FILE *stream, const char *name);
 
-/** Write text in enhanced text so that it is shown to the letter. */
+/** Write `length` bytes of text with gnuplot's marks escaped, so that enhanced text shows them as they are. */
 void jlt_symbol_plain(FILE *stream, const char *text, size_t length);
 
 #endif

@@ -55,7 +55,7 @@ void jlt_table_form_close(jlt_table_form *self)
     *self = (jlt_table_form){ .columns = NULL };
 }
 
-/* Numbers begin as decimals do: words for numbers, such as nan, name something here. */
+/* A number begins with a digit, a point or a minus: words that strtod would accept, such as nan, are texts. */
 bool jlt_table_number(double *value, const char *field, const char *end)
 {
     const char *first = *field == '-' ? field + 1 : field;

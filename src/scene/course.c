@@ -20,31 +20,31 @@ typedef struct {
     char why[JLT_TIER_TEXT_MAX];
 } change;
 
-/* In the course's units is everything that is integrated or watched. */
+/* Everything that is integrated or watched is in the course's units, unless said otherwise. */
 struct jlt_course {
     jlt_plan plan;
-    jlt_question question; /* params and start are the course's own, in the table's units */
+    jlt_question question; /* its params and start point to told_params and told_start */
     jlt_course_options options;
     jlt_units units;
-    unsigned states, taken; /* taken: the candidate that is followed */
-    int direction; /* of time so far: 0, +1, -1 */
+    unsigned states, taken; /* of the asked model; taken: the candidate whose tier is integrated */
+    int direction; /* of time: +1, -1; 0: not yet known */
     double t;
     bool is_rod;
 
-    jlt_instance *watch; /* the asked model's kernel: integrals */
+    jlt_instance *watch; /* the asked model's most special kernel in t, for its integrals */
     jlt_course_drift drift;
 
-    jlt_leg legs[2], *leg; /* leg: the one that is followed; NULL: none yet */
+    jlt_leg legs[2], *leg; /* leg: the current one; the other is free for the next; NULL: none yet */
     jlt_rod rod;
     change changes[CHANGES_MAX];
     unsigned change_count;
     char edge[JLT_TIER_TEXT_MAX];
 
     jlt_course_conditions conditions;
-    double *seen; /* what the asked model observes at its states */
+    double *seen; /* the quantities that the asked model observes, for rows */
     jlt_course_more more;
 
-    double told_params[JLT_PLAN_PARAMS_MAX], told_start[JLT_PLAN_STATES_MAX];
+    double told_params[JLT_PLAN_PARAMS_MAX], told_start[JLT_PLAN_STATES_MAX]; /* in the table's units */
     double params[JLT_PLAN_PARAMS_MAX], start[JLT_PLAN_STATES_MAX];
     double x[JLT_PLAN_STATES_MAX];
     double row[JLT_PLAN_STATES_MAX]; /* x in the table's units */
@@ -87,8 +87,8 @@ unsigned jlt_course_tells_more(const jlt_course *self, const jlt_quantity **quan
     return self->more.count;
 }
 
-/* Whether the asked model has the state x: at a pole, or nearer to it than a number can tell, what is observed may have no
- * value. */
+/* Whether x lies inside the asked model's intervals. At a pole, or within rounding of one, conditions may have no value, which says
+ * nothing about the motion. */
 static bool is_inside(const jlt_course *self, const double *x)
 {
     double restored[JLT_PLAN_STATES_MAX];
@@ -122,7 +122,7 @@ static int watch_conditions(void *context, jlt_orbit *orbit)
     return 0;
 }
 
-/* On in the tier of a candidate, from x at t; on failure all is as it was. */
+/* Continue in the tier of a candidate, from x at t. If the leg cannot be opened, nothing changes. */
 static jlt_status open_leg(jlt_course *self, unsigned candidate, const double *x, double t)
 {
     jlt_leg *next = self->leg == &self->legs[0] ? &self->legs[1] : &self->legs[0];
@@ -146,7 +146,7 @@ done:
     return st;
 }
 
-/* Headers tell parameters in the table's units. */
+/* Set the kernel's params, which headers print, to their values in the table's units. */
 static jlt_status tell_params(jlt_course *self)
 {
     jlt_instance *kernel = self->leg->view.instance;
@@ -225,7 +225,8 @@ void jlt_course_destroy(jlt_course *self)
     free(self);
 }
 
-/* Round states that end at poles into their intervals; where the orbit ends, the nearest to its pole. */
+/* Clamp states that have poles into their intervals. If the orbit ends at a pole, put the state nearest to its pole exactly
+ * there. */
 static void settle(jlt_course *self, jlt_course_row *row, bool ends)
 {
     const jlt_descriptor *model = self->question.model;
@@ -237,7 +238,7 @@ static void settle(jlt_course *self, jlt_course_row *row, bool ends)
         const int exponent = -jlt_units_exponent(&self->units, q->unit);
         const double low = ldexp(q->low, exponent), high = ldexp(q->high, exponent), x = self->x[k];
         const double off = fmin(fabs(x - low), fabs(high - x)) / (high - low);
-        self->x[k] = fmax(low, fmin(high, x)); /* it may pass by a rounding error */
+        self->x[k] = fmax(low, fmin(high, x)); /* a rounding error may exceed the end */
         if (!ends || off >= nearest) continue;
         nearest = off;
         row->side = x - low > high - x ? 1 : -1;
@@ -249,7 +250,7 @@ static void settle(jlt_course *self, jlt_course_row *row, bool ends)
     }
 }
 
-/* A row's numbers in the table's units. */
+/* Convert a row's states and times to the table's units. */
 static void restore(jlt_course *self, jlt_course_row *row, double t)
 {
     const jlt_units *units = &self->units;
@@ -260,7 +261,7 @@ static void restore(jlt_course *self, jlt_course_row *row, double t)
     row->unknown_at = ldexp(row->unknown_at, units->time);
 }
 
-/* Everything a row says of the states in self->x at t, both in the course's units. */
+/* Fill a row from the states self->x at time t, both in the course's units. */
 static void fill(jlt_course *self, jlt_course_row *row, jlt_end end, double t)
 {
     *row = (jlt_course_row){ .end = end, .x = self->row, .drift = self->drift.value, .observed = self->seen };
@@ -285,7 +286,7 @@ static void fill(jlt_course *self, jlt_course_row *row, jlt_end end, double t)
     restore(self, row, t);
 }
 
-/* On in the next larger tier that serves here. DOMAIN: there is none. */
+/* Continue in the next larger tier that serves from here. DOMAIN: there is none. */
 static jlt_status change_tier(jlt_course *self)
 {
     double here[JLT_PLAN_STATES_MAX];
@@ -300,7 +301,7 @@ static jlt_status change_tier(jlt_course *self)
         if (self->options.project && jlt_descriptor_doubted_integral(self->plan.candidates[i].descriptor) != NULL) continue;
         st = jlt_course_units_serve(&serves, &self->plan.candidates[i].tier, self->told_params, here, &self->units);
         if (st == JLT_OK) st = serves ? open_leg(self, i, self->x, self->t) : JLT_ERR_DOMAIN;
-        if (st == JLT_ERR_UNSUPPORTED) st = JLT_ERR_DOMAIN; /* it does not serve in the course's units */
+        if (st == JLT_ERR_UNSUPPORTED) st = JLT_ERR_DOMAIN; /* this tier does not serve in the course's units */
         if (st != JLT_OK) continue;
         change *c = &self->changes[self->change_count++];
         *c = (change){ .t = ldexp(self->t, self->units.time), .from = from, .to = i };
@@ -309,7 +310,7 @@ static jlt_status change_tier(jlt_course *self)
     return st;
 }
 
-/* Whether a state of the asked model is within a ten thousandth of its interval from a pole that is proved to be one. */
+/* Whether a state of the asked model is within 1e-4 of its interval's length from a proved pole. */
 static bool is_near_pole(const jlt_course *self)
 {
     const jlt_descriptor *model = self->question.model;

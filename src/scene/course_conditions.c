@@ -15,7 +15,7 @@ void jlt_course_conditions_close(jlt_course_conditions *self)
     self->observed = NULL;
 }
 
-/* Steps of a regular clock end beyond the times of rows, so what was noted there may lie after the row that is looked at. */
+/* Steps may end beyond the time of a row, so what was noted at their ends may lie after the row. */
 bool jlt_course_conditions_by(double noted, double t) { return fabs(noted) <= fabs(t); }
 
 bool jlt_course_conditions_note(jlt_course_conditions *self, const char **unknown, double t, const double *x)
@@ -47,7 +47,8 @@ static double value_of(void *context, const double *y)
     return jlt_observed_condition_value(self->conditions->observed, self->index, x);
 }
 
-/* Where in the last step a condition is broken first; INFINITY: nowhere, or at its start. *least as of jlt_orbit_loss. */
+/* Where in the last step, as a fraction of it, a condition breaks first; INFINITY: nowhere, or it was broken at the start. *least:
+ * as from jlt_orbit_loss. */
 static double break_within(double *least, watched *one, const jlt_stepper *stepper)
 {
     const jlt_event event = { .value = value_of, .context = one };

@@ -21,14 +21,14 @@ bool jlt_course_more_is_told(const jlt_descriptor *table, const jlt_descriptor *
     return false;
 }
 
-/* Quantities of `from` that `but` has not, behind the others. */
+/* Append the quantities of `from` that are not in `but`. */
 static void collect(jlt_course_more *self, const jlt_quantity *from, unsigned count, const jlt_quantity *but, unsigned but_count)
 {
     for (unsigned i = 0; i < count; i++)
         if (find(but, but_count, from[i].name) == NULL) self->quantities[self->count++] = from[i];
 }
 
-/* Roots that a time lifts are none of a table's own states. */
+/* The number of the table's own states, without the roots that a time lifts. */
 static unsigned own_states(const jlt_descriptor *of)
 {
     const jlt_descriptor *plain = jlt_descriptor_sibling(of, NULL, NULL, NULL);

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-/* Whether values in the table's units are these in the others. */
+/* Whether the values `counted`, converted to the table's units, equal `told` bit for bit. */
 static bool agree(const double *told, const double *counted, const jlt_quantity *of, unsigned count, const jlt_units *units)
 {
     double restored[JLT_WAY_VALUES_MAX];
@@ -12,7 +12,7 @@ static bool agree(const double *told, const double *counted, const jlt_quantity 
     return memcmp(restored, told, count * sizeof *told) == 0;
 }
 
-/* The units of the table itself, in which nothing is scaled. */
+/* Whether these are the table's own units, in which nothing is scaled. */
 static bool is_of_table(const jlt_units *units) { return units->mass == 0 && units->length == 0 && units->time == 0; }
 
 jlt_status jlt_course_units_serve(bool *serves, const jlt_tier *tier, const double *params, const double *x, const jlt_units *units)
@@ -25,7 +25,7 @@ jlt_status jlt_course_units_serve(bool *serves, const jlt_tier *tier, const doub
     jlt_tier there = *tier;
     jlt_status st = JLT_OK;
 
-    *serves = tier->way_count == 0; /* the level by which a state is eliminated has no unit */
+    *serves = tier->way_count == 0; /* without ways the tier is the asked table, perhaps with a state eliminated */
     if (*serves) return st;
     there.units = *units;
     jlt_units_count(counted_params, params, model->params, model->param_count, units);

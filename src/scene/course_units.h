@@ -1,19 +1,19 @@
-/** The choice of units in which a motion is integrated, so that its numbers are of the order of 1. */
+/** Chooses the units in which a motion is integrated, so that its numbers are of the order of 1. */
 #ifndef JLT_SCENE_COURSE_UNITS_H
 #define JLT_SCENE_COURSE_UNITS_H
 
 #include "scene/plan.h"
 
-/** Choose units in which the parameters of the question and the rates of its motion are of the order of 1; rates are those at the
- *  start, and those of the field where nothing moves. In: question->start, not NULL. Out: *out, all zeros for the table's own units
- *  where no others serve: a term of the equations, of the asked table, of the chosen tier or of the ways between them, does not
- *  have the dimension that the units in the table give it.
- *  Errors: those of jlt_instance_create, jlt_tier_open. */
+/** Choose units in which the parameters of the question, its start and the rates there (at rest, the rates that states take on) are
+ *  of the order of 1, as jlt_instance_units does. In: question->start, not NULL. Out: *out; all zeros, the table's own units, if no
+ *  others serve, because a term in the asked table, the chosen tier's table or a way between them does not have the dimension that
+ *  the table's units give it. Errors: those of jlt_instance_create, jlt_tier_open. */
 JLT_CHECKED jlt_status jlt_course_units(jlt_units *out, const jlt_plan *plan, const jlt_question *question);
 
-/** Whether a tier computes the same motion in these units as in the table's: its parameters and its coordinates of x come out the
- *  same, they lead back to x, and its field scales (`scales` of its descriptor). In: x, shape (states of the asked model,), and
- *  params, both in the table's units. Errors: those of jlt_tier_open, other than UNSUPPORTED in these units. */
+/** Whether a tier computes the same motion in these units as in the table's. Out: *serves is true if its parameters, its
+ *  coordinates of x, and the states to which these lead back are the same, bit for bit after conversion, and its field scales
+ *  (`scales` in its descriptor); and for the asked table itself. In: x, shape (states of the asked model,), and params, in the
+ *  table's units. Errors: those of jlt_tier_open, except UNSUPPORTED in these units. */
 JLT_CHECKED jlt_status jlt_course_units_serve(bool *serves, const jlt_tier *tier, const double *params, const double *x,
                                               const jlt_units *units);
 

@@ -9,7 +9,7 @@
 #include "integrate/rest.h"
 #include "kernel/descriptor.h"
 
-/* Parameters of the asked table among the values of the section. */
+/* Read the asked table's parameters from the values of the section. Returns false if one is not among them. */
 static bool read_params(double *params, const jlt_descriptor *asked, const jlt_system *system)
 {
     for (unsigned i = 0; i < asked->param_count; i++) {
@@ -78,7 +78,7 @@ void jlt_drift_whole_close(jlt_drift_whole *self)
     self->instance = NULL;
 }
 
-/* Whether the orbit comes to rest, and where. */
+/* Context of an observer that ends the orbit when it comes to rest, at `limit`. */
 typedef struct {
     jlt_rest_watch rest;
     double limit[JLT_WAY_VALUES_MAX];
@@ -111,8 +111,8 @@ jlt_status jlt_drift_whole_follow(jlt_drift *self, jlt_drift_end *end, const jlt
     const jlt_event section = { .column = whole->column, .level = whole->level, .direction = flow->direction };
     const jlt_invariants none = { .count = 0 };
     const jlt_options to_orbit = { .tolerance = flow->tolerance, .interrupt = flow->interrupt,
-                                   .max_steps = 100000, /* of one return, as on sections */
-                                   .invariants = project ? whole->invariants : none, /* they are looked at on the section */
+                                   .max_steps = 100000, /* for each return, as on sections */
+                                   .invariants = project ? whole->invariants : none, /* else they are evaluated at returns only */
                                    .project = project };
     rest_watch rest;
     double now[JLT_INVARIANTS_MAX];

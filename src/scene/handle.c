@@ -15,14 +15,14 @@ struct jlt_handle_section {
     jlt_system *system;
     jlt_section *section;
     bool started;
-    jlt_return at; /* the last row */
+    jlt_return at; /* the last return */
 };
 
 struct jlt_handle_motion {
     const jlt_descriptor *model;
     double *params; /* (model->param_count,), owned */
     double tolerance;
-    jlt_course *course; /* NULL: nothing is started */
+    jlt_course *course; /* NULL: no orbit was started */
     jlt_fate fate;
     bool ended;
 };
@@ -34,7 +34,7 @@ static jlt_status find_model(const jlt_descriptor **out, const char *model)
     return *out != NULL ? JLT_OK : JLT_ERR_ARG;
 }
 
-/* The table's parameters with what was given, checked; for free(). */
+/* The table's default parameters, replaced by the given values, and checked; for the caller to free(). */
 static jlt_status read_params(double **out, const jlt_descriptor *d, const char *const *names, const double *values, size_t count)
 {
     double *params = jlt_memory_array(d->param_count, sizeof *params), value;
@@ -60,7 +60,7 @@ done:
 
 /* ---- returns to a section ---- */
 
-/* Takes the system over, also where it fails. */
+/* Takes ownership of the system, also on failure. */
 static jlt_status open_section(jlt_handle_section **out, jlt_system *system)
 {
     jlt_handle_section *self = calloc(1, sizeof *self);
@@ -106,10 +106,10 @@ done:
     return st;
 }
 
-/* Angles, as far as the table proves them. */
+/* Make the states angles that the table proves to be periodic. */
 static jlt_status set_angles(jlt_system *system, const jlt_descriptor *d)
 {
-    double periods[JLT_CHART_STATES_MAX] = { 0 }; /* none of a lifted root */
+    double periods[JLT_CHART_STATES_MAX] = { 0 }; /* lifted roots have none */
     bool has_angles = false;
     unsigned state;
 
@@ -173,7 +173,7 @@ const char *jlt_handle_section_column(const jlt_handle_section *self, unsigned i
     return index < jlt_handle_section_columns(self) ? self->system->surface->section->beside[index].name : NULL;
 }
 
-/* In units of the problem where it begins at q. */
+/* Choose the units of the problem for a start at q, and make the section in them. */
 static jlt_status count(jlt_handle_section *self, const double *q)
 {
     const jlt_chart *chart = self->system->flow.chart;
@@ -203,7 +203,7 @@ done:
     return st;
 }
 
-/* The last row, as arrays; columns may be NULL. */
+/* Write the last return into arrays; columns may be NULL. */
 static void tell_row(const jlt_handle_section *self, double *q, double *t, double *columns)
 {
     double off[JLT_CHART_DIM_MAX];
@@ -299,7 +299,8 @@ done:
     return st;
 }
 
-/* What a row tells of the orbit; st: of the call that made it. False: it is not of the orbit. */
+/* Set the orbit's fate from a row. st: the status of the call that made the row. Returns false if st is an error of the call and
+ * not a fate of the orbit. */
 static bool note_fate(jlt_handle_motion *self, const jlt_course_row *row, jlt_status st)
 {
     jlt_fate failure;

@@ -5,7 +5,7 @@
 
 #include "integrate/edge.h"
 
-/* The image by a reversor runs back in time. */
+/* The sign between the orbit's time and the asked model's: the image by a reversor runs backwards. */
 static int sense(const jlt_leg *self) { return self->view.mirror != NULL ? -1 : 1; }
 
 double jlt_leg_time(const jlt_leg *self, double t) { return sense(self) * t; }

@@ -7,7 +7,7 @@
 #include "scene/course_more.h"
 #include "top/rod.h"
 
-/* The model for which a larger table serves by proof, if its table is known. */
+/* The name of a known model for which the larger table is proved to serve; NULL: none. */
 static const char *served_by(const jlt_descriptor *larger, const jlt_way_tables *others)
 {
     for (const jlt_claim *claim = larger->claims; claim->kind != NULL; claim++) {
@@ -18,7 +18,7 @@ static const char *served_by(const jlt_descriptor *larger, const jlt_way_tables 
     return NULL;
 }
 
-/* What a claim lacks. NULL: there is none, by which the larger table would reduce onto `from`. */
+/* Say why a claim does not hold; claim NULL: the larger table has no claim that it reduces onto `from`. */
 static void say_lack(char *text, size_t size, const jlt_claim *claim, const jlt_descriptor *from, const jlt_descriptor *larger,
                      const jlt_way_tables *others)
 {
@@ -31,7 +31,7 @@ static void say_lack(char *text, size_t size, const jlt_claim *claim, const jlt_
     else snprintf(text, size, "it is proved to serve for another table, %s, not for this one", served);
 }
 
-/* Say why nothing proved leads to the tier's table; "" where it does. */
+/* Say why the tier's table cannot be reached by proved claims, unless it can. Out: *broken, the unproved claim; NULL: none. */
 static void say_unproved(char *text, size_t size, const jlt_claim **broken, const jlt_tier *tier, const jlt_way_tables *others)
 {
     *broken = NULL;
@@ -55,7 +55,7 @@ void jlt_plan_refusal(char *text, size_t size, const jlt_candidate *candidate)
     else snprintf(text, size, "%s (%s %s: %s)", candidate->refusal, claim->kind, claim->name, claim->reason);
 }
 
-/* What the tier's own conditions say of the question, and its kernel. */
+/* Find the tier's kernel, and whether its own conditions hold for the question. Errors: NOMEM. */
 static jlt_status try_tier(jlt_candidate *c, const jlt_question *question)
 {
     double y[JLT_WAY_VALUES_MAX];
@@ -73,7 +73,7 @@ static jlt_status try_tier(jlt_candidate *c, const jlt_question *question)
     return JLT_OK;
 }
 
-/* Errors: NOMEM. */
+/* Judge a tier by one of its ways. Errors: NOMEM. */
 static jlt_status judge_way(jlt_candidate *out, const jlt_tier *tier, const jlt_question *question)
 {
     jlt_candidate c = { .tier = *tier };
@@ -94,8 +94,8 @@ done:
     return st;
 }
 
-/* A tier serves by the first of the ways to its table by which it does; where it does by none, the first says why. Errors:
- * NOMEM. */
+/* Judge a tier by all ways to its table, and take the first by which it serves; if none does, keep the refusal of the first way.
+ * Errors: NOMEM. */
 static jlt_status judge(jlt_candidate *out, const jlt_tier *tier, const jlt_question *question)
 {
     jlt_status st = judge_way(out, tier, question);

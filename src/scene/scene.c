@@ -36,7 +36,7 @@ done:
     return st;
 }
 
-/* A setting of the whole scene; nothing where the command has no such option. */
+/* Take a setting of the whole scene, if it is given and the command has such an option. */
 static jlt_status take_shared(const jlt_value_reader *r, jlt_scene_job *job, const char *name, const config_setting_t *setting)
 {
     jlt_key key;
@@ -44,7 +44,8 @@ static jlt_status take_shared(const jlt_value_reader *r, jlt_scene_job *job, con
     return setting != NULL && jlt_schema_key(&key, job->known, name) ? take(r, job, &key, setting) : JLT_OK;
 }
 
-/* What all jobs have in common. Levels are not for a section of states alone, nor for a job that has levels of its own. */
+/* Take the settings of the whole scene into a job. Its levels are not taken for a plane section without `solve`, nor for a job with
+ * levels of its own. */
 static jlt_status share(const jlt_value_reader *r, jlt_scene_job *job, const config_setting_t *entry,
                         const config_setting_t *root)
 {
@@ -62,7 +63,6 @@ done:
     return st;
 }
 
-/* The command that an entry asks for. */
 static jlt_status read_what(const jlt_value_reader *r, jlt_scene_job *job, const config_setting_t *entry)
 {
     const config_setting_t *what = config_setting_get_member(entry, "what");
@@ -116,7 +116,6 @@ done:
     return st;
 }
 
-/* The keys of the whole file, before its jobs. */
 static jlt_status check_root(const jlt_value_reader *r, const config_setting_t *root)
 {
     static const char *const known[] = { "title", "model", "parameters", "levels", "accuracy", "compute", "over", "piece" };
@@ -149,7 +148,6 @@ static jlt_status check_root(const jlt_value_reader *r, const config_setting_t *
     return JLT_OK;
 }
 
-/* What a study has beside its command. */
 static jlt_status read_study(const jlt_value_reader *r, jlt_scene *scene, const config_setting_t *root)
 {
     static const jlt_key ranges = { "over", "over", JLT_KEY_RANGES, JLT_NAMES_PARAMS | JLT_NAMES_LEVELS, NULL };

@@ -4,12 +4,13 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Keys that are not spelled as their options. */
+/* Keys that are spelled differently from their options. */
 static const struct {
     const char *key, *option;
 } spelled[] = { { "parameters", "set" }, { "levels", "level" }, { "tolerance", "tol" } };
 
-/* The kind of a value, by what --help calls it. What is not here is a text. */
+/* The kind of a value by the name of the option's argument in --help. Arguments not listed here are texts, unless they have '=' or
+ * '|'. */
 static const struct {
     const char *argument;
     jlt_key_kind kind;

@@ -41,7 +41,7 @@ static int lines_in(const char *from, const char *to)
     return lines;
 }
 
-/* The end of a comment or a string in quotation marks that begins here; NULL where none does. */
+/* The end of the comment or quoted string that begins here; NULL if neither begins here. */
 static const char *skip_text(const char *at)
 {
     if (*at == '#' || (at[0] == '/' && at[1] == '/')) return at + strcspn(at, "\n");
@@ -55,7 +55,8 @@ static const char *skip_text(const char *at)
     return *at == '"' ? at + 1 : at;
 }
 
-/* A number that begins here; its sign was passed over. */
+/* The end of the number, without a sign, that begins here. Out: *too_large, it is an integer that overflows; *other_base, it is
+ * hexadecimal, binary or octal. */
 static const char *skip_number(const char *at, bool *too_large, bool *other_base)
 {
     const char *end = at;

@@ -18,7 +18,7 @@ static jlt_tier *add(list *l, const jlt_tier *like)
     return &l->tiers[l->count++];
 }
 
-/* The time in which one root of the table is a state, of which integrators know when it vanishes; NULL when it has none. */
+/* The time in which exactly one root of the table is a state, so that integrators can see it vanish; NULL: there is none. */
 static const char *lifting_time(const jlt_descriptor *table)
 {
     for (const jlt_descriptor *const *d = table->family; *d != NULL; d++)
@@ -40,9 +40,9 @@ static void name_tier(jlt_tier *tier, const jlt_tier *of, const char *time, cons
     else snprintf(tier->name, sizeof tier->name, "%s_%s", name, suffix);
 }
 
-/* A table in the time in which its roots are states, and in t. A root that comes to zero at poles alone keeps its digits in the
- * former. Another one, which equations take together with what it is the root of, drifts away from that by rounding errors, which
- * are large beside it where it is small. */
+/* Add the tiers of a table: in the time in which its root is a state, and in t; one of them by name only. With poles, where the
+ * root vanishes, the planner takes the first, in which the root keeps its digits there; else it takes t, since a root that is a
+ * state drifts from the square root of its radicand by rounding errors, which are relatively large where it is small. */
 static void add_forms(list *l, const jlt_tier *of)
 {
     const jlt_descriptor *table = of->table;
@@ -88,7 +88,7 @@ static bool is_same(const jlt_descriptor *a, const jlt_descriptor *b)
     return strcmp(a->sha256, b->sha256) == 0;
 }
 
-/* Whether the way to a table has passed this one, or ends there. */
+/* Whether the ways of `at` pass through this table, or end at it. */
 static bool has_passed(const jlt_tier *at, const jlt_descriptor *table)
 {
     for (unsigned i = 0; i < at->way_count; i++)
@@ -96,7 +96,8 @@ static bool has_passed(const jlt_tier *at, const jlt_descriptor *table)
     return is_same(at->table, table);
 }
 
-/* Where one more way leads from a table that was reached; false: nowhere, or in a circle. */
+/* Extend `at` by one more way. Returns false if the way's target is not known or was passed already, or the way may not follow: a
+ * lift must come first and alone. */
 static bool go_on(jlt_tier *out, const jlt_tier *at, const jlt_way *way, const jlt_way_tables *others)
 {
     const jlt_descriptor *target = jlt_way_target(way, others);
@@ -115,7 +116,7 @@ static bool go_on(jlt_tier *out, const jlt_tier *at, const jlt_way *way, const j
 
 enum { REACHED_MAX = 4 * JLT_TIERS_MAX };
 
-/* Every table that ways lead to from the asked one, by every way, the shortest first. Returns their number. */
+/* Find all tables that ways reach from the asked one, once for each sequence of ways, the shortest first. Returns their number. */
 static unsigned reach(jlt_tier reached[REACHED_MAX], const jlt_descriptor *asked, const jlt_way_tables *others)
 {
     unsigned count = 1;
@@ -134,7 +135,7 @@ static bool is_first(const jlt_tier *reached, unsigned index)
     return true;
 }
 
-/* Tiers of different tables get different names. */
+/* Rename tiers of the same name to MODEL.NAME, and if that is not enough to MODEL.NAME~K. */
 static void tell_apart(list *l)
 {
     char names[JLT_TIERS_MAX][JLT_TIER_NAME_MAX];
@@ -168,7 +169,7 @@ unsigned jlt_tier_list(jlt_tier *tiers, const jlt_descriptor *asked, const jlt_w
         if (is_first(reached, i)) add_forms(&l, &reached[i]);
     add_eliminations(&l, &reached[0]);
     tell_apart(&l);
-    for (unsigned i = 1; i < l.count; i++) { /* few: by insertion, which keeps the order of equals */
+    for (unsigned i = 1; i < l.count; i++) { /* a stable insertion sort by dimension: there are few */
         const jlt_tier moved = tiers[i];
         unsigned k = i;
         for (; k > 0 && tiers[k - 1].dimension > moved.dimension; k--) tiers[k] = tiers[k - 1];

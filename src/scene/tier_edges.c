@@ -1,4 +1,5 @@
-/* Where coordinates of a tier end: where its table says so, and where an integral hardly contains the state that it eliminates. */
+/* Edges of a tier's coordinates: where its table's record `tier` says so, and where an integral hardly depends on the state that is
+ * eliminated by it. */
 #include "scene/tier.h"
 
 #include <math.h>
@@ -16,16 +17,15 @@ static double table_room(void *context, const double *y)
     return ldexp(values[edge->index], edge->exponent);
 }
 
-/* By which power of two a condition's value grows with the change to the tier's units: events are looked for with numbers of the
- * order of
- * 1. 0 where terms of different dimensions make it no such power. */
+/* The power of two by which a condition's value changes from the table's to the tier's units, in which event search works with
+ * numbers of the order of 1. Returns 0 if terms of different dimensions make it no power of two. */
 static int exponent_of(const jlt_tier_edges *edges, unsigned index)
 {
     const jlt_tier_view *view = edges->view;
     double y[JLT_WAY_VALUES_MAX], plain[JLT_TIER_EDGES_MAX], counted[JLT_TIER_EDGES_MAX];
     int of_plain, of_counted;
 
-    for (unsigned i = 0; i < edges->general->state_count; i++) y[i] = 0.83 / (i + 1.7); /* no state in particular */
+    for (unsigned i = 0; i < edges->general->state_count; i++) y[i] = 0.83 / (i + 1.7); /* an arbitrary state */
     jlt_tier_conditions(plain, view, edges->general, y);
     edges->general->tier_values(y, view->params[view->tier.way_count], counted);
     if (!isfinite(plain[index]) || !isfinite(counted[index])) return 0;
@@ -52,8 +52,8 @@ static linear split(const jlt_tier_edges *edges, const double *y)
     return out;
 }
 
-/* w = (level - rest)/slope has an error of rounding (|level| + |rest|)/|slope|: more than three digits are lost where that is above
- * a thousand roundings of max(1, |w|). */
+/* w = (level - rest)/slope has a rounding error of about u (|level| + |rest|)/|slope|. The value is negative where that exceeds
+ * about 1000 u max(1, |w|), so that more than three digits are lost. */
 static double slope_room(void *context, const double *y)
 {
     const linear l = split(((const jlt_tier_edge *)context)->edges, y);
@@ -62,7 +62,7 @@ static double slope_room(void *context, const double *y)
     return l.slope * l.slope * (1 + l.w * l.w) - 1e-6 * (level * level + l.rest * l.rest);
 }
 
-/* Three tenths of the straight way to slope = 0: it may fall faster than it begins to. */
+/* The longest step: three tenths of the time to slope = 0 by linear extrapolation, since the slope may fall faster later. */
 static double slope_step(void *context, const double *y, const double *f, double direction)
 {
     const jlt_tier_edges *edges = ((const jlt_tier_edge *)context)->edges;
@@ -72,7 +72,7 @@ static double slope_step(void *context, const double *y, const double *f, double
 
     for (unsigned i = 0; i < n; i++) size = fmax(size, fabs(f[i]) / fmax(1, fabs(y[i])));
     if (!(size > 0)) return INFINITY;
-    h = 1e-7 / size; /* half of the digits are left in the difference */
+    h = 1e-7 / size; /* the difference keeps about half of the digits */
     for (unsigned i = 0; i < n; i++) ahead[i] = y[i] + direction * h * f[i];
     approach = -(split(edges, ahead).slope - here) / h * (here < 0 ? -1 : 1);
     return approach > 0 ? 0.3 * fabs(here) / approach : INFINITY;

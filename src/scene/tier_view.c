@@ -26,7 +26,8 @@ static jlt_status refuse_param(char *refusal, const jlt_quantity *param)
 
 static bool is_counted(const jlt_tier *tier) { return tier->units.mass != 0 || tier->units.length != 0 || tier->units.time != 0; }
 
-/* The condition of a way that is broken, judged in the table's units. at: a state of the table that it leaves; NULL: any. */
+/* The condition of a way that does not hold, evaluated in the table's units; NULL: all hold. at: a state of the table where the way
+ * begins; NULL: only conditions on parameters count. */
 static const jlt_way_condition *find_broken(const jlt_tier_view *view, unsigned number, const double *at)
 {
     const jlt_tier *tier = &view->tier;
@@ -53,7 +54,7 @@ void jlt_tier_conditions(double *values, const jlt_tier_view *view, const jlt_de
     general->tier_values(y, params, values);
 }
 
-/* From table to table. at: the state, which becomes that of the last; NULL: parameters alone. */
+/* Follow the ways from table to table. In/out: at, the state, in the end that of the tier's table; NULL: only parameters. */
 static jlt_status follow_ways(jlt_tier_view *view, double *at, char *refusal)
 {
     const jlt_tier *tier = &view->tier;
@@ -74,7 +75,7 @@ static jlt_status follow_ways(jlt_tier_view *view, double *at, char *refusal)
         if (at == NULL) {
             double *params = view->params[i + 1];
             jlt_way_params(way, params, NULL, view->params[i]);
-            /* Levels mean nothing at no state: one that its sign forbids is the table's own. */
+            /* Without a state levels are arbitrary: replace one whose sign is not allowed by the table's default. */
             while (jlt_descriptor_check_params(target, params, &index) != JLT_OK && isfinite(target->params[index].value) &&
                    params[index] != target->params[index].value)
                 params[index] = target->params[index].value;
@@ -98,7 +99,7 @@ static jlt_status follow_ways(jlt_tier_view *view, double *at, char *refusal)
 
 static bool is_eliminated(const jlt_tier *tier) { return tier->elimination[0] != '\0'; }
 
-/* The value of the integral by which a state is eliminated. x NULL: 0. */
+/* The value at x of the integral by which a state is eliminated; x NULL: 0. */
 static jlt_status find_level(double *level, const jlt_tier_view *view, const jlt_descriptor *kernel, const double *x)
 {
     double values[JLT_WAY_VALUES_MAX];
@@ -116,7 +117,8 @@ done:
     return st;
 }
 
-/* The kernel, bound to the parameters of the last table and the level. x: of the asked model. */
+/* Bind the kernel to the parameters of the tier's table and, if a state is eliminated, to the level of the asked model's state
+ * x. */
 static jlt_status bind_kernel(jlt_tier_view *view, char *refusal, const double *x)
 {
     const jlt_tier *tier = &view->tier;
@@ -147,7 +149,7 @@ static jlt_status bind_kernel(jlt_tier_view *view, char *refusal, const double *
     return st;
 }
 
-/* The kernel's states at the table's, and whether they are good there. */
+/* Compute the kernel's states y from the table's states `at`, and refuse if the tier's coordinates are not good there. */
 static jlt_status place(const jlt_tier_view *view, double *y, char *refusal, const double *at)
 {
     const jlt_tier *tier = &view->tier;
@@ -175,7 +177,7 @@ static jlt_status place(const jlt_tier_view *view, double *y, char *refusal, con
     return JLT_OK;
 }
 
-/* The ways in the tier's time, as far as tables have it. False: a table on the way is too large. */
+/* Choose the ways in the tier's time, where tables have it. Returns false if a table on the way is too large. */
 static bool choose_backs(jlt_tier_view *view)
 {
     const jlt_tier *tier = &view->tier;

@@ -31,9 +31,9 @@ int jlt_value_line(const config_setting_t *setting)
 
 /* ---- words that must be known ---- */
 
-/* Calls for every name that may stand there; true when one is `word`, or none is looked for. */
+/* Collects the names that a key allows: looks for `word` among them, or lists them all. */
 typedef struct {
-    const char *word; /* NULL: all are listed */
+    const char *word; /* NULL: list all names */
     char *list;
     size_t size;
     bool found;
@@ -50,7 +50,7 @@ static void meet_quantities(names *self, const jlt_quantity *quantities, unsigne
     for (unsigned i = 0; i < count; i++) meet(self, quantities[i].name);
 }
 
-/* States but those that a section and its levels fix. */
+/* The states except the section's and those that are solved for. */
 static void meet_free_states(names *self, const jlt_value_reader *r)
 {
     for (unsigned i = 0; i < r->model->state_count; i++) {
@@ -67,7 +67,7 @@ static void meet_integrals(names *self, const jlt_descriptor *model)
         if (strcmp(claim->kind, "integral") == 0) meet(self, claim->name);
 }
 
-/* Words separated by '|' or ','; what stands behind '=' is no part of one. */
+/* Words separated by '|' or ','; a word ends at '='. */
 static void meet_words(names *self, const char *words)
 {
     char word[64];
@@ -182,7 +182,7 @@ done:
     return st;
 }
 
-/* (first, last, how many) */
+/* (first, last, count) */
 static jlt_status append_range(const jlt_value_reader *r, const config_setting_t *at, jlt_value *v, const char *name)
 {
     jlt_status st = JLT_OK;

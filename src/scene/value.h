@@ -1,4 +1,4 @@
-/** Values of a scene file: checked, and written as one would type them on a command line. */
+/** Checks values of a scene file, and writes them as one would type them on a command line. */
 #ifndef JLT_SCENE_VALUE_H
 #define JLT_SCENE_VALUE_H
 
@@ -16,9 +16,9 @@ typedef struct {
     char *message;               /* shape (JLT_SCENE_MESSAGE_MAX,) */
     const jlt_scene_program *program;
     const jlt_descriptor *model; /* what names of states and parameters are checked against */
-    const config_setting_t *section, *solve; /* the groups `section` and `solve` of the entry; NULL: not given, and the section is
-                                                one that tables describe, */
-    const char *named;                       /* of this name; NULL: the first */
+    const config_setting_t *section, *solve; /* the groups `section` and `solve` of the entry; section NULL: the section is one that
+                                                tables describe, */
+    const char *named;                       /* of this name; NULL: the first one */
 } jlt_value_reader;
 
 typedef struct {
@@ -26,14 +26,14 @@ typedef struct {
     size_t used;
 } jlt_value;
 
-/** Put "FILE:LINE: error: ..." into the message (FILE: alone for line 0). Always returns ARG. */
+/** Write "FILE:LINE: error: ..." to the message, without LINE if line is 0. Always returns ARG. */
 __attribute__((format(printf, 3, 4)))
 jlt_status jlt_value_complain(const jlt_value_reader *r, int line, const char *format, ...);
 
-/** The line of the file on which a setting stands. */
+/** The line of a setting in the file. */
 int jlt_value_line(const config_setting_t *setting);
 
-/** Append a setting's value in the form that its key's option takes. Errors: ARG, with the message. */
+/** Append a setting's value in the form that the key's option takes. Errors: ARG, with the message. */
 JLT_CHECKED jlt_status jlt_value_read(const jlt_value_reader *r, const config_setting_t *at, jlt_value *v,
                                       const jlt_key *key);
 

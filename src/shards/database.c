@@ -12,7 +12,7 @@ struct jlt_database {
     sqlite3 *db;
     sqlite3_stmt *row, *piece;
     const jlt_table_form *form;
-    jlt_table_form names; /* of the columns: SQL knows no capitals */
+    jlt_table_form names; /* the columns' names, made distinct without regard to case, as SQL compares them */
     size_t over;
 };
 
@@ -39,7 +39,7 @@ static jlt_status find_names(jlt_database *self)
     return st;
 }
 
-/* Names of columns in quotation marks, as SQL has them, with their types. */
+/* Write the columns of CREATE TABLE: quoted names with their SQL types. */
 static void write_columns(FILE *stream, const jlt_database *self)
 {
     for (size_t i = 0; i < self->form->count; i++) {
@@ -99,7 +99,7 @@ static jlt_status add_fact(const jlt_database *self, char **message, const char 
     return st;
 }
 
-/* Every key of the study, and the whole of it, with its key in the files of shards. */
+/* Add each member of the study's JSON object, the whole JSON as `study`, and the shard key (jlt_shard_key) as `key`. */
 static jlt_status add_provenance(const jlt_database *self, char **message, const char *study)
 {
     json_t *json = json_loads(study, 0, NULL), *value;
@@ -132,7 +132,7 @@ jlt_status jlt_database_create(jlt_database **out, char **message, const char *p
     self->over = over;
     JLT_TRY(find_names(self));
     JLT_TRY(told(self, message, sqlite3_open(path, &self->db)));
-    /* Nobody sees the file before it is whole, so that nothing has to be undone. */
+    /* No other process sees the file before it is finished, so no journal is needed for a rollback. */
     JLT_TRY(execute(self, message, "PRAGMA page_size = 4096; PRAGMA journal_mode = OFF; PRAGMA synchronous = OFF; BEGIN"));
     JLT_TRY(make_tables(self, message));
     JLT_TRY(add_provenance(self, message, study));

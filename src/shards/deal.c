@@ -12,8 +12,8 @@ static uint64_t mix(uint64_t z)
     return z ^ (z >> 31);
 }
 
-/* A permutation of the numbers of 2 * half bits: a Feistel network (Luby, Rackoff, SIAM J. Comput. 17, 1988), which needs no
- * inverse of its hash. Each `turn` has one of its own. */
+/* A permutation of the numbers of 2 * half bits, another one for each `turn`: a Feistel network (Luby, Rackoff, SIAM J. Comput. 17,
+ * 1988), which is invertible whatever its hash function. */
 static uint64_t permuted(uint64_t x, unsigned half, uint64_t turn)
 {
     const uint64_t mask = ((uint64_t)1 << half) - 1, key = mix(turn);
@@ -27,14 +27,14 @@ static uint64_t permuted(uint64_t x, unsigned half, uint64_t turn)
     return left << half | right;
 }
 
-/* Which of the pieces of a turn, `shards` of them, a shard has. */
+/* The index, 0 .. shards - 1, of the piece that a shard gets in this turn, in which each shard gets one. */
 static size_t drawn(size_t shard, size_t shards, size_t turn)
 {
     unsigned half = 1;
     uint64_t x = shard;
 
     while ((uint64_t)1 << (2 * half) < shards) half++;
-    /* Numbers beyond the last are passed over: what is left of a permutation's cycles is one of these. */
+    /* Cycle walking: results >= shards are permuted again, which leaves a permutation of 0 .. shards - 1. */
     do x = permuted(x, half, turn);
     while (x >= shards);
     return (size_t)x;

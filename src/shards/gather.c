@@ -17,7 +17,7 @@ typedef struct {
     size_t file; /* 1 + its index; 0: the piece is missing */
     off_t at;
     size_t size;
-    unsigned long sum; /* of status and bytes, wherever they stand */
+    unsigned long sum; /* CRC-32 of rows_size, status and bytes, by which copies of a piece in two files are compared */
 } place;
 
 struct jlt_gather {
@@ -28,7 +28,7 @@ struct jlt_gather {
     char *study;
 };
 
-/* All files stay open while pieces are read in their order. */
+/* Raise the limit of open descriptors: all files stay open while pieces are read in the order of the study. */
 static void allow_descriptors(size_t count)
 {
     struct rlimit limit;
@@ -38,7 +38,7 @@ static void allow_descriptors(size_t count)
     (void)!setrlimit(RLIMIT_NOFILE, &limit);
 }
 
-/* The first study that is met is that of all. */
+/* Take the study of the first file, or check that a later file has the same one. Takes ownership of `study`. */
 static jlt_status take_study(jlt_gather *self, FILE *words, char *study, const char *path)
 {
     jlt_status st = JLT_OK;

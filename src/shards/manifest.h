@@ -1,4 +1,4 @@
-/** What two studies differ in, from their JSON. */
+/** Tells in what two studies differ, from their JSON. */
 #ifndef JLT_SHARDS_MANIFEST_H
 #define JLT_SHARDS_MANIFEST_H
 

@@ -7,10 +7,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Engines that number their ranks, the innermost first: what one starts within another has the variables of both. */
+/* Launchers that number their ranks. Where one runs inside another, both have set their variables, and the inner one counts: it
+ * comes first here. */
 static const struct {
-    const char *name, *index, *count; /* count NULL: it does not say */
-    size_t first;                     /* the number of its first rank */
+    const char *name, *index, *count; /* index, count: environment variables; count NULL: the launcher does not say */
+    size_t first;                     /* the number that it gives its first rank */
 } engines[] = {
     { "Open MPI", "OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE", 0 },
     { "PMI", "PMI_RANK", "PMI_SIZE", 0 },
@@ -33,7 +34,7 @@ static jlt_status complain(char *message, const char *format, ...)
     return JLT_ERR_ARG;
 }
 
-/* A whole number that ends at `end`. */
+/* Read a decimal number of at most NUMBER_MAX that extends to `end`. Returns false if the text is none. */
 static bool whole(size_t *value, const char *text, const char *end)
 {
     char *after;
@@ -46,7 +47,7 @@ static bool whole(size_t *value, const char *text, const char *end)
     return true;
 }
 
-/* False: it is not there, or no number. */
+/* Read an environment variable. Returns false if it is not set or not such a number. */
 static bool variable(size_t *value, const char *name)
 {
     const char *text = name != NULL ? getenv(name) : NULL;
@@ -61,7 +62,8 @@ static size_t variable_or(const char *name, size_t other)
     return variable(&value, name) ? value : other;
 }
 
-/* A task of an array, the first of them 0. known: how many shards there are; 0: the array says it. */
+/* Find this process's task in a Slurm array, counted from 0; 0 of 1 outside an array. known: how many tasks there are, numbered
+ * from 1; 0: the array says. */
 static jlt_status find_task(size_t *task, size_t *tasks, char *message, size_t known)
 {
     size_t id = 0;
@@ -78,7 +80,7 @@ static jlt_status find_task(size_t *task, size_t *tasks, char *message, size_t k
     return JLT_OK;
 }
 
-/* As the environment has it. known: how many shards there are; 0: the environment says it. */
+/* Find the shard from the environment. known: how many shards there are; 0: the environment says. */
 static jlt_status from_environment(jlt_rank *out, char *message, size_t known)
 {
     size_t number = 0, count = 1, rank = 0, task = 0, tasks = 1, i = 0;

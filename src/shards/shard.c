@@ -42,8 +42,8 @@ static unsigned long checksum(const char *line, size_t length, const char *data,
     return crc32_z(crc32_z(0, (const unsigned char *)line, length), (const unsigned char *)data, size);
 }
 
-/* The record at this place. Out: `kind`, shape (6,); *next, where the one after it begins. Errors: EMPTY, the file ends before the
- * record does; ARG, its bytes are not those that were written. */
+/* Read the record at offset `at`. Out: its `kind` and `key`; *next, the offset of the record after it. Errors: EMPTY, the file ends
+ * before the record does; ARG, the line is malformed or the checksum does not fit; IO; NOMEM. */
 static jlt_status read_record(jlt_shard_reader *self, jlt_shard_record *record, char kind[6], char key[JLT_SHARD_KEY], off_t *next,
                               off_t at)
 {
@@ -141,7 +141,7 @@ jlt_status jlt_shard_open(jlt_shard *self, pid_t *holder, const char *path)
     *holder = -1;
     *self = (jlt_shard){ .path = path, .descriptor = open(path, O_RDWR | O_CREAT | O_CLOEXEC, 0666) };
     if (self->descriptor < 0) return JLT_ERR_IO;
-    /* A lock of the process, which ends with it however it ends, and which NFS and Lustre pass on between machines. */
+    /* A POSIX record lock: the system releases it however the process ends, and NFS and Lustre enforce it between machines. */
     if (fcntl(self->descriptor, F_SETLK, &lock) == 0) return JLT_OK;
     const int reason = errno;
     if (reason == EACCES || reason == EAGAIN) {
@@ -181,7 +181,7 @@ static jlt_status add(jlt_shard *self, const char *kind, const jlt_shard_record 
     jlt_status st;
 
     if (data == NULL) return JLT_ERR_NOMEM;
-    /* The line is written before the bytes, of which its checksum is. */
+    /* The line precedes the bytes, but its checksum depends on them: place the bytes first, then move the line in front of them. */
     char *const bytes = data + LINE_MAX_BYTES;
     if (record->rows_size > 0) memcpy(bytes, record->rows, record->rows_size);
     if (record->words_size > 0) memcpy(bytes + record->rows_size, record->words, record->words_size);
@@ -196,7 +196,7 @@ static jlt_status add(jlt_shard *self, const char *kind, const jlt_shard_record 
     if (st == JLT_OK) self->end += (off_t)whole;
     else {
         const int reason = errno;
-        (void)!ftruncate(self->descriptor, self->end); /* else the next start cuts it */
+        (void)!ftruncate(self->descriptor, self->end); /* should this fail, jlt_shard_resume cuts the torn record off */
         errno = reason;
     }
     free(data);

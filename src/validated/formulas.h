@@ -3,8 +3,7 @@
  *
  *  They are compiled from the table's text in the descriptor by the passes that make ball kernels, and can be interpreted in any
  *  arithmetic. A free parameter is one whose value is an interval: it becomes a state of rate 0, which keeps correlations. In a
- *  time tau that lifts roots, these roots are states behind the table's own, and the last state is the table's time t, of rate
- *  dt/dtau. */
+ *  time tau that lifts roots, these follow the table's states, and the last state is the table's own time t, of rate dt/dtau. */
 #ifndef JLT_VALIDATED_FORMULAS_H
 #define JLT_VALIDATED_FORMULAS_H
 

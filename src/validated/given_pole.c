@@ -77,7 +77,7 @@ void jlt_given_pole_clear(jlt_given_pole *self)
     arf_clear(self->instant);
 }
 
-/* An end of a state's interval, "p/q", which is a number where the state is a pole's. */
+/* An end of the interval of a pole's state, which is a number, as text "p/q". */
 static json_t *end_of(const jlt_descriptor *d, unsigned state, bool is_high)
 {
     ttc_model *model = ttc_model_again(d->table, d->model);

@@ -1,4 +1,4 @@
-/** What a certificate about motions that end at a pole starts from, and what it shows.
+/** The members `given` and `shown` of certificates of kind `pole`: all motions from a box of states end at a pole.
  *
  *      "given": {
  *        "table": {"name": NAME, "sha256": DIGEST},
@@ -23,19 +23,19 @@
 typedef struct {
     jlt_pole_question question; /* points into this object, which must not move */
     arb_ptr params, box;
-    arf_t instant;              /* 0: it is not given yet */
+    arf_t instant;              /* 0 if absent */
 } jlt_given_pole;
 
-/** Read it. Ends with jlt_given_pole_clear in any case. False: it is not of this form, or outside what the table allows, or the
- *  pole is not proved; problem says why. "instant" may be absent where `asks`: it is looked for. */
+/** Read `given`. In any case the caller must call jlt_given_pole_clear. If `asks`, the instant may be absent. Returns false if the
+ *  JSON is not of this form, or outside what the table allows, or the pole is not proved, and describes why in problem. */
 bool jlt_given_pole_read(jlt_given_pole *self, const json_t *given, const jlt_descriptor *descriptor, bool asks,
                          char problem[JLT_GIVEN_PROBLEM_MAX]);
 void jlt_given_pole_clear(jlt_given_pole *self);
 
-/** What was proved; a new reference, NULL when memory is out. */
+/** Make `shown`, a new reference; NULL if memory is out. */
 json_t *jlt_given_pole_shown(const jlt_given_pole *self, const jlt_pole_result *result);
 
-/** Why nothing was proved. In: result, with another verdict than PROVED. */
+/** Why nothing was proved, in words. In: result, whose verdict is not PROVED. */
 const char *jlt_given_pole_problem(const jlt_pole_result *result);
 
 #endif

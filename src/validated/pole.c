@@ -24,7 +24,7 @@ void jlt_pole_result_clear(jlt_pole_result *self)
     arb_clear(self->time);
 }
 
-/* The box with its lifted roots, at t = 0. False: they have no value all over it, or it may reach out of the domain. */
+/* Append the lifted roots and t = 0 to the box. Returns false unless the box is shown to lie in the table's domain. */
 static bool begin(arb_ptr x, jlt_step *step, arb_srcptr box)
 {
     const jlt_formulas *of = jlt_step_formulas(step);
@@ -34,7 +34,7 @@ static bool begin(arb_ptr x, jlt_step *step, arb_srcptr box)
     _arb_vec_set(x, box, first);
     for (unsigned i = 0; i < of->lifted_count; i++) arb_one(x + first + i);
     arb_zero(x + of->states - 1);
-    for (unsigned i = 0; good && i < of->lifted_count; i++) { /* one may be in the radicand of the next */
+    for (unsigned i = 0; good && i < of->lifted_count; i++) { /* a radicand may contain the roots before it */
         jlt_step_evaluate(step, x);
         arb_srcptr radicand = jlt_step_output(step, jlt_formulas_radicand(of, i));
         good = arb_is_positive(radicand);
@@ -44,7 +44,7 @@ static bool begin(arb_ptr x, jlt_step *step, arb_srcptr box)
     return good && jlt_step_holds(step);
 }
 
-/* An end of an interval, of which the table has a number and the descriptor the nearest double. */
+/* Enclose the end of an interval, of which the descriptor has the nearest double. */
 static void set_end(arb_t out, double end)
 {
     arb_set_d(out, end);
@@ -64,8 +64,8 @@ static bool is_at(const arb_t limit, double number)
     return at;
 }
 
-/* Where lifted roots are zero the table is not defined, though what else its domain asks for holds: a state is at an end of its
- * interval where such a root vanishes. It is the pole's where no other one comes near an end; and this tells which end. */
+/* Tell at which end the pole is. The table is not defined where a lifted root is 0, and all other conditions of its domain hold at
+ * the limit, so that some state is there at an end of its interval. Returns false if more than one end may be meant. */
 static bool tell_end(jlt_pole_result *result, const jlt_pole_question *question)
 {
     const jlt_quantity *states = question->descriptor->states;
@@ -97,7 +97,7 @@ static jlt_pole_verdict conclude(jlt_pole_result *result, const jlt_pole_questio
     return tell_end(result, question) ? JLT_POLE_PROVED : JLT_POLE_EITHER;
 }
 
-/* Carry the set to the instant, or, where that is 0, as far as it takes to settle. */
+/* Carry the set to the instant, or, if that is 0, until it settles. */
 static jlt_status fly(jlt_pole_result *result, jlt_settle_result *settled, bool *is_settled, jlt_step *step, jlt_set *set,
                       arb_ptr x, arf_t instant)
 {

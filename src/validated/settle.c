@@ -24,15 +24,15 @@ typedef struct {
     jlt_step *step;
     arb_srcptr x;
     const bool *vanishes;
-    unsigned dim, root, count; /* the first lifted root; how many states vanish */
-    unsigned *which;           /* (count,): these */
+    unsigned dim, root, count; /* of states; index of the first lifted root; of states in p */
+    unsigned *which;           /* (count,): indices of the states in p */
     slong bits;
-    arb_ptr box, room;         /* (dim,): B; how far q may go */
-    arb_mat_t decay, weights;  /* (count, count), bounds of M among p; (count, 1), w */
-    arb_t size, rate;          /* |p(0)|; a */
+    arb_ptr box, room;         /* (dim,): the box B; by how much B is wider than x in q */
+    arb_mat_t decay, weights;  /* (count, count): upper bounds of M_ii and |M_ij| within p; (count, 1): w */
+    arb_t size, rate;          /* upper bound of |p(0)|; lower bound of a */
 } settling;
 
-/* An upper bound, as an exact number. */
+/* Set out to an upper bound of the value, or of its absolute value unless has_sign. The bound is an exact number. */
 static void bound(arb_t out, const arb_t value, bool has_sign, slong bits)
 {
     if (has_sign) arb_get_ubound_arf(arb_midref(out), value, bits);
@@ -51,7 +51,7 @@ static arb_srcptr slope(const settling *self, unsigned row, unsigned column)
     return jlt_step_output(self->step, jlt_formulas_slope(jlt_step_formulas(self->step), row, column));
 }
 
-/* Whether all is at rest where p = 0 and q is in its box. */
+/* Whether f = 0 for p = 0 and all q in B. */
 static bool rests(settling *self)
 {
     bool still = true;
@@ -66,7 +66,7 @@ static bool rests(settling *self)
     return still;
 }
 
-/* B, of this many times the weights; evaluated, with bounds of M among p. */
+/* Set B, evaluate the field over it, and bound M within p. */
 static void surround(settling *self)
 {
     arb_t reach;
@@ -91,7 +91,7 @@ static void surround(settling *self)
             bound(arb_mat_entry(self->decay, i, j), slope(self, self->which[i], self->which[j]), i == j, self->bits);
 }
 
-/* Weights with decay w = -1, all > 0; and |p(0)| by them. False: there are none. */
+/* Solve decay w = -1 for the weights, and bound |p(0)|. Returns false unless all weights are positive. */
 static bool weigh(settling *self)
 {
     arb_mat_t ones;
@@ -116,7 +116,7 @@ static bool weigh(settling *self)
     return good;
 }
 
-/* Whether |p| decays over B, and at which rate at least. */
+/* Bound the rate a over B from below; returns whether it is positive. */
 static bool decays(settling *self)
 {
     bool first = true, good = true;
@@ -140,7 +140,7 @@ static bool decays(settling *self)
     return good;
 }
 
-/* How far the state goes, by B as it was last evaluated. */
+/* Bound by how much a state moves, from the field as last evaluated over B. */
 static void drift(arb_t out, const settling *self, unsigned state)
 {
     arb_t part;
@@ -157,7 +157,7 @@ static void drift(arb_t out, const settling *self, unsigned state)
     arb_clear(part);
 }
 
-/* Whether q has room; where it has not, it is given twice what it needs. */
+/* Whether B has room for q to move; a state without enough room gets twice what it needs. */
 static bool has_room(settling *self)
 {
     bool enough = true;
@@ -193,7 +193,7 @@ static void write(jlt_settle_result *result, const settling *self)
     arb_clear(way);
 }
 
-/* With these states as p. */
+/* Try the proof with the states that `vanishes` marks as p. */
 static bool settles(jlt_settle_result *result, settling *self)
 {
     bool settled = false;

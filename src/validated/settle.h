@@ -1,29 +1,29 @@
-/** Whether a flow takes all states of a box to rest on a plane of equilibria, and how far they still go on the way.
+/** Proves that a flow takes all states of a box to equilibria, and bounds how far the states still move on the way.
  *
- *  The states are p, which vanish on the plane p = 0, and q. With f = 0 on it, f(p, q) = M p, M a mean of df/dp between (0, q) and
- *  (p, q), which an enclosure over a box B that holds both encloses. In the norm |p| = max |p_i|/w_i, w > 0, rows of M with
- *      M_ii + sum over j != i of |M_ij| w_j/w_i <= -a < 0
- *  give |p(tau)| <= |p(0)| exp(-a tau) while the motion stays in B, and then q_k moves by sum over j of |M_kj| w_j |p(0)|/a at
- *  most: where B has room for that, the motion stays in B for ever, p goes to 0 and q to a limit (G. Dahlquist's logarithmic norm,
- *  1958). */
+ *  The states are split into p, which tend to 0, and q, which tend to limits. Let f vanish wherever p = 0. By the mean value
+ *  theorem f(p, q) = M p, where M lies in any enclosure of df/dp over a convex box B that contains (0, q) and (p, q). Let w > 0 be
+ *  weights, and |p| = max |p_i|/w_i. If all rows of M that belong to p satisfy
+ *      M_ii + sum over j != i of |M_ij| w_j/w_i <= -a < 0,
+ *  then |p(tau)| <= |p(0)| exp(-a tau) as long as the motion stays in B (G. Dahlquist's logarithmic norm, 1958). In all that time
+ *  q_k moves by at most the sum over j of |M_kj| w_j |p(0)|/a. If B has that much room, the motion never leaves it. */
 #ifndef JLT_VALIDATED_SETTLE_H
 #define JLT_VALIDATED_SETTLE_H
 
 #include "validated/step.h"
 
 typedef struct {
-    bool *vanishes;     /* (dim,): which states are p */
-    arb_ptr limit;      /* (dim,): 0 of these, enclosures of the limits of others */
-    arf_struct *least;  /* lower bounds of the model's conditions all the way, (valid_count,) */
+    bool *vanishes;    /* (dim,): the states p */
+    arb_ptr limit;     /* (dim,): enclosures of the limits, exactly 0 for p */
+    arf_struct *least; /* (valid_count,): lower bounds of the model's conditions on the way */
 } jlt_settle_result;
 
-/** Room for what jlt_settle finds. Ends with jlt_settle_result_clear. */
+/** Allocate the result of jlt_settle; free it with jlt_settle_result_clear. */
 void jlt_settle_result_init(jlt_settle_result *self, const jlt_formulas *of);
 void jlt_settle_result_clear(jlt_settle_result *self, const jlt_formulas *of);
 
-/** Whether all motions from the box x, shape (dim,), come to rest so, in a time that lifts roots: p are these roots, which stay
- *  >= 0, and the states named besides by the smallest set of up to two that will do. step: of formulas without free parameters.
- *  Cost: dim^2/2 evaluations where there is no such plane. */
+/** Returns true if all motions from the box x, shape (dim,), are shown to settle. step: made of jlt_formulas_create_lifted. The
+ *  states p are the lifted roots, which stay positive, and the fewest of the table's states, at most two, for which the proof
+ *  succeeds. Cost: up to dim^2/2 evaluations of the field with its derivatives if it does not succeed. */
 bool jlt_settle(jlt_settle_result *result, jlt_step *step, arb_srcptr x);
 
 #endif

@@ -109,7 +109,7 @@ json_t *jlt_shown_conditions(const arf_struct *least, const jlt_descriptor *d)
     return conditions;
 }
 
-/* The states of a point, by names, without the section's: x has them alone, shape (states - 1,), or has_all, shape (states,). */
+/* States other than the section's by names: x has these alone, or, with has_all, all of them. */
 static json_t *point_of(arb_srcptr x, bool has_all, const jlt_given *given)
 {
     const jlt_descriptor *d = given->question.descriptor;

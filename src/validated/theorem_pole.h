@@ -1,4 +1,4 @@
-/** What certificates about motions that end at a pole say in words. */
+/** The sentences of certificates of kind `pole`. */
 #ifndef JLT_VALIDATED_THEOREM_POLE_H
 #define JLT_VALIDATED_THEOREM_POLE_H
 

@@ -1,4 +1,4 @@
-/* Memory that runs out at one allocation, for a test that is a single file. */
+/* Lets one chosen allocation fail, in a test program with a single source file. */
 #ifndef JLT_TESTS_FAILING_MEMORY_H
 #define JLT_TESTS_FAILING_MEMORY_H
 
@@ -6,7 +6,7 @@
 
 #include "fault/wrapped_memory.h"
 
-static long failing = -1; /* the allocation that fails, counted down; negative: none */
+static long failing = -1; /* how many allocations still succeed before one fails; negative: none fails */
 
 static bool fails(void) { return failing >= 0 && failing-- == 0; }
 

@@ -1,4 +1,5 @@
-/* The allocations of libc, and those that stand in for them in tests whose name ends in _memory. */
+/* Declares libc's allocation functions, __real_*, and their replacements, __wrap_*, to which the linker's --wrap redirects calls in
+ * tests whose names end in _memory. */
 #ifndef JLT_TESTS_WRAPPED_MEMORY_H
 #define JLT_TESTS_WRAPPED_MEMORY_H
 

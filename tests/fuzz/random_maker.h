@@ -1,4 +1,4 @@
-/** Inside of random_table.h: a table under construction, and what its parts are made with. */
+/** The inner interface of random_table.h: a table under construction, and the functions that make its parts. */
 #ifndef RANDOM_MAKER_H
 #define RANDOM_MAKER_H
 
@@ -24,22 +24,22 @@ typedef struct {
 } maker;
 
 uint64_t below(maker *m, uint64_t bound);
-bool chance(maker *m, uint64_t in); /* one in so many */
-unsigned param_mask(const maker *m), state_mask(const maker *m), any_mask(const maker *m); /* of variables */
+bool chance(maker *m, uint64_t in); /* true with probability 1/in */
+unsigned param_mask(const maker *m), state_mask(const maker *m), any_mask(const maker *m); /* bit i: variable i */
 
-/* Never zero, and no number where the mask offers variables. */
+/* A random polynomial in the variables of the mask: never zero, and constant only if the mask is empty. */
 polynomial some(maker *m, unsigned mask, size_t terms, unsigned degree);
 
-/* Write, every %P being replaced by the next polynomial. */
+/* Write the format, with every %P replaced by the next polynomial of the list, which ends with NULL. */
 void write_polynomials(maker *m, const char *format, const polynomial *const *list);
 
 #define WRITE(m, format, ...) write_polynomials((m), (format), (const polynomial *const[]){ __VA_ARGS__, NULL })
 
-/* Open a record of a claim with a name of its own: "KIND NAME". After an overflow nothing is known of it. */
+/* Begin the record of a claim with a new name: "KIND NAME". If a polynomial has overflowed, its truth becomes CLAIM_OPEN. */
 void open_claim(maker *m, const char *kind, claim_truth truth);
 const char *last_name(const maker *m);
 
-/* Records that say what the model is. Each make_ chooses the field, and returns what is known of it. */
+/* Write the records that define the model. Each make_ function chooses the field, and returns what is known of it. */
 void write_declarations(maker *m, size_t states);
 void write_definitions(maker *m);
 polynomial make_orthogonal(maker *m, bool *constant);
@@ -47,7 +47,7 @@ polynomial make_darboux(maker *m, bool integral);
 void make_linear(maker *m, polynomial matrix[2][2], polynomial rest[2]);
 void write_field(maker *m);
 
-/* Claims about any model. */
+/* Write claims that any model can have. */
 void claim_identities(maker *m);
 void claim_roots_and_angles(maker *m);
 void claim_exponentials(maker *m);
@@ -56,7 +56,7 @@ void claim_signs(maker *m);
 void claim_reductions(maker *m, FILE *target); /* writes the target as well */
 void claim_towers(maker *m);
 
-/* Whole tables: of tables that serve in place of each other, and of sections with coordinates. */
+/* Write whole tables: pairs that serve in place of each other; a section with the table of its coordinates. */
 void write_ways(maker *m, FILE *target);
 void write_section(maker *m, FILE *target);
 

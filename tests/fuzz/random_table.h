@@ -1,4 +1,4 @@
-/** Grammatical tables with random claims, about half of them true or false by construction. */
+/** Random tables that follow the grammar, with random claims, of which about half are true or false by construction. */
 #ifndef RANDOM_TABLE_H
 #define RANDOM_TABLE_H
 
@@ -7,7 +7,8 @@
 
 enum { TABLE_CLAIMS = 64 };
 
-/* What a verdict may not be. A claim that is true may be left unsettled; what has no point must be. */
+/* What is known of a claim. OPEN: nothing; TRUE: it must not be refuted; FALSE: it must not be proved; SILENT: no point meets its
+ * conditions, so it must be left unsettled. */
 typedef enum { CLAIM_OPEN, CLAIM_TRUE, CLAIM_FALSE, CLAIM_SILENT } claim_truth;
 
 typedef struct {
@@ -16,13 +17,13 @@ typedef struct {
 } made_claim;
 
 typedef struct {
-    char *text;   /* of the table, for free() */
-    char *target; /* of the table beside it, target.tt, for free() */
+    char *text;   /* of the table, for the caller to free() */
+    char *target; /* of the table target.tt that lies beside it, for the caller to free() */
     made_claim claims[TABLE_CLAIMS];
     size_t count;
 } made_table;
 
-/* A pure function of the seed. text is NULL when memory is out. */
+/* Make a table; it depends on the seed alone. text is NULL when memory is out. */
 made_table table_make(uint64_t seed);
 
 #endif

@@ -1,4 +1,4 @@
-/** For tests of the prover: tables as text in, verdicts out. */
+/** For tests of the prover: takes tables as text, and checks verdicts. */
 #ifndef TEST_PROVE_TEXT_H
 #define TEST_PROVE_TEXT_H
 
@@ -25,8 +25,8 @@ static inline ttc_model *parse_text(const char *text)
     return model;
 }
 
-/* The verdict on the claim of that kind and name in a table. reason: a phrase that the remainder, point or note must contain, or
- * NULL. */
+/* Check the verdict on the claim of this kind and name in a table. reason: a phrase that its remainder, point or note must contain;
+ * NULL: any. */
 static inline void expect(const char *text, const char *kind, const char *name, ttc_proof_status status, const char *reason)
 {
     ttc_proof_report *report = NULL;
@@ -51,7 +51,7 @@ static inline void expect(const char *text, const char *kind, const char *name, 
     ttc_model_destroy(model);
 }
 
-/* The sum of check(path) over all tables of a folder. */
+/* Call check(path) for all tables of a folder, at least four. Returns the sum of its results. */
 static inline size_t check_tables(const char *folder, size_t (*check)(const char *path))
 {
     size_t sum = 0, tables = 0;

@@ -28,6 +28,15 @@ printf 'lift up : into tall.tt with u = x, v = 0\n' >> other.tt
 verdict proved lift up large.tt
 verdict proved lift up other.tt
 
+# Of a coordinate that is an atan2 nothing is known but its cosine and sine: it is told what to write where more is used.
+printf 'model round\nstate q\nangle c s = cos(q) sin(q)\nlift into wheel.tt with q = q, z = 0\n' > round.tt
+printf 'model wheel\nstate q\nstate z\nangle c s = cos(q) sin(q)\neq q = 1\neq z = 2 + c\nperiodic q = 2*pi\n'\
+'section top : by round.tt at z = 0 with q = atan2(s, c)\n' > wheel.tt
+verdict 'not settled' section top wheel.tt
+expect 3 'given by an atan2 is used by itself .*that state in place of the atan2' ttc prove wheel.tt
+sed -i 's/atan2(s, c)/q/' wheel.tt
+verdict proved section top wheel.tt
+
 # The project's tables, of which a copy may be made under any name.
 cp "$JLT_SOURCE_DIR"/codegen/models/spherical_top*.tt .
 mv spherical_top.tt my_top.tt

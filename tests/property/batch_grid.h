@@ -1,4 +1,5 @@
-/* The grids of tests/reference/data that batches of section maps are tested on, and the table they are of. */
+/* The grids of reference returns in tests/reference/data on which batches of section maps are tested, and the model's
+ * descriptor. */
 #ifndef JLT_TESTS_BATCH_GRID_H
 #define JLT_TESTS_BATCH_GRID_H
 

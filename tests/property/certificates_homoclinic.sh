@@ -38,6 +38,16 @@ END
 }
 
 expect 0 "$certificate" 'the manifolds cross transversally'
+# The same orbit on the section that tables describe.
+sed 's/ in (-1, 1)//' tools/docs/henon_section.tt > "$scratch/henon_section.tt"
+cp tools/docs/henon.tt "$scratch/described.tt"
+jellett certify homoclinic "$scratch/described.tt" --start y=-0.2,py=0 --distance 1e-7 --digits 16 -o "$scratch/described.json" ||
+    status=1
+for file in "$certificate" "$scratch/described.json"; do
+    python3 -c 'import json, sys
+for leg in json.load(open(sys.argv[1]))["given"]["homoclinic"]["legs"]: print(leg["instant"][:14])' "$file" > "$file.instants"
+done
+cmp "$certificate.instants" "$scratch/described.json.instants" || status=1
 expect 0 "$certificate" 'to the symmetric one: its quantity is at least 1.4278'
 change tangent 's["tangent"]["y"]["middle"] = "-0.00592"; s["tangent"]["y"]["radius"] = "1e-9"'
 expect 1 "$scratch/tangent.json" 'does not follow'

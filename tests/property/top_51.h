@@ -1,4 +1,4 @@
-/* The section of (5.1) that these tests follow orbits on. */
+/* The system of (5.1) of Kilin and Ivanova (2023) on its section, on which these tests follow orbits. */
 #ifndef JLT_TESTS_TOP_51_H
 #define JLT_TESTS_TOP_51_H
 

@@ -1,4 +1,4 @@
-/* Reading a table of reference numbers. */
+/* Reads tables of reference numbers. */
 #ifndef JLT_TESTS_CSV_H
 #define JLT_TESTS_CSV_H
 
@@ -6,7 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Rows of exactly `columns` numbers after one header line; returns their number, at most `most`. Digits past double are rounded. */
+/* Read rows of at least `columns` numbers after one header line, from tests/reference/data/NAME. Out: rows, shape (most, columns).
+ * Returns the number of rows read, at most `most`; stops at a row with fewer numbers. */
 static inline size_t csv_read(double *rows, size_t most, size_t columns, const char *name)
 {
     char path[1024], line[2048];

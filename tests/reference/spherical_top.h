@@ -1,6 +1,6 @@
-/* The reduced system (3.2) of Kilin and Ivanova (2023), written by hand, in its own time and regularised, dt = s dtau with s
- * lifted: an oracle for kernels and a field for integrators. p = m, R, g, I1, I3, a3. States: gamma3, v_nu, omega_tau,
- * omega_n, omega3, and s where lifted. */
+/* The reduced system (3.2) of Kilin and Ivanova (2023), written by hand, in its own time t, and regularised with dt = s dtau and s
+ * lifted to a state: an oracle for kernels and a field for integrators. p = m, R, g, I1, I3, a3. States: gamma3, v_nu, omega_tau,
+ * omega_n, omega3, and s if lifted. */
 #ifndef JLT_TESTS_SPHERICAL_TOP_H
 #define JLT_TESTS_SPHERICAL_TOP_H
 
@@ -41,7 +41,7 @@ static inline void top_time_rate(const double *restrict x, const double *restric
     rate[0] = x[5];
 }
 
-/* (E, G), and 1 - gamma3^2 - s^2 where lifted is not zero. */
+/* The integrals E, G in levels[0], levels[1]. lifted: x has s as a sixth state. */
 static inline void top_levels(const double *x, const double *p, int lifted, double *levels)
 {
     const double s = lifted ? x[5] : sqrt((1 - x[0]) * (1 + x[0]));

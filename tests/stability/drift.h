@@ -1,4 +1,5 @@
-/* Drift of the integrals over many returns: on a regular orbit of (5.1), on a chaotic one, and on one that starts at a saddle. */
+/* Measures the drift of the integrals over many returns, on a regular orbit of (5.1), on a chaotic one, and on one near a
+ * saddle. */
 #ifndef JLT_TESTS_DRIFT_H
 #define JLT_TESTS_DRIFT_H
 
@@ -38,9 +39,10 @@ static const drift_run drift_runs[] = {
 };
 enum { DRIFT_RUNS = sizeof drift_runs / sizeof *drift_runs };
 
-/* Ten returns err by about a tolerance (test_equal_tolerances.c), one by a tenth, and a return at least doubles what the last
- * erred, which makes up for |grad E| < 5: E drifts by at most a tenth of the tolerance a return, and by the roundings of 200 steps
- * of 2^-53 at random. A single step adds at most its share of the tolerance to each state, and five times that to E. */
+/* A bound on the drift of E. The error of ten returns is about one tolerance (test_equal_tolerances.c), that of one about a tenth;
+ * a return at least doubles the error of the last, which makes up for |grad E| < 5. So a return adds at most a tenth of the
+ * tolerance, and random rounding errors of 2^-53 in each of its 200 steps. With projection only one step counts: it adds at most
+ * its share of the tolerance to each state, and five times that to E. */
 static inline double drift_bound(const drift_run *run, size_t returns)
 {
     const double n = (double)returns;
@@ -61,11 +63,11 @@ static inline void drift_start(double *x, const double *q)
 }
 
 typedef struct {
-    double last, slope; /* at the end; growth over the last two decades of returns as a power of them */
-    double steps;       /* a return */
+    double last, slope; /* drift at the end; its growth over the last two decades of returns, as an exponent of their number */
+    double steps;       /* steps for each return, rejected ones included */
 } drift_result;
 
-/* Follow one orbit; rows go to the table at returns 1, 2, 5, 10, 20, 50, ... */
+/* Follow one orbit, and write rows to the table after 1, 2, 5, 10, 20, 50, ... returns. */
 static inline drift_result drift_follow(const drift_run *run, int orbit, size_t returns, FILE *table)
 {
     const jlt_event upward = { .column = 2, .direction = JLT_RISING };

@@ -1,4 +1,4 @@
-/* Drift in batches, over any number of returns. */
+/* Measures the drift of integrals in batches, over any number of returns. */
 #ifndef JLT_TESTS_DRIFT_BATCH_H
 #define JLT_TESTS_DRIFT_BATCH_H
 
@@ -34,7 +34,7 @@ static inline int drift_batch_end(void *context, size_t orbit, jlt_lane_end end,
     return 0;
 }
 
-/* worst and early of all orbits, at tolerance 1e-12. */
+/* Compute `worst` and `early` of all orbits, at tolerance 1e-12. */
 static inline void drift_batch_follow(drift_batch *w, bool project)
 {
     const double params[] = { 1, 1, 1, 1.0 / 3, 1.0 / 3, 0.51, -0.56 };
@@ -62,8 +62,8 @@ static inline void drift_batch_follow(drift_batch *w, bool project)
     jlt_instance_destroy(instance);
 }
 
-/* The energy is read at refined crossings, up to one return from the levels: it is off by what the method errs in one, at most a
- * tolerance, however many returns there were. */
+/* Check that the drift of a projected batch stays below one tolerance, however many returns there were. The energy is evaluated at
+ * crossings, which lie at most one return after a projection, so that its error is at most that of one return. */
 static inline void drift_batch_stays(size_t returns, FILE *table)
 {
     drift_batch w = { .returns = returns, .name = "batch projected", .table = table };

@@ -1,4 +1,4 @@
-/* An orbit of the spherical top in a tier of its own choice, by a method of its own choice, seen as the five reduced states. */
+/* An orbit of the spherical top in any tier and by any method, whose points are read as the five reduced states. */
 #ifndef JLT_TESTS_RIDE_H
 #define JLT_TESTS_RIDE_H
 
@@ -17,13 +17,13 @@ enum { RIDE_COLUMNS = 24 };
 typedef struct {
     jlt_tier tier;
     jlt_tier_view view;
-    jlt_instance *instance; /* the view's */
+    jlt_instance *instance; /* owned by the view */
     jlt_field field;
     jlt_orbit *orbit;
     double start[RIDE_COLUMNS]; /* in the tier's coordinates */
 } ride;
 
-/* A tier of the top, bound to x. */
+/* Bind a tier of the top to the start x. */
 static inline jlt_status ride_look(jlt_tier_view *view, double *y, const char *tier, const jlt_top *top, const double *x)
 {
     const double params[] = { top->m, top->R, top->g, top->a3, top->I1, top->I3 };
@@ -43,7 +43,7 @@ static inline void ride_open(ride *out, const char *tier, const jlt_top *top, co
     assert_ok(ride_look(&out->view, y, tier, top, x));
     out->tier = out->view.tier;
     const jlt_descriptor *special = out->view.instance->descriptor;
-    /* the general field, whatever the parameters */
+    /* use the general field, also where a more special one serves for these parameters */
     const jlt_descriptor *d = jlt_descriptor_sibling(special, NULL, special->time, special->elimination);
     assert_ok(jlt_instance_create(&out->instance, d, out->view.instance->params));
     jlt_instance_destroy(out->view.instance);
@@ -63,7 +63,7 @@ static inline void ride_states(const ride *self, double *x, const double *y)
     jlt_tier_extract(&self->view, x, y);
 }
 
-/* The largest drift of the integrals so far. */
+/* The largest drift of any of the tier's integrals so far. */
 static inline double ride_drift(const ride *self)
 {
     double drift[JLT_INVARIANTS_MAX], worst = 0;

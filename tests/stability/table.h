@@ -1,4 +1,5 @@
-/* Measured numbers beside the verdict: with JLT_TABLES=DIR in the environment a test writes DIR/NAME.csv. */
+/* Saves the numbers that a test measures: with JLT_TABLES=DIR in the environment it writes DIR/NAME.csv. Otherwise these functions
+ * do nothing. */
 #ifndef JLT_TESTS_TABLE_H
 #define JLT_TESTS_TABLE_H
 

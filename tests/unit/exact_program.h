@@ -1,4 +1,5 @@
-/* Programs of small tables, evaluated in exact ratios and compared with the terms as they stand. Included after cmocka.h. */
+/* Evaluates the compiler's programs for small tables in rational numbers, and compares them with the terms as written. Include it
+ * after cmocka.h. */
 #ifndef TEST_EXACT_PROGRAM_H
 #define TEST_EXACT_PROGRAM_H
 
@@ -18,7 +19,7 @@ enum { POINTS = 4, STATES_MAX = 8, PARAMS_MAX = 8, OUTPUTS_MAX = 80 };
 typedef struct {
     ttc_model *model;
     ttc_field *field;
-    ttc_id outputs[OUTPUTS_MAX]; /* the field, then its Jacobian */
+    ttc_id outputs[OUTPUTS_MAX]; /* (count,): the field, then its Jacobian */
     size_t count;
 } subject;
 
@@ -78,7 +79,7 @@ static inline void apply(fmpq_t out, const ttc_instruction *i, fmpq *values)
     }
 }
 
-/* outputs, shape (output count,), of a program at a point */
+/* Compute the outputs, shape (output count,), of a program at a point. */
 static inline void evaluate(fmpq *outputs, const ttc_program *program, const fmpq *states, const fmpq *params)
 {
     size_t n = ttc_program_size(program);
@@ -111,7 +112,7 @@ static inline void release(fmpq *list, size_t count)
     free(list);
 }
 
-/* Legs of right triangles: the first two states have a rational distance from the origin. */
+/* Choose a point whose first two states are legs of a right triangle, so that their distance from the origin is rational. */
 static inline void choose_point(fmpq *states, fmpq *params, unsigned number)
 {
     static const slong legs[POINTS][2] = { { 3, 4 }, { -5, 12 }, { 8, -15 }, { 20, 21 } };
@@ -120,7 +121,7 @@ static inline void choose_point(fmpq *states, fmpq *params, unsigned number)
     for (unsigned i = 0; i < PARAMS_MAX; i++) fmpq_set_si(params + i, (slong)(3 * i + 2 + number), 5);
 }
 
-/* A program on the prepared values, against the terms as they stand. */
+/* Check that a program on prepared values gives the same values as the terms as written. */
 static inline void same_values(subject *s, const ttc_program *program, const ttc_prepared *prepared)
 {
     ttc_program *naive = ttc_lower(s->field, s->outputs, s->count, (ttc_lowering){ 0 });
@@ -145,7 +146,7 @@ static inline void same_values(subject *s, const ttc_program *program, const ttc
     ttc_program_destroy(prepare);
 }
 
-/* The count of what a workspace computes, whose values are those of the terms. */
+/* Check that a workspace computes the values of the terms. Returns its operation count. */
 static inline ttc_count check(subject *s, const ttc_workspace *workspace)
 {
     ttc_prepared prepared = { .field = s->field };

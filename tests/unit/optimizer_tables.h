@@ -1,4 +1,4 @@
-/* Tables whose right-hand sides every pass of the optimizer meets: polynomials, ratios, roots. */
+/* Tables with right-hand sides for every pass of the optimizer: polynomials, ratios, roots. */
 #ifndef TEST_OPTIMIZER_TABLES_H
 #define TEST_OPTIMIZER_TABLES_H
 

@@ -1,4 +1,4 @@
-/* Orbits of the oscillator by every method, of which crossings are known in closed form. */
+/* Orbits of the harmonic oscillator by every method; their crossings are known in closed form. */
 #ifndef JLT_TESTS_OSCILLATOR_ORBIT_H
 #define JLT_TESTS_OSCILLATOR_ORBIT_H
 

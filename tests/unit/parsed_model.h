@@ -1,4 +1,4 @@
-/** Models from text, and the text of their expressions. */
+/** Parses models from text, and checks the text of their expressions. */
 #ifndef TEST_PARSED_MODEL_H
 #define TEST_PARSED_MODEL_H
 
@@ -44,7 +44,7 @@ static inline uint32_t symbol(const ttc_model *model, const char *name)
     return found;
 }
 
-/* Not a table with that line behind its head: a message says these words. */
+/* Check that `head` followed by `line` is not a table, and that a message contains these words. */
 static inline void refuses(const char *head, const char *line, const char *words)
 {
     char text[2000];

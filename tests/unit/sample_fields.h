@@ -1,4 +1,4 @@
-/* Fields with known solutions, and jets of some, written by hand. */
+/* Hand-written fields with known solutions, and Taylor coefficients (jets) of some. */
 #ifndef JLT_TESTS_SAMPLE_FIELDS_H
 #define JLT_TESTS_SAMPLE_FIELDS_H
 
@@ -23,7 +23,7 @@ static inline void kepler(const double *restrict x, const double *restrict p, do
     f[3] = pull * x[1];
 }
 
-/* Its jet: with u = x^2 + y^2 and w = u^(-3/2), u w' = -(3/2) w u'. */
+/* Taylor coefficients of its solution, c, shape (order + 1, 4): with u = x^2 + y^2 and w = u^(-3/2), u w' = -(3/2) w u'. */
 static inline void kepler_jet(const double *x, const double *p, unsigned order, double *c)
 {
     (void)p;
@@ -88,7 +88,7 @@ static inline void arenstorf(const double *restrict x, const double *restrict p,
     f[3] = x[1] - 2 * x[2] - pa * x[1] - pb * x[1];
 }
 
-/* x' = x^2: 1/(1 - t) from 1, infinite at t = 1. */
+/* x' = x^2, with the solution 1/(1 - t) from 1, infinite at t = 1. */
 static inline void blow_up(const double *restrict x, const double *restrict p, double *restrict f)
 {
     (void)p;

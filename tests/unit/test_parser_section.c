@@ -89,6 +89,7 @@ static void a_table_of_coordinates_has_a_lift_and_no_equations(void **unused)
     refuses(table, "start here : a = 1, b = E", "not a number");
     refuses(table, "start here : a = 1, a = 2, b = 1", "set twice");
     refuses(table, "start here : a = 1, b = 1\nstart here : a = 2, b = 1", "a second start");
+    refuses(table, "start here : a = 1, b = 1\nstate c", "a state below the start 'here'");
     refuses(table, "turns b", "a text in quotes");
     refuses(table, "turns b \"so\"\nturns a \"so\"", "a second 'turns'");
     refuses(POINTS, "", "has no equation");

@@ -1,4 +1,4 @@
-/* Maps of one coordinate, and Ulam's operator of them. */
+/* Maps of one coordinate, and their transfer operators by Ulam's method. */
 #ifndef JLT_TESTS_TRANSFER_LINE_H
 #define JLT_TESTS_TRANSFER_LINE_H
 
@@ -10,7 +10,7 @@
 typedef struct {
     double (*image)(double x);
     double (*density)(double x);
-    double only_below, and_near; /* the space: x < only_below, and a speck at and_near; 0: all of it */
+    double only_below, and_near; /* the domain is x < only_below and the points within 1e-9 of and_near; only_below 0: everything */
 } line;
 
 static inline bool line_holds(void *context, const double *q)

@@ -1,4 +1,4 @@
-/* The section of the spherical top for tests: its system by values in a struct, and the chart typed by hand beside it. */
+/* The section of the spherical top for tests: the library's system, from values in a struct, and the hand-typed chart beside it. */
 #ifndef JLT_TESTS_TOP_SECTION_H
 #define JLT_TESTS_TOP_SECTION_H
 
@@ -17,14 +17,15 @@ jlt_top_values jlt_system_top_defaults(void);
 /* The entry named m, R, g, I1, I3, a3, E or G; NULL when there is none. */
 double *jlt_system_top_value(jlt_top_values *values, const char *name);
 
-/* The library's system, by the section that the tables describe. */
+/* Make the library's system on the section that the tables describe. */
 JLT_CHECKED jlt_status jlt_system_top(jlt_system **out, const jlt_top_values *values, const jlt_flow *options);
 jlt_top_values jlt_system_top_values(const jlt_system *self);
 
-/* The witness' chart of the same values, until the next call. */
+/* The hand-typed chart of the same values, valid until the next call. */
 const jlt_chart_top *jlt_system_top_chart(const jlt_system *self);
 
-/* `make` of jlt_system_family as one of its values runs, with a jlt_top_family as context. */
+/* A family of systems in which one value runs. jlt_system_top_at is the `make` of a jlt_system_family, with a jlt_top_family as
+ * context. */
 typedef struct {
     jlt_top_values values;
     const char *name; /* of the value that runs */

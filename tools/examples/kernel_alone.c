@@ -11,7 +11,7 @@ int main(void)
     double prepared[16], f[3], jacobian[9], series[21 * 3], sum[3] = { 0 };
 
     if (d->prepared_count > 16 || d->param_count != 3 || d->state_count != 3) return 1;
-    d->prepare(params, prepared); /* once for given parameters */
+    d->prepare(params, prepared); /* once for each set of parameters */
     d->rhs.call(x, prepared, f);
     d->jacobian.call(x, prepared, jacobian);
     d->jet(x, prepared, 20, series);

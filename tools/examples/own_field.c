@@ -1,4 +1,4 @@
-/* A field of one's own: Kepler's problem with eccentricity 0.6, and when it comes back to its pericentre. */
+/* A hand-written field: Kepler's problem with eccentricity 0.6, and the times of its returns to the pericentre. */
 #include <jellett.h>
 #include <math.h>
 #include <stdio.h>

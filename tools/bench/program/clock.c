@@ -1,4 +1,4 @@
-/* Times of a computation, which is repeated, and the numbers of the diagrams that they go into. */
+/* Times a repeated computation; writes numbers of a table, and lists tolerances. */
 #include "bench.h"
 
 #include <math.h>

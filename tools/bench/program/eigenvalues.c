@@ -1,4 +1,4 @@
-/* What the eigenvalues at equilibria cost by each method, and how far they are from known ones. */
+/* Measures the cost and error of eigenvalues at equilibria by each method. */
 #include "bench.h"
 
 #include <math.h>
@@ -15,7 +15,8 @@
 
 enum { POINTS = 256, N = 5, INTEGRALS = 3, PARAMS = 6 };
 
-/* A fixed point (4.4) of the balanced sphere: its matrix and the gradients that it annihilates. */
+/* A fixed point (4.4) of the balanced sphere, its matrix a, the gradients of integrals that are left null vectors of a, and the
+ * true eigenvalues. */
 typedef struct {
     double params[PARAMS], x[N], a[N * N], gradients[INTEGRALS * N], truth_re[N], truth_im[N];
 } point;
@@ -27,7 +28,7 @@ typedef struct {
     point points[POINTS];
 } eigen_run;
 
-/* The table's characteristic polynomial is lambda^3 times a quadratic. */
+/* Solve the table's characteristic polynomial, which is lambda^3 times a quadratic. */
 static jlt_status closed_form(double *re, double *im, const point *p, const jlt_equilibria *family)
 {
     static const double exact[4] = { 0 };
@@ -64,8 +65,8 @@ static jlt_status polynomial(double *re, double *im, const point *p, const jlt_e
     return st == JLT_OK ? jlt_eigen_polynomial_roots(re, im, c, N) : st;
 }
 
-/* The two eigenvalues that are not zero by the integrals: roots of lambda^2 - trace lambda + minors, in extended precision from
- * enclosures of the matrix. Of the sum of principal 2 x 2 minors one product is left, so nothing cancels in it. */
+/* The two eigenvalues that the integrals do not make zero: the roots of lambda^2 - trace lambda + minors, in extended precision,
+ * from enclosures of the matrix. In the sum of principal 2 x 2 minors only one product is not zero, so nothing cancels. */
 static void true_pair(point *p, const ttc_enclosure *a, const ttc_enclosure *trace)
 {
     long double minors = 0;
@@ -92,8 +93,8 @@ static void true_pair(point *p, const ttc_enclosure *a, const ttc_enclosure *tra
     p->truth_re[4] = larger == 0 ? 0 : (double)(minors / larger);
 }
 
-/* The same motion in coordinates turned by a random rotation: no entry is zero any more, as in a model that was not written
- * with its integrals in view. Householder's reflection, E - 2 v v^T. */
+/* Change to randomly rotated coordinates, so that no entry of the matrix is zero, as in a model that was not written with its
+ * integrals in view. The rotation is a Householder reflection, E - 2 v v^T/|v|^2. */
 static void turn(point *p, jlt_random *random)
 {
     double v[N], length = 0, a[N * N];
@@ -118,7 +119,7 @@ enum { GOOD, NEARLY_DEFECTIVE, DEFECTIVE, DEFECTIVE_TURNED, KINDS };
 
 static const char *const kinds[] = { "good", "nearly_defective", "defective", "defective_turned" };
 
-/* omega3 = 0 makes zero a defective eigenvalue of multiplicity four. */
+/* Draw omega3: with omega3 = 0 zero is a defective eigenvalue of multiplicity four. */
 static double draw_omega3(jlt_random *random, int kind)
 {
     if (kind == GOOD) return jlt_random_between(random, 0.2, 2);
@@ -200,7 +201,7 @@ static void write_row(FILE *table, const eigen_run *run, const char *name, const
         errors[k] = fmax(farthest(run->re[k], run->im[k], p->truth_re, p->truth_im),
                          farthest(p->truth_re, p->truth_im, run->re[k], run->im[k])) / size;
     }
-    qsort(errors, POINTS, sizeof *errors, ascending); /* refusals are INFINITY, at the end */
+    qsort(errors, POINTS, sizeof *errors, ascending); /* failures are INFINITY, so they come last */
     const int made = failed < POINTS ? POINTS - failed : 1;
     fprintf(table, "jellett,%s,%s,%.3e,%.3e,%.3e,%.4g,%.4g,%.4g,%d\n", name, points, errors[made / 2], errors[0], errors[made - 1],
             unit * time->median, unit * time->least, unit * time->largest, failed);

@@ -1,4 +1,4 @@
-/* What the Jacobian of the reduced system costs by each method, and how far its entries are from true ones. */
+/* Measures the cost and error of the reduced system's Jacobian by each method. */
 #include "bench.h"
 
 #include <complex.h>
@@ -14,18 +14,18 @@
 
 enum { POINTS = 256, ROUNDS = 16, N = 5, ENTRIES = N * N };
 
-/* Points of the reduced system (3.2) with the true Jacobians there, and one way to compute them. */
+/* Points of the reduced system (3.2), the true Jacobians there, and one method to compute them. */
 typedef struct way way;
 struct way {
     const char *name;
     void (*of)(const way *self, double *jacobian, const double *x);
     const jlt_kernel_batch *batch; /* NULL: scalar */
-    double *spread;                /* of it: prepared values in every lane */
-    double step;                   /* relative to max(|x_i|, 1) */
+    double *spread;                /* for the batch: the prepared values, copied to every lane */
+    double step;                   /* of differences, relative to max(|x_i|, 1) */
     const jlt_instance *instance;
     double x[POINTS][N], truth[POINTS][ENTRIES];
-    _Alignas(64) double by_columns[N * POINTS]; /* a state of all points, then the next */
-    double (*found)[ENTRIES], *lanes_out;       /* what comes out; by columns as well */
+    _Alignas(64) double by_columns[N * POINTS]; /* x transposed, (N, POINTS), for the batch */
+    double (*found)[ENTRIES], *lanes_out;       /* Jacobians, (POINTS, ENTRIES); the batch's output, (ENTRIES, POINTS) */
 };
 
 static void generated(const way *self, double *jacobian, const double *x)
@@ -33,7 +33,7 @@ static void generated(const way *self, double *jacobian, const double *x)
     self->instance->descriptor->jacobian.call(x, self->instance->prepared, jacobian);
 }
 
-/* Im f(x + i h e_j)/h: no difference is formed, and h may be as small as one likes. */
+/* Complex step: Im f(x + i h e_j)/h. No difference is formed, so h may be arbitrarily small. */
 static void complex_step(const way *self, double *jacobian, const double *x)
 {
     static const double h = 1e-100;
@@ -80,7 +80,7 @@ static void forward(const way *self, double *jacobian, const double *x)
     }
 }
 
-/* At a distance 1 - |gamma3| from 1e-10 to 1e-2 of the poles, or at least 0.05 away from them. */
+/* Draw the points: at a distance 1 - gamma3 from 1e-10 to 1e-2 of the upper pole, or at least 0.05 away from both poles. */
 static void draw(way *w, jlt_random *random, bool near_pole)
 {
     for (int k = 0; k < POINTS; k++) {
@@ -128,7 +128,7 @@ static int ascending(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Largest error of an entry relative to the largest entry of its column: INFINITY where there is none. */
+/* The largest error of an entry, relative to the largest true entry of its column; INFINITY if an entry is not finite. */
 static double error_at(const double *found, const double *truth)
 {
     double worst = 0;
@@ -170,7 +170,7 @@ static jlt_status all_ways(FILE *table, const jlt_bench_options *options, way *w
     static const struct {
         const char *name;
         void (*of)(const way *, double *, const double *);
-        int last; /* smallest step as a power of ten; 0: it has none */
+        int last; /* exponent of ten of the smallest step; 0: the method has no step */
     } scalar[] = {
         { "generated", generated, 0 }, { "complex step", complex_step, 0 }, { "central", central, -10 }, { "forward", forward, -12 }
     };

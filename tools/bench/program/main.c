@@ -1,4 +1,4 @@
-/* The command line of jellett-bench: it picks the kind of question, and opens the table that is written. */
+/* The command line of jellett-bench: picks the kind of measurement, and opens the table that is written. */
 #include "bench.h"
 #include "cli/common.h"
 #include "cli/program.h"
@@ -65,7 +65,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
     }
 }
 
-/* The list of kinds after the options. */
+/* Append the list of kinds to the help, after the options. */
 static char *help_filter(int key, const char *text, void *input)
 {
     char *out = NULL;

@@ -1,4 +1,4 @@
-/* References are read: files of numbers, row by row. */
+/* Reads reference files, row by row. */
 #include "bench.h"
 
 #include <errno.h>
@@ -12,7 +12,7 @@ void jlt_bench_clear(jlt_bench_table *table)
     *table = (jlt_bench_table){ 0 };
 }
 
-/* One line into a row; false when it is not one. */
+/* Read the first `columns` numbers of a line. Returns false if there are fewer. */
 static bool read_row(double *row, const char *line, size_t columns)
 {
     for (size_t i = 0; i < columns; i++) {

@@ -1,4 +1,4 @@
-/* What returns to the section cost by each tier and method, at each tolerance, and how far they are off. */
+/* Measures the cost and error of returns to the section by each tier and method, at each tolerance. */
 #include "bench.h"
 
 #include <math.h>
@@ -14,7 +14,7 @@
 #include "scene/tier.h"
 #include "top/top.h"
 
-/* A reference has rows orbit, return, t, gamma3, v_nu, omega_n, omega3; return 0 is the start. */
+/* The reference has rows orbit, return, t, gamma3, v_nu, omega_n, omega3; return 0 is the start. */
 enum { STATES = 32, COLUMNS = 7, FIRST_STATE = 3 };
 
 typedef struct {
@@ -22,7 +22,7 @@ typedef struct {
     size_t rows;
 } tally;
 
-/* One tier bound to (5.1), and the orbits asked about. */
+/* One tier bound to the top of (5.1), and the orbits to follow in it. */
 typedef struct {
     const jlt_bench_options *options;
     tally *tally;
@@ -31,20 +31,20 @@ typedef struct {
     jlt_tier_view view;
     jlt_instance *instance; /* the view's */
     size_t section;  /* index of omega_tau */
-    int root;        /* of s; -1: none */
-    size_t orbits, checked;
+    int root;        /* index of s; -1: it is not a state */
+    size_t orbits, checked;          /* checked: returns of each orbit in the reference */
     const double *reference;
-    double (*start)[JLT_TOP_STATES];
-    double (*lifted)[STATES]; /* in the tier's coordinates */
+    double (*start)[JLT_TOP_STATES]; /* (orbits,) */
+    double (*lifted)[STATES];        /* (orbits,): the starts in the tier's coordinates */
 } problem;
 
-/* What the first pass finds. */
+/* Errors and counts, from the first pass. */
 typedef struct {
-    double error;     /* largest in gamma3, v_nu, omega3 over the returns known; NaN where an orbit did not make them */
+    double error;     /* largest error of gamma3, v_nu and omega3 over the checked returns; NaN if an orbit ended before them */
     double time_error;
-    double drift[2];  /* of E and G from the start, over all returns */
+    double drift[2];  /* largest drift of E and G from the start, over all returns */
     double returns, steps;
-    size_t failed;    /* orbits that ended before their returns were made */
+    size_t failed;    /* orbits that ended before all their returns */
 } outcome;
 
 static void note(double *worst, double value)
@@ -52,7 +52,7 @@ static void note(double *worst, double value)
     if (!(fabs(value) <= *worst)) *worst = fabs(value);
 }
 
-/* y: the tier's states at a return; t NaN where it is not known. */
+/* Take a return into the outcome. y: the tier's states there; t: its time, NaN if not known. */
 static void note_return(outcome *out, const problem *p, size_t orbit, size_t number, const double *y, double t)
 {
     const jlt_top *top = &p->top;
@@ -132,7 +132,7 @@ typedef struct {
     const problem *problem;
     jlt_batch_map map;
     double *starts;   /* (orbits, states) */
-    outcome *by_orbit; /* threads write their own */
+    outcome *by_orbit; /* (orbits,), so that threads do not share one */
     size_t *made;
     outcome outcome;
     bool first;
@@ -209,7 +209,7 @@ done:
     return st;
 }
 
-/* ---- all of a tier ---- */
+/* ---- all measurements of a tier ---- */
 
 static void write_row(FILE *table, const problem *p, const char *method, unsigned threads, double tolerance, const outcome *o,
                       const jlt_bench_time *time)
@@ -231,7 +231,8 @@ static bool wanted(const problem *p, const char *method)
     return p->options->method == NULL || strcmp(method, p->options->method) == 0;
 }
 
-/* A curve of single orbits. A tier whose kernels the method cannot use is passed over. */
+/* Write the rows of one method for single orbits, one for each tolerance. Writes none if the method cannot use the tier's
+ * kernels. */
 static jlt_exit run_scalar(FILE *table, const problem *p, const jlt_method *method)
 {
     double tolerance;
@@ -248,7 +249,7 @@ static jlt_exit run_scalar(FILE *table, const problem *p, const jlt_method *meth
     return JLT_EXIT_DONE;
 }
 
-/* A curve of batches. */
+/* Write the rows of one batch method, one for each tolerance. */
 static jlt_exit run_batch(FILE *table, const problem *p, const jlt_batch_method *method, const jlt_kernel_batch *kernels,
                           bool project, unsigned threads)
 {
@@ -278,8 +279,8 @@ static void list_methods(FILE *table, const problem *p)
         fprintf(table, "%s %s\n", p->tier->name, batch->name);
 }
 
-/* All methods for one orbit at a time, where the tier has a chart; all methods of batches on all instruction
- * sets there are, on the best one projected onto the levels as well. */
+/* Measure all methods for single orbits, unless the tier has too many states for a chart; and all batch methods on all instruction
+ * sets, on the best one also with projection onto levels, and with several threads if asked for. */
 static jlt_exit run_tier(FILE *table, const problem *p)
 {
     const jlt_descriptor *d = p->instance->descriptor;
@@ -300,7 +301,8 @@ static jlt_exit run_tier(FILE *table, const problem *p)
     return code;
 }
 
-/* Bind a tier, and every start. EMPTY: it has no section omega_tau = 0, or does not serve. */
+/* Bind a tier, and map every start into its coordinates. EMPTY: its kernel does not have the state omega_tau, or it does not
+ * serve. */
 static jlt_status open_tier(problem *p, const jlt_tier *tier)
 {
     const double params[] = { p->top.m, p->top.R, p->top.g, p->top.a3, p->top.I1, p->top.I3 };
@@ -311,7 +313,7 @@ static jlt_status open_tier(problem *p, const jlt_tier *tier)
 
     p->tier = tier;
     if (tier->table == NULL || tier->dimension >= STATES) return st;
-    for (size_t i = p->orbits; i-- > 0;) { /* the first one last: its view stays */
+    for (size_t i = p->orbits; i-- > 0;) { /* the first start last, since its view is kept */
         jlt_tier_close(&p->view);
         st = jlt_tier_open(&p->view, y, refusal, tier, params, p->start[i]);
         if (st != JLT_OK) return st == JLT_ERR_UNSUPPORTED ? JLT_ERR_EMPTY : st;
@@ -320,7 +322,7 @@ static jlt_status open_tier(problem *p, const jlt_tier *tier)
     const jlt_descriptor *d = p->view.instance->descriptor;
     if (!jlt_descriptor_state(d, "omega_tau", &p->section)) return JLT_ERR_EMPTY;
     p->root = jlt_descriptor_state(d, "s", &s) ? (int)s : -1;
-    if (jlt_descriptor_param(d, "G", &level)) { /* without the rounding of the first start */
+    if (jlt_descriptor_param(d, "G", &level)) { /* the exact level, without the rounding errors of the first start */
         memcpy(y, p->view.instance->params, d->param_count * sizeof *y);
         y[level] = p->view.params[tier->way_count][level] = -0.56;
         jlt_tier_view *view = &p->view;
@@ -332,7 +334,7 @@ done:
     return st;
 }
 
-/* Orbits and starts from the reference: return 0 and as many returns for every orbit. */
+/* Read orbits and starts from the reference, which has return 0 and the same number of returns for every orbit. */
 static jlt_status read_grid(problem *p, const jlt_bench_table *table)
 {
     size_t checked = 0;

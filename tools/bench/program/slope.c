@@ -1,4 +1,4 @@
-/* What the derivative of the return map costs by each method, at each tolerance, and how far it is off. */
+/* Measures the cost and error of the return map's derivative by each method, at each tolerance. */
 #include "bench.h"
 
 #include <math.h>
@@ -11,10 +11,10 @@
 #include "kernel/descriptor.h"
 #include "top/top.h"
 
-/* A reference has rows orbit, eta, gamma3, image (2), time, DP (2, 2). */
+/* The reference has rows orbit, eta, gamma3, image (2), time, DP (2, 2). */
 enum { COLUMNS = 10, START = 1, SLOPE = 6 };
 
-/* DP at q with differences of step h. */
+/* Computes DP at q; h is the step of methods by differences. */
 typedef jlt_status (*derivative)(jlt_map *map, double *slope, const double *q, double h);
 
 static jlt_status variational(jlt_map *map, double *slope, const double *q, double h)
@@ -57,7 +57,7 @@ static jlt_status forward(jlt_map *map, double *slope, const double *q, double h
     return differences(map, slope, q, h, 0);
 }
 
-/* Steps factor * tolerance^exponent balance the error of the map against that of the difference. */
+/* The step factor * tolerance^exponent balances the error of the map against the truncation error of the difference. */
 static const struct {
     const char *name;
     derivative of;
@@ -126,7 +126,7 @@ static void write_row(FILE *table, const char *method, const char *way, double t
     fprintf(table, ",%.4g,%.4g,%.4g,%zu\n", unit * time->median, unit * time->least, unit * time->largest, run->failed);
 }
 
-/* The system of (5.1) with its section. */
+/* Make the system of (5.1) on the section that its tables describe. */
 static jlt_status open_system(jlt_system **out, jlt_surface *surface, const jlt_flow *flow)
 {
     const jlt_claim *broken;
@@ -181,14 +181,14 @@ done:
     return st;
 }
 
-/* All ways of one method for single orbits. */
+/* Write the rows of one method for single orbits, for each way to DP and each tolerance. */
 static jlt_exit run_single(FILE *table, const jlt_bench_options *options, const jlt_bench_table *reference,
                            const jlt_method *method)
 {
     double tolerance;
 
     for (size_t way = 0; way < sizeof ways / sizeof *ways; way++) {
-        if (method->needs_jet && ways[way].of == variational) continue; /* the map would take another method */
+        if (method->needs_jet && ways[way].of == variational) continue; /* jlt_map would use another method */
         for (size_t k = 0; (tolerance = jlt_bench_tolerance(options, k)) > 0; k++) {
             const jlt_status st = measure(table, options, reference, method, way, tolerance);
             if (st != JLT_OK) return jlt_command_fail(jlt_command_exit(st), "%s: %s", method->name, jlt_status_text(st));
@@ -197,7 +197,7 @@ static jlt_exit run_single(FILE *table, const jlt_bench_options *options, const 
     return JLT_EXIT_DONE;
 }
 
-/* Batches on all instruction sets there are. */
+/* Write the rows of one batch method on all instruction sets that run here. */
 static jlt_exit run_batch(FILE *table, const jlt_bench_options *options, const jlt_bench_table *reference,
                           const jlt_batch_method *method)
 {

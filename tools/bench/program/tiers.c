@@ -1,4 +1,4 @@
-/* What one orbit costs in each tier that serves it, and how far its states are off. */
+/* Measures the cost of one orbit, and the error of its states, in each tier that serves it. */
 #include "bench.h"
 
 #include <math.h>
@@ -11,18 +11,18 @@
 
 enum { COLUMNS = 1 + JLT_TOP_STATES, PARAMS = 6, ROUNDS = 20 };
 
-/* Orbits with true states at some times, in files of --reference. */
+/* Orbits whose true states at some times are in files of the folder --reference. */
 static const struct {
     const char *name, *file;
     double params[PARAMS]; /* m, R, g, a3, I1, I3 */
-    size_t rows;           /* of the file, the start included, that lie before a pole */
+    size_t rows;           /* rows of the file to use, with the start: those before a pole */
 } scenes[] = {
     { "rod", "flow_rod.csv", { 1, 1, 1, 0.3, 0.7, 0 }, 4 },
     { "balanced", "flow_balanced.csv", { 1, 1, 1, 0, 0.4, 0.25 }, 4 },
     { "generic", "flow_generic.csv", { 1.3, 0.7, 9.81, -0.12, 0.29, 0.21 }, 3 },
 };
 
-/* The states at all the times, by one tier. */
+/* The computation of one orbit's states at all times, in one tier. */
 typedef struct {
     jlt_plan plan;
     jlt_question question;
@@ -62,7 +62,8 @@ static jlt_status pass(void *context, bool first)
     return st;
 }
 
-/* A row for every tier that serves, empty where it fails: the charts of one angular velocity do, near their own poles. */
+/* Write a row for every tier that serves. Its fields are empty if the tier fails, as those with an eliminated angular velocity do
+ * near the points where their integral does not depend on it. */
 static jlt_status run_scene(FILE *table, const jlt_bench_options *options, size_t scene, const double *rows, double tolerance)
 {
     const jlt_descriptor *model = jlt_descriptor_find("spherical_top", NULL, NULL, NULL);
