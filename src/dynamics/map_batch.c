@@ -17,8 +17,8 @@ enum { D = JLT_CHART_DIM_MAX };
 static const double root_floor = 1e-9;
 static const size_t most_steps = 1000;
 
-/* What points are asked for: the most returns of any; of each its flow, its returns, its direction of time, NULL where that is the
- * first, the most, and `direction`. */
+/* What is asked for. returns: of the point with the most; flow_of, each, directions: flow, returns and direction of time of each
+ * point, NULL where that is the first flow, `returns`, `direction` for all. */
 typedef struct {
     size_t returns;
     const size_t *flow_of, *each;

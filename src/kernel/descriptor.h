@@ -57,7 +57,7 @@ void jlt_descriptor_add_unproved(char *claims, size_t size, const jlt_descriptor
 /** The condition on a parameter's sign, " > 0" and the like; "" if it may have any value. */
 const char *jlt_descriptor_condition(const jlt_quantity *param);
 
-/** Whether the parameter may have this value, which is finite. */
+/** Whether the parameter may have this finite value. */
 bool jlt_descriptor_allows(const jlt_quantity *param, double value);
 
 /* Find the state or parameter of this name. Returns false, and leaves *index, if there is none. */
