@@ -43,6 +43,9 @@ bool jlt_descriptor_has_poles(const jlt_descriptor *of);
 /** The first of a descriptor's integrals that is not proved to be one; NULL: none. */
 const jlt_claim *jlt_descriptor_doubted_integral(const jlt_descriptor *of);
 
+/** Whether a field of the model, in some variant, has kernels of the integral of this name. */
+bool jlt_descriptor_follows(const jlt_descriptor *of, const char *integral);
+
 /** The claims that kernels of a model rest on without a proof, all its descriptors taken together: "KIND NAME, ...", cut to
  *  `size` bytes. False, and "", when everything is proved. */
 bool jlt_descriptor_unproved(char *claims, size_t size, const jlt_descriptor *of);
