@@ -51,8 +51,8 @@ jlt_exit jlt_certify_cycle_check(const jlt_system *system)
     return JLT_EXIT_DONE;
 }
 
-jlt_status jlt_certify_cycle_find(double *x, double *T, int *turns, unsigned *legs, const jlt_system *system, const double *q,
-                                  size_t period)
+jlt_status jlt_certify_cycle_find(double *x, double *T, int *turns, unsigned *legs, double *near_one, const jlt_system *system,
+                                  const double *q, size_t period)
 {
     const jlt_flow *flow = &system->flow;
     const jlt_chart *chart = flow->chart;
@@ -82,6 +82,8 @@ jlt_status jlt_certify_cycle_find(double *x, double *T, int *turns, unsigned *le
         }
     }
     *legs = (unsigned)orbit.period;
+    *near_one = INFINITY;
+    for (unsigned i = 0; i < chart->dim; i++) *near_one = fmin(*near_one, hypot(orbit.re[i] - 1, orbit.im[i]));
 done:
     jlt_map_destroy(map);
     return st;

@@ -184,6 +184,12 @@ static const char unshown[] = "not proved: the orbit near %s is not shown, with 
                               "leaves it, or comes so near its edge that these cannot be told apart (more digits, or less "
                               "--spread, may do)";
 
+/* Rounding moves a multiplier 1 that stands in a Jordan block by its square or cube root. */
+static const double jordan = 1e-4;
+static const char in_family[] = "the orbit could not be refined with %zu digits: a multiplier is 1 to within %.1g, as where orbits "
+                                "come in families, of which no box holds exactly one (choose one by --level of an integral that "
+                                "differs along the family; leave what a symmetry moves out of the table)";
+
 /* For one reversor: find an orbit homoclinic to search->saddle in doubles, then refine it in balls. x: room for its points. */
 static jlt_status find_homoclinic(json_t *given, double *x, const jlt_given *question, const jlt_reversor *reversor,
                                   const jlt_system *system, jlt_certify_search *search)
@@ -234,7 +240,8 @@ static jlt_exit add_homoclinic(json_t *given, const jlt_given *question, const o
 /* Make the question about an orbit: find it in doubles, refine it in balls, and put boxes around it. */
 static jlt_exit ask(json_t **given, const jlt_descriptor **d, const options *o, jlt_system *system)
 {
-    double *x = calloc((size_t)JLT_PERIODIC_MAX * JLT_CHART_STATES_MAX, sizeof *x), T[JLT_PERIODIC_MAX], q[JLT_CHART_DIM_MAX];
+    double *x = calloc((size_t)JLT_PERIODIC_MAX * JLT_CHART_STATES_MAX, sizeof *x), T[JLT_PERIODIC_MAX], q[JLT_CHART_DIM_MAX],
+           near_one = INFINITY;
     int *turns = calloc((size_t)JLT_PERIODIC_MAX * JLT_CHART_STATES_MAX, sizeof *turns);
     unsigned legs = 0;
     char problem[JLT_GIVEN_PROBLEM_MAX] = "";
@@ -244,7 +251,7 @@ static jlt_exit ask(json_t **given, const jlt_descriptor **d, const options *o, 
 
     if (code == JLT_EXIT_DONE) code = jlt_motion_scale(system, q, NULL);
     if (code == JLT_EXIT_DONE) code = jlt_certify_cycle_check(system);
-    if (code == JLT_EXIT_DONE) st = jlt_certify_cycle_find(x, T, turns, &legs, system, q, o->period);
+    if (code == JLT_EXIT_DONE) st = jlt_certify_cycle_find(x, T, turns, &legs, &near_one, system, q, o->period);
     if (st != JLT_OK) code = jlt_motion_no_orbit(st, system, o->motion.starts[0]);
     if (code == JLT_EXIT_DONE) code = jlt_certify_given(given, d, &o->motion, system, &o->spread, (unsigned)o->digits);
     if (code != JLT_EXIT_DONE) goto done;
@@ -253,6 +260,8 @@ static jlt_exit ask(json_t **given, const jlt_descriptor **d, const options *o, 
         code = jlt_command_fail(JLT_EXIT_INPUT, "%s", problem);
     else if (st == JLT_ERR_DOMAIN)
         code = jlt_command_fail(JLT_EXIT_FAILED, unshown, o->motion.starts[0], o->digits, (*d)->model);
+    else if (st == JLT_ERR_NO_CONVERGENCE && near_one < jordan)
+        code = jlt_command_fail(JLT_EXIT_NUMERICAL, in_family, o->digits, near_one);
     else if (st != JLT_OK)
         code = jlt_command_fail(JLT_EXIT_NUMERICAL, "the orbit could not be refined with %zu digits: %s", o->digits,
                                 jlt_status_text(st));

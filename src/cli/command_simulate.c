@@ -336,6 +336,11 @@ static void closing_words(const jlt_simulate_request *r)
     if (row->unknown != NULL)
         fprintf(stderr, "jellett: %s has no value by t = %.10g (it is not a number): whether the model holds there is not known\n",
                 row->unknown, row->unknown_at);
+    for (const jlt_claim *claim = r->session.descriptor->claims; claim->kind != NULL; claim++)
+        if (strcmp(claim->kind, "integral") == 0 && claim->verdict == JLT_PROVED
+            && !jlt_descriptor_follows(r->session.descriptor, claim->name))
+            fprintf(stderr, "jellett: %s is an integral where %s; its drift has a column there once a 'variant' sets this\n",
+                    claim->name, claim->condition);
 }
 
 static const jlt_swept_form swept = { &jlt_command_simulate, false, 1 };

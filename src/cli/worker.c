@@ -51,6 +51,7 @@ _Noreturn static void serve(const jlt_worker *self, int line)
     static jlt_shelf shelf;
     request wanted;
 
+    shelf.count = shelf.taken = 0; /* of a sweep within a piece of a study: what the process above has begun stays its own */
     if (dup2(self->output, STDOUT_FILENO) < 0 || dup2(self->error, STDERR_FILENO) < 0) _exit(JLT_EXIT_IO);
     while (receive_all(line, &wanted, sizeof wanted)) {
         const int status = (int)jlt_shelf_run(&shelf, self->work, wanted.piece, wanted.alone != 0);

@@ -124,6 +124,14 @@ const jlt_claim *jlt_descriptor_doubted_integral(const jlt_descriptor *of)
     return NULL;
 }
 
+bool jlt_descriptor_follows(const jlt_descriptor *of, const char *integral)
+{
+    for (const jlt_descriptor *const *d = of->family; *d != NULL; d++)
+        for (unsigned i = 0; i < (*d)->integral_count; i++)
+            if (strcmp((*d)->integrals[i].name, integral) == 0) return true;
+    return false;
+}
+
 /* Append the claims of `more` that are not yet in `claims`; both are lists joined with ", ". */
 static void join_claims(char *claims, size_t size, const char *more)
 {

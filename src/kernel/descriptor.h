@@ -47,6 +47,9 @@ bool jlt_descriptor_has_poles(const jlt_descriptor *of);
 /** The claim of the first of a descriptor's integrals that is not proved; NULL if all are proved. */
 const jlt_claim *jlt_descriptor_doubted_integral(const jlt_descriptor *of);
 
+/** Whether some field of the model, in any variant, has kernels of the integral of this name. */
+bool jlt_descriptor_follows(const jlt_descriptor *of, const char *integral);
+
 /** List the unproved claims that kernels of a model rest on, over all its descriptors: "KIND NAME, ...", cut to `size` bytes.
  *  Returns false, with an empty list, if everything is proved. */
 bool jlt_descriptor_unproved(char *claims, size_t size, const jlt_descriptor *of);

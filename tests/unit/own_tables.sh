@@ -216,6 +216,12 @@ printf '%s\n' 'model swing' 'param c >= 0' 'default c = 0' 'state x' 'state v' '
     'integral E = x^2 + v^2 when c = 0' > swing.tt
 expect 3 "E is an integral where c = 0, and is followed there in a 'variant' that sets this" \
     jellett drift ./swing.tt --section v=0 --start x=1
+expect 0 "E is an integral where c = 0; its drift has a column there once a 'variant' sets this" \
+    jellett simulate ./swing.tt --start x=1,v=0 --times 1
+echo 'variant free : c = 0' >> swing.tt
+expect 0 'drift_E' jellett simulate ./swing.tt --start x=1,v=0 --times 1
+expect 0 '' jellett simulate ./swing.tt --start x=1,v=0 --times 1 --set c=1
+[ ! -s err ] || fail "simulate speaks of an integral that a variant follows: $(cat err)"
 
 # More states than eigenvalues of equilibria are looked for in.
 {

@@ -183,6 +183,18 @@ expect 3 ":1: error: 'over' runs over a3" jellett sweep <(sed 's/^over/parameter
 sed 's/returns = 3/sweep = { E = (2, 3, 2); }; &/; s/ E = 2.15;//' over.scene > inner.scene
 expect 3 "'over' runs over E" jellett sweep <(sed 's/ a3 = (0.1/ E = (0.1/' inner.scene) --into=none
 [ ! -e none ] || fail "a study that is refused has begun"
+# A sweep within each piece begins runs of its own.
+cat > inside.scene << 'END'
+over = { a3 = (0.3, 0.5, 2); };
+piece = 1;
+compute = ( { what = "lyapunov"; sweep = { E = (2.15, 2.2, 2); }; start = { eta = 0.02; gamma3 = -0.61; }; returns = 4; } );
+END
+expect 0 "" jellett sweep inside.scene
+expect 0 "" jellett merge inside.shards
+rows out | tail -n +2 > inside.rows
+for a3 in 0.3 0.5; do
+    jellett lyapunov --set a3=$a3 --sweep E=2.15:2.2:2 --start eta=0.02,gamma3=-0.61 --returns 4 | rows | sed "1d; s/^/$a3,/"
+done 2> /dev/null | diff - inside.rows || fail "a sweep within a study has other rows than alone"
 expect 3 "is no study" jellett sweep <(sed 's/"section"/"portrait"/; s/grid = .*; returns = 3;//' map.scene)
 expect 3 "leave out 'output'" jellett sweep <(sed 's/returns = 3;/& output = "o.csv";/' map.scene)
 expect 3 "a second entry" jellett sweep "$JLT_SOURCE_DIR/tools/scenes/fig3a.scene"
