@@ -8,6 +8,7 @@ typedef struct {
     ttc_task *task;
     ttc_valuation *valuation;
     unsigned char *signs; /* by expression, 0: not yet known */
+    ttc_id whole;         /* which is looked at as a ratio in the end */
     bool may_search;
 } signs_of_parts;
 
@@ -73,14 +74,14 @@ static bool is_simple(const ttc_graph *graph, ttc_id id)
     return true;
 }
 
-/* Whether a sum has terms with sums in them that are not of the other sign, and is of this one without them. */
+/* Whether a sum is of this sign, also without those of its terms with sums in them that are not of the other sign. */
 static bool has_sign_without(signs_of_parts *s, ttc_id id, unsigned sign)
 {
     ttc_graph *graph = ttc_valuation_model(s->valuation)->graph;
     const unsigned other = sign == TTC_CAN_BE_POSITIVE ? TTC_CAN_BE_NEGATIVE : TTC_CAN_BE_POSITIVE;
     ttc_id rest = ttc_number(graph, ttc_coefficient(graph, id));
     unsigned signs = signs_of_number(ttc_coefficient(graph, id));
-    bool leaves_out = false, has = false;
+    bool leaves_out = id != s->whole, has = false;
     ttc_ratio value;
     for (size_t i = 0; i < ttc_part_count(graph, id); i++) {
         const ttc_part part = ttc_part_at(graph, id, i);
@@ -145,7 +146,7 @@ static unsigned signs_of(signs_of_parts *s, ttc_id id)
 
 static bool follows(ttc_task *task, ttc_valuation *valuation, ttc_id id, ttc_relation relation, bool may_search)
 {
-    signs_of_parts s = { task, valuation, calloc(ttc_graph_size(ttc_valuation_model(valuation)->graph) + 1, 1), may_search };
+    signs_of_parts s = { task, valuation, calloc(ttc_graph_size(ttc_valuation_model(valuation)->graph) + 1, 1), id, may_search };
     const bool result = s.signs != NULL && (signs_of(&s, id) & ~ttc_conditions_signs_in(relation)) == 0;
     free(s.signs);
     return result;
