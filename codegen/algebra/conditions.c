@@ -134,7 +134,7 @@ static void append(ttc_conditions *c, const fmpz_mpoly_t polynomial, ttc_relatio
     fmpz_mpoly_set(item->polynomial, polynomial, c->ring->context);
 }
 
-static unsigned allowed(ttc_relation relation)
+unsigned ttc_conditions_signs_in(ttc_relation relation)
 {
     switch (relation) {
     case TTC_IS_POSITIVE: return TTC_CAN_BE_POSITIVE;
@@ -148,8 +148,8 @@ static unsigned allowed(ttc_relation relation)
 static void require(ttc_conditions *c, const fmpz_mpoly_t polynomial, ttc_relation relation, bool of_quotient)
 {
     unsigned possible = ttc_conditions_signs(c, polynomial);
-    if ((possible & allowed(relation)) == 0 && !of_quotient) c->contradictory = true;
-    if ((possible & ~allowed(relation)) != 0) append(c, polynomial, relation, of_quotient, false);
+    if ((possible & ttc_conditions_signs_in(relation)) == 0 && !of_quotient) c->contradictory = true;
+    if ((possible & ~ttc_conditions_signs_in(relation)) != 0) append(c, polynomial, relation, of_quotient, false);
 }
 
 static void add(ttc_conditions *c, const ttc_ratio *ratio, ttc_relation relation, bool negative)
@@ -227,6 +227,18 @@ bool ttc_conditions_at_denominator(ttc_conditions *out, const ttc_conditions *c,
     }
     out->contradictory = c->contradictory;
     return found > index;
+}
+
+void ttc_conditions_of_signs(ttc_conditions *out, const ttc_conditions *c)
+{
+    ttc_conditions_init(out, c->valuation);
+    for (size_t i = 0; i < c->count; i++) {
+        const ttc_condition *item = &c->items[i];
+        if (item->relation != TTC_IS_NONZERO || item->is_denominator)
+            append(out, item->polynomial, item->relation, item->of_quotient, item->is_denominator);
+    }
+    out->contradictory = c->contradictory;
+    out->failed |= c->failed;
 }
 
 size_t ttc_conditions_mark(const ttc_conditions *c) { return c->count; }

@@ -42,12 +42,16 @@ void ttc_conditions_add_negative(ttc_conditions *conditions, const ttc_ratio *ra
  *  there is no such denominator. out is to be cleared in either case. */
 bool ttc_conditions_at_denominator(ttc_conditions *out, const ttc_conditions *conditions, size_t index);
 
+/* Copy the conditions that say more than that something is not zero. out: to be cleared. */
+void ttc_conditions_of_signs(ttc_conditions *out, const ttc_conditions *conditions);
+
 /* The length of the list; and removal of the conditions after that length, which were added to ask a question. */
 size_t ttc_conditions_mark(const ttc_conditions *conditions);
 void ttc_conditions_rewind(ttc_conditions *conditions, size_t mark, bool contradictory);
 
 /** The signs that a polynomial can have, by the signs of its variables alone: bits of ttc_sign_set. */
 typedef enum { TTC_CAN_BE_NEGATIVE = 1, TTC_CAN_BE_ZERO = 2, TTC_CAN_BE_POSITIVE = 4, TTC_CAN_BE_ANY = 7 } ttc_sign_set;
+unsigned ttc_conditions_signs_in(ttc_relation relation);
 unsigned ttc_conditions_signs_of_product(unsigned a, unsigned b);
 unsigned ttc_conditions_signs_of_sum(unsigned a, unsigned b);
 unsigned ttc_conditions_signs_of_power(unsigned signs, unsigned long exponent);

@@ -144,11 +144,13 @@ static void state_cosine(question *q, const fmpz_mpoly_t cosine)
     fmpz_mpoly_clear(rest, ring->context);
 }
 
-/* 333/106 < pi < 355/113 */
+/* To fifty digits. */
 static void state_pi(question *q, Z3_ast pi)
 {
-    Z3_solver_assert(q->z3, q->solver, Z3_mk_gt(q->z3, pi, Z3_mk_numeral(q->z3, "333/106", q->real)));
-    Z3_solver_assert(q->z3, q->solver, Z3_mk_lt(q->z3, pi, Z3_mk_numeral(q->z3, "355/113", q->real)));
+    static const char below[] = "3.1415926535897932384626433832795028841971693993751";
+    static const char above[] = "3.1415926535897932384626433832795028841971693993752";
+    Z3_solver_assert(q->z3, q->solver, Z3_mk_gt(q->z3, pi, Z3_mk_numeral(q->z3, below, q->real)));
+    Z3_solver_assert(q->z3, q->solver, Z3_mk_lt(q->z3, pi, Z3_mk_numeral(q->z3, above, q->real)));
 }
 
 /* State the bounds of all variables that are used: signs of parameters and functions, and ends of intervals if they give a sign. */

@@ -2,6 +2,7 @@
 
 #include "base/array.h"
 #include "prove/question.h"
+#include "prove/signs.h"
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -302,18 +303,14 @@ bool ttc_domain_divides_by_tested(const ttc_task *task)
 void ttc_domain_require_divisors(ttc_task *task, ttc_valuation *map, const ttc_model *model, ttc_divisor_role role, uint32_t owner,
                                  const unsigned char *used, const char *where)
 {
-    ttc_ratio value;
-    ttc_ratio_init(task->ring, &value);
     for (size_t i = 0; i < model->divisor_count && ttc_task_open(task); i++) {
         uint32_t root;
         const ttc_divisor *d = &model->divisors[i];
         const bool counts = (d->role == role && d->owner == owner) ||
                             (d->role == TTC_DIVIDES_SYMBOL && symbol_counts(model, used, d->owner));
         if (!counts || is_root(model, d->divisor, &root)) continue;
-        ttc_evaluate(map, &value, d->divisor);
-        ttc_task_require(task, &value, TTC_IS_NONZERO, "a denominator vanishes%s", where);
+        ttc_signs_require(task, map, d->divisor, TTC_IS_NONZERO, "a denominator vanishes%s", where);
     }
-    ttc_ratio_clear(task->ring, &value);
 }
 
 void ttc_domain_require_field(ttc_task *task)

@@ -1,7 +1,7 @@
 /* Requirements that values, in the task's field or at an image, meet the conditions of a table's records. */
 #include "prove/domain.h"
-#include "prove/positive.h"
 #include "prove/question.h"
+#include "prove/signs.h"
 
 #include <stdlib.h>
 
@@ -26,19 +26,16 @@ static void require_end(ttc_task *task, ttc_valuation *map, const ttc_symbol_ent
 void ttc_domain_require_symbol(ttc_task *task, ttc_valuation *map, const ttc_model *model, uint32_t symbol, const char *where)
 {
     const ttc_symbol_entry *entry = &model->symbols[symbol];
-    ttc_ratio value;
     if (map == NULL) map = task->field;
     if (entry->kind == TTC_STATE) {
         require_end(task, map, entry, entry->low, 1, where);
         require_end(task, map, entry, entry->high, -1, where);
     } else if (entry->kind == TTC_ROOT || entry->kind == TTC_LOG) {
-        ttc_positive_require(task, map, entry->definition, "not positive: what the root or logarithm is taken of, %s%s",
-                             entry->name, where);
+        ttc_signs_require(task, map, entry->definition, TTC_IS_POSITIVE,
+                          "not positive: what the root or logarithm is taken of, %s%s", entry->name, where);
     } else if (entry->kind == TTC_PARAM && entry->sign != TTC_ANY_SIGN) {
-        ttc_ratio_init(task->ring, &value);
-        ttc_evaluate(map, &value, entry->node);
-        ttc_task_require(task, &value, ttc_domain_relation(entry->sign), "the sign is broken, of %s%s", entry->name, where);
-        ttc_ratio_clear(task->ring, &value);
+        ttc_signs_require(task, map, entry->node, ttc_domain_relation(entry->sign), "the sign is broken, of %s%s", entry->name,
+                          where);
     }
 }
 
@@ -46,8 +43,8 @@ void ttc_domain_require_image(ttc_task *task, ttc_valuation *map, const ttc_mode
 {
     for (uint32_t i = 0; i < model->symbol_count && ttc_task_open(task); i++) ttc_domain_require_symbol(task, map, model, i, where);
     for (size_t i = 0; i < model->region_count && ttc_task_open(task); i++) {
-        ttc_positive_require(task, map, model->regions[i].expression, "the domain record %s is broken%s", model->regions[i].name,
-                             where);
+        ttc_signs_require(task, map, model->regions[i].expression, TTC_IS_POSITIVE, "the domain record %s is broken%s",
+                          model->regions[i].name, where);
     }
     unsigned char *used = ttc_model_uses(model);
     if (used == NULL) ttc_ring_fail(task->ring, TTC_RING_NO_MEMORY);

@@ -2,13 +2,13 @@
 
 #include "prove/domain.h"
 #include "prove/observed.h"
-#include "prove/positive.h"
+#include "prove/signs.h"
 
 /* A radicand, or the argument of a logarithm, is positive wherever all other conditions of the domain hold. */
 static void prove_root(ttc_task *task)
 {
     const ttc_symbol_entry *root = &task->model->symbols[task->claim->family];
-    ttc_positive_require(task, task->field, root->definition,
+    ttc_signs_require(task, task->field, root->definition, TTC_IS_POSITIVE,
                          "not positive everywhere, so that a domain record is missing: the %s of %s",
                          root->kind == TTC_LOG ? "argument" : "radicand", root->name);
 }
@@ -49,7 +49,7 @@ static void prove_time(ttc_task *task)
     ttc_ratio left, right;
     ttc_ratio_init(task->ring, &left);
     ttc_ratio_init(task->ring, &right);
-    ttc_positive_require(task, task->field, time->factor, "not positive: dt/dtau");
+    ttc_signs_require(task, task->field, time->factor, TTC_IS_POSITIVE, "not positive: dt/dtau");
     for (size_t i = 0; i < time->lifted_count && ttc_task_open(task); i++) {
         const ttc_symbol_entry *root = &task->model->symbols[time->lifted[i]];
         ttc_id rate = ttc_multiply(graph, time->factor, ttc_derive_field(task->model, root->node));

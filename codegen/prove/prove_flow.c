@@ -1,5 +1,5 @@
 /* Provers of claims about the flow or about expressions alone: integrals, rates, invariants, equalities, inequalities. */
-#include "prove/positive.h"
+#include "prove/signs.h"
 #include "prove/tangent.h"
 
 #include "algebra/independence.h"
@@ -87,5 +87,5 @@ void ttc_prove_equal(ttc_task *task)
 
 void ttc_prove_positive(ttc_task *task)
 {
-    ttc_positive_require(task, task->field, task->claim->expression, "not positive: %s", task->claim->name);
+    ttc_signs_require(task, task->field, task->claim->expression, TTC_IS_POSITIVE, "not positive: %s", task->claim->name);
 }

@@ -1,4 +1,4 @@
-#include "prove/positive.h"
+#include "prove/signs.h"
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -8,6 +8,7 @@ typedef struct {
     ttc_task *task;
     ttc_valuation *valuation;
     unsigned char *signs; /* by expression, 0: not yet known */
+    ttc_id whole;         /* which is looked at as a ratio in the end */
     bool may_search;
 } signs_of_parts;
 
@@ -19,15 +20,21 @@ static unsigned signs_of_number(const fmpq_t value)
     return sign > 0 ? TTC_CAN_BE_POSITIVE : sign < 0 ? TTC_CAN_BE_NEGATIVE : TTC_CAN_BE_ZERO;
 }
 
-/* Whether a search for points of the leaf at which a ratio is of the other sign, or zero, finds that there are none. */
+/* Whether a search for points of the leaf at which a ratio is of the other sign, or zero, finds that there are none: also without
+ * what is not zero, which seldom tells a sign, and may be of a high degree. */
 static bool has_no_other_sign(signs_of_parts *s, const ttc_ratio *value, int sign)
 {
+    ttc_task *task = s->task;
+    const ttc_conditions whole = task->domain;
     ttc_ratio other;
-    ttc_ratio_init(s->task->ring, &other);
-    ttc_ratio_set(s->task->ring, &other, value);
-    if (sign > 0) ttc_ratio_scale(s->task->ring, &other, value, s->task->ring->minus_one);
-    const ttc_search_result result = ttc_task_search(s->task, &other, TTC_IS_NONNEGATIVE, NULL);
-    ttc_ratio_clear(s->task->ring, &other);
+    ttc_ratio_init(task->ring, &other);
+    ttc_ratio_set(task->ring, &other, value);
+    if (sign > 0) ttc_ratio_scale(task->ring, &other, value, task->ring->minus_one);
+    ttc_conditions_of_signs(&task->domain, &whole);
+    const ttc_search_result result = ttc_task_search(task, &other, TTC_IS_NONNEGATIVE, NULL);
+    ttc_conditions_clear(&task->domain);
+    task->domain = whole;
+    ttc_ratio_clear(task->ring, &other);
     return result == TTC_POINT_IMPOSSIBLE || result == TTC_POINT_EXCLUDED;
 }
 
@@ -67,6 +74,33 @@ static bool is_simple(const ttc_graph *graph, ttc_id id)
     return true;
 }
 
+/* Whether a sum is of this sign, also without those of its terms with sums in them that are not of the other sign. */
+static bool has_sign_without(signs_of_parts *s, ttc_id id, unsigned sign)
+{
+    ttc_graph *graph = ttc_valuation_model(s->valuation)->graph;
+    const unsigned other = sign == TTC_CAN_BE_POSITIVE ? TTC_CAN_BE_NEGATIVE : TTC_CAN_BE_POSITIVE;
+    ttc_id rest = ttc_number(graph, ttc_coefficient(graph, id));
+    unsigned signs = signs_of_number(ttc_coefficient(graph, id));
+    bool leaves_out = id != s->whole, has = false;
+    ttc_ratio value;
+    for (size_t i = 0; i < ttc_part_count(graph, id); i++) {
+        const ttc_part part = ttc_part_at(graph, id, i);
+        const unsigned own = ttc_conditions_signs_of_product(signs_of_number(part.coefficient), signs_of(s, part.id));
+        if (!(own & other) && !is_simple(graph, part.id)) {
+            leaves_out = true;
+            continue;
+        }
+        rest = ttc_add(graph, rest, ttc_scale(graph, part.id, part.coefficient));
+        signs = ttc_conditions_signs_of_sum(signs, own);
+    }
+    if (!leaves_out || !(signs & sign) || rest == TTC_NONE) return false;
+    ttc_ratio_init(s->task->ring, &value);
+    ttc_evaluate(s->valuation, &value, rest);
+    has = ttc_task_open(s->task) && has_no_other_sign(s, &value, sign == TTC_CAN_BE_POSITIVE ? 1 : -1);
+    ttc_ratio_clear(s->task->ring, &value);
+    return has;
+}
+
 static unsigned signs_of_sum(signs_of_parts *s, ttc_id id)
 {
     const ttc_graph *graph = ttc_valuation_model(s->valuation)->graph;
@@ -78,7 +112,10 @@ static unsigned signs_of_sum(signs_of_parts *s, ttc_id id)
         signs = ttc_conditions_signs_of_sum(signs, own);
         simple = simple && is_simple(graph, part.id);
     }
-    return signs == TTC_CAN_BE_ANY && simple && s->may_search ? signs_of_value(s, id, true) : signs;
+    if (signs != TTC_CAN_BE_ANY || !s->may_search) return signs;
+    if (simple) return signs_of_value(s, id, true);
+    if (has_sign_without(s, id, TTC_CAN_BE_POSITIVE)) return TTC_CAN_BE_POSITIVE;
+    return has_sign_without(s, id, TTC_CAN_BE_NEGATIVE) ? TTC_CAN_BE_NEGATIVE : signs;
 }
 
 /* What divides is not zero. */
@@ -107,26 +144,35 @@ static unsigned signs_of(signs_of_parts *s, ttc_id id)
     return s->signs[id];
 }
 
-static bool is_positive(ttc_task *task, ttc_valuation *valuation, ttc_id id, bool may_search)
+static bool follows(ttc_task *task, ttc_valuation *valuation, ttc_id id, ttc_relation relation, bool may_search)
 {
-    signs_of_parts s = { task, valuation, calloc(ttc_graph_size(ttc_valuation_model(valuation)->graph) + 1, 1), may_search };
-    const bool result = s.signs != NULL && signs_of(&s, id) == TTC_CAN_BE_POSITIVE;
+    signs_of_parts s = { task, valuation, calloc(ttc_graph_size(ttc_valuation_model(valuation)->graph) + 1, 1), id, may_search };
+    const bool result = s.signs != NULL && (signs_of(&s, id) & ~ttc_conditions_signs_in(relation)) == 0;
     free(s.signs);
     return result;
 }
 
-void ttc_positive_require(ttc_task *task, ttc_valuation *valuation, ttc_id id, const char *format, ...)
+static void require(ttc_task *task, ttc_valuation *valuation, ttc_id id, ttc_relation relation, const char *what)
+{
+    const ttc_graph *graph = ttc_valuation_model(valuation)->graph;
+    const size_t factors = relation == TTC_IS_NONZERO && ttc_kind_of(graph, id) == TTC_PRODUCT ? ttc_part_count(graph, id) : 0;
+    ttc_ratio value;
+    for (size_t i = 0; i < factors; i++) require(task, valuation, ttc_part_at(graph, id, i).id, relation, what);
+    if (factors > 0 || !ttc_task_open(task)) return;
+    if (task->tested == NULL
+        && (follows(task, valuation, id, relation, false) || follows(task, valuation, id, relation, true))) return;
+    ttc_ratio_init(task->ring, &value);
+    ttc_evaluate(valuation, &value, id);
+    ttc_task_require(task, &value, relation, "%s", what);
+    ttc_ratio_clear(task->ring, &value);
+}
+
+void ttc_signs_require(ttc_task *task, ttc_valuation *valuation, ttc_id id, ttc_relation relation, const char *format, ...)
 {
     char what[2 * TTC_DIAGNOSTIC_LINE];
-    ttc_ratio value;
     va_list arguments;
-    if (!ttc_task_open(task)) return;
-    if (task->tested == NULL && (is_positive(task, valuation, id, false) || is_positive(task, valuation, id, true))) return;
     va_start(arguments, format);
     vsnprintf(what, sizeof what, format, arguments);
     va_end(arguments);
-    ttc_ratio_init(task->ring, &value);
-    ttc_evaluate(valuation, &value, id);
-    ttc_task_require(task, &value, TTC_IS_POSITIVE, "%s", what);
-    ttc_ratio_clear(task->ring, &value);
+    require(task, valuation, id, relation, what);
 }
