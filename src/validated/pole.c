@@ -156,10 +156,9 @@ jlt_status jlt_pole_prove(jlt_pole_result *result, const jlt_pole_question *ques
     jlt_set_init(&set, x, of->dim, jlt_step_bits(step));
     st = fly(result, &settled, &is_settled, step, &set, x, instant);
     jlt_set_clear(&set);
-    if (st == JLT_ERR_DOMAIN) {
-        result->verdict = JLT_POLE_LEAVES;
-        st = JLT_OK;
-    } else if (st == JLT_OK) result->verdict = is_settled ? conclude(result, question, &settled, of) : JLT_POLE_OPEN;
+    if (st == JLT_OK && is_settled) result->verdict = conclude(result, question, &settled, of);
+    else result->verdict = st == JLT_ERR_DOMAIN ? JLT_POLE_LEAVES : JLT_POLE_OPEN;
+    if (st == JLT_ERR_DOMAIN || st == JLT_ERR_NO_PROGRESS) st = JLT_OK; /* the verdict says it */
 done:
     if (x != NULL) {
         _arb_vec_clear(x, (slong)of->dim);

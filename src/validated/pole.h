@@ -45,7 +45,7 @@ void jlt_pole_result_clear(jlt_pole_result *self);
 
 /** Carry out the proof. In and out: instant, exact, in the time `time`: how far the box is carried before it is to settle. If it is
  *  0, the box is carried until it settles, through at most 1000 steps, and the instant is set. Errors: as
- *  jlt_formulas_create_lifted; NO_PROGRESS. Cost: some 100 steps. */
+ *  jlt_formulas_create_lifted and jlt_step_create. Cost: some 100 steps. */
 JLT_CHECKED jlt_status jlt_pole_prove(jlt_pole_result *result, const jlt_pole_question *question, arf_t instant);
 
 #endif

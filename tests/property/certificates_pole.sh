@@ -117,6 +117,7 @@ refuse wide 'may be 0' 's["time"]["radius"] = "3"' 1
 refuse contact 'does not follow' 's["conditions"]["contact"] = "0.4"' 1
 refuse words 'its theorem is not what its numbers say' 'c["theorem"][1] = c["theorem"][1].replace("Every", "No")' 1
 refuse early 'not shown to come to rest' 'g["instant"] = "1"' 1
+refuse coarse 'not shown to come to rest' 'g["digits"] = 5' 1
 refuse never 'instant: a number > 0' 'g["instant"] = "-1"' 3
 refuse state 'has no pole' 'g["pole"] = "v_nu"' 3
 refuse time 'no such time' 'g["time"] = "own"' 3
