@@ -24,8 +24,7 @@ static ttc_id put_end(void *context, uint32_t symbol)
     return symbol == self->state ? self->end : TTC_NONE;
 }
 
-/* Whether some lifted root is zero at this end of the state's interval. A radicand that divides by zero there is not. */
-static bool is_lifted(const ttc_field *field, uint32_t state, ttc_id end)
+bool ttc_watched_is_lifted(const ttc_field *field, uint32_t state, ttc_id end)
 {
     replacement at = { state, end };
     for (size_t i = 0; i < ttc_field_lifted_count(field); i++) {
@@ -42,7 +41,7 @@ static bool is_kept(const ttc_field *field, uint32_t state, ttc_id end)
 {
     if (end == TTC_NONE) return true;
     if (field->elimination != NULL && field->elimination->state == state) return false;
-    if (ttc_field_lifted_count(field) > 0) return is_lifted(field, state, end);
+    if (ttc_field_lifted_count(field) > 0) return ttc_watched_is_lifted(field, state, end);
     return ttc_kind_of(field->graph, end) == TTC_NUMBER;
 }
 

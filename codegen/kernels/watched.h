@@ -15,6 +15,9 @@ typedef struct {
  *  eliminated state or, beside lifted roots, are zeros of none. Out: *list, shape (*count,), for ttc_watched_destroy, also on
  *  failure. Returns false when memory is out or an expression is too large. */
 bool ttc_watched_find(ttc_watched **list, size_t *count, ttc_field *field);
+/** Whether some root that the field lifts is zero at this end of the state's interval. A radicand that divides by zero there is
+ *  not. */
+bool ttc_watched_is_lifted(const ttc_field *field, uint32_t state, ttc_id end);
 void ttc_watched_destroy(ttc_watched *list, size_t count);
 
 #endif

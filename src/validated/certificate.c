@@ -262,7 +262,7 @@ static json_t *prove_pole(jlt_certificate_report *report, const json_t *json, co
         st = jlt_pole_prove(&result, &given.question, given.instant);
         if (st == JLT_ERR_UNSUPPORTED)
             *report = say(JLT_CERTIFICATE_MALFORMED, "time: the table has no such time that lifts a root");
-        else if (st != JLT_OK) *report = fail_along(st);
+        else if (st != JLT_OK) *report = fail(st);
         else if (result.verdict != JLT_POLE_PROVED) *report = say(JLT_CERTIFICATE_REFUSED, jlt_given_pole_problem(&result));
         else if ((shown = jlt_given_pole_shown(&given, &result)) == NULL) *report = fail(JLT_ERR_NOMEM);
         else *report = say(JLT_CERTIFICATE_GOOD, "");

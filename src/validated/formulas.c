@@ -35,18 +35,18 @@ static ttc_program *lower(ttc_field *field, const ttc_id *ids, size_t count)
     return ttc_lower(field, ids, count, (ttc_lowering){ .share = true });
 }
 
-/* The divisor with lifted roots divided out: these are positive at every finite time. */
-static ttc_id without_lifted(const ttc_field *field, ttc_id divisor)
+/* The value with lifted roots divided out: these are positive at every finite time. */
+static ttc_id without_lifted(const ttc_field *field, ttc_id value)
 {
     ttc_graph *graph = field->graph;
-    ttc_id rest = divisor;
+    ttc_id rest = value;
 
     for (size_t i = 0; i < ttc_field_lifted_count(field); i++) {
         const ttc_id root = field->symbols[field->time->lifted[i]].node;
         if (rest == root) return ttc_integer(graph, 1);
-        if (ttc_kind_of(graph, rest) != TTC_PRODUCT) continue;
-        for (size_t k = 0; k < ttc_part_count(graph, divisor); k++) {
-            const ttc_part part = ttc_part_at(graph, divisor, k);
+        if (rest == TTC_NONE || ttc_kind_of(graph, rest) != TTC_PRODUCT) continue;
+        for (size_t k = 0; k < ttc_part_count(graph, value); k++) {
+            const ttc_part part = ttc_part_at(graph, value, k);
             if (part.id == root) rest = ttc_multiply(graph, rest, ttc_power(graph, root, -part.exponent));
         }
     }
@@ -60,31 +60,27 @@ static bool is_lifted(const ttc_field *field, uint32_t symbol)
     return false;
 }
 
-/* Collect records `domain` and distances from the ends of intervals, except those that are positive as long as the lifted roots
- * are. Returns as add_domain. */
-static unsigned add_watched(ttc_field *field, ttc_id *ids)
+/* Whether the state's distance from this end is left out of the domain's conditions. */
+static bool is_left_out(const jlt_formulas *self, const ttc_field *field, uint32_t state, bool is_high)
 {
-    ttc_watched *list;
-    size_t count;
-    const bool good = ttc_watched_find(&list, &count, field);
+    const ttc_symbol_entry *entry = &self->model->symbols[state];
 
-    for (size_t i = 0; good && ids != NULL && i < count; i++) ids[i] = ttc_field_specialise(field, list[i].expression);
-    ttc_watched_destroy(list, count);
-    return good ? (unsigned)count : UINT_MAX;
+    return self->lifted_count > 0 && state == self->model->states[self->pole]
+           && ttc_watched_is_lifted(field, state, is_high ? entry->high : entry->low);
 }
 
-/* Collect all of them, in the table's own time. Returns their number. */
+/* Collect records `domain` and distances from the ends of intervals. Returns their number. */
 static unsigned add_region(const jlt_formulas *self, ttc_field *field, ttc_id *ids)
 {
     const ttc_model *model = self->model;
     unsigned count = 0;
 
     for (size_t i = 0; i < model->region_count; i++, count++)
-        if (ids != NULL) ids[count] = ttc_field_specialise(field, model->regions[i].expression);
+        if (ids != NULL) ids[count] = without_lifted(field, ttc_field_specialise(field, model->regions[i].expression));
     for (size_t i = 0; i < 2 * model->state_count; i++) {
         const ttc_id inside = ttc_model_inside(model, model->states[i / 2], i % 2 == 1);
-        if (inside == TTC_NONE) continue;
-        if (ids != NULL) ids[count] = ttc_field_specialise(field, inside);
+        if (inside == TTC_NONE || is_left_out(self, field, model->states[i / 2], i % 2 == 1)) continue;
+        if (ids != NULL) ids[count] = without_lifted(field, ttc_field_specialise(field, inside));
         count++;
     }
     return count;
@@ -96,8 +92,8 @@ static unsigned add_region(const jlt_formulas *self, ttc_field *field, ttc_id *i
 static unsigned add_domain(const jlt_formulas *self, ttc_field *field, ttc_id *ids)
 {
     const ttc_model *model = self->model;
-    unsigned count = self->lifted_count > 0 ? add_watched(field, ids) : add_region(self, field, ids);
-    unsigned char *used = count == UINT_MAX ? NULL : ttc_model_uses(model);
+    unsigned count = add_region(self, field, ids);
+    unsigned char *used = ttc_model_uses(model);
 
     if (used == NULL) return UINT_MAX;
     for (size_t i = 0; i < model->symbol_count; i++) {
@@ -173,9 +169,9 @@ static const ttc_time *time_of(const ttc_model *model, const char *name)
     return NULL;
 }
 
-/* time: NULL for the table's own. */
-static jlt_status create(jlt_formulas **formulas, const jlt_descriptor *descriptor, const char *time, const unsigned *free_params,
-                         unsigned free_count, const char *const *levels, unsigned level_count)
+/* time: NULL for the table's own; then pole has no meaning. */
+static jlt_status create(jlt_formulas **formulas, const jlt_descriptor *descriptor, const char *time, unsigned pole,
+                         const unsigned *free_params, unsigned free_count, const char *const *levels, unsigned level_count)
 {
     jlt_formulas *self = calloc(1, sizeof *self);
     const ttc_time *lifting = NULL;
@@ -197,6 +193,7 @@ static jlt_status create(jlt_formulas **formulas, const jlt_descriptor *descript
     if ((time != NULL && lifting == NULL) || ttc_field_create(&field, self->model, NULL, lifting, NULL) != TTC_FIELD_OK) goto done;
     self->lifted_count = (unsigned)ttc_field_lifted_count(field);
     self->states = (unsigned)field->state_count + (self->lifted_count > 0);
+    self->pole = pole;
     self->params = descriptor->param_count;
     self->free_count = free_count;
     for (unsigned i = 0; i < free_count; i++) self->free[i] = free_params[i];
@@ -224,12 +221,13 @@ done:
 jlt_status jlt_formulas_create(jlt_formulas **formulas, const jlt_descriptor *descriptor, const unsigned *free, unsigned free_count,
                                const char *const *levels, unsigned level_count)
 {
-    return create(formulas, descriptor, NULL, free, free_count, levels, level_count);
+    return create(formulas, descriptor, NULL, 0, free, free_count, levels, level_count);
 }
 
-jlt_status jlt_formulas_create_lifted(jlt_formulas **formulas, const jlt_descriptor *descriptor, const char *time)
+jlt_status jlt_formulas_create_lifted(jlt_formulas **formulas, const jlt_descriptor *descriptor, const char *time,
+                                      unsigned pole)
 {
-    return create(formulas, descriptor, time, NULL, 0, NULL, 0);
+    return create(formulas, descriptor, time, pole, NULL, 0, NULL, 0);
 }
 
 void jlt_formulas_destroy(jlt_formulas *formulas)

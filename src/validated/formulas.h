@@ -18,7 +18,7 @@ typedef struct {
     const jlt_descriptor *descriptor; /* a general field in its own time */
     ttc_model *model;
     unsigned states, params;          /* states: lifted roots and t included, where there are any */
-    unsigned lifted_count;            /* 0 in the table's own time */
+    unsigned lifted_count, pole;      /* 0 in the table's own time; index of the state whose interval ends at the pole */
     unsigned free_count, free[JLT_FORMULAS_FREE_MAX]; /* indices of the parameters that are appended to the states */
     unsigned dim;                                     /* states + free_count */
     unsigned valid_count, domain_count, level_count;
@@ -35,10 +35,12 @@ typedef struct {
 JLT_CHECKED jlt_status jlt_formulas_create(jlt_formulas **formulas, const jlt_descriptor *descriptor, const unsigned *free,
                                            unsigned free_count, const char *const *levels, unsigned level_count);
 
-/** The same in the time of this name of the table, without free parameters and without integrals. Quantities that are positive in
- *  the domain have lifted roots divided out, so that they are positive also where these roots are 0. Errors: as
- *  jlt_formulas_create; UNSUPPORTED, there is no such time, or it lifts no root. */
-JLT_CHECKED jlt_status jlt_formulas_create_lifted(jlt_formulas **formulas, const jlt_descriptor *descriptor, const char *time);
+/** The same in the time of this name of the table, without free parameters and without integrals. In: pole, index of a state.
+ *  Quantities that are positive in the domain have lifted roots divided out, so that they may be positive also where these roots
+ *  are 0; distances of the state `pole` from ends at which a lifted root is 0 are left out. Errors: as jlt_formulas_create;
+ *  UNSUPPORTED, there is no such time, or it lifts no root. */
+JLT_CHECKED jlt_status jlt_formulas_create_lifted(jlt_formulas **formulas, const jlt_descriptor *descriptor, const char *time,
+                                                  unsigned pole);
 void jlt_formulas_destroy(jlt_formulas *formulas); /* legal on NULL */
 
 /* Indices of outputs of `variation`: */

@@ -5,12 +5,13 @@
 #include "validated/numerals.h"
 #include "validated/shown.h"
 
-
 static bool read_pole(jlt_given_pole *self, const json_t *given, char *problem)
 {
     const jlt_descriptor *d = self->question.descriptor;
     const char *name = json_string_value(json_object_get(given, "pole"));
+    const char *time = json_string_value(json_object_get(given, "time"));
     const jlt_claim *claim = name == NULL ? NULL : jlt_descriptor_claim(d, "pole", name);
+    const jlt_claim *runs = time == NULL ? NULL : jlt_descriptor_claim(d, "time", time);
     size_t state;
 
     if (claim == NULL || !jlt_descriptor_state(d, name, &state))
@@ -18,8 +19,9 @@ static bool read_pole(jlt_given_pole *self, const json_t *given, char *problem)
     if (claim->verdict != JLT_PROVED || claim->condition[0] != '\0')
         return jlt_refuse(problem, "the pole %s of %s is not proved", name, d->model);
     self->question.state = (unsigned)state;
-    self->question.time = json_string_value(json_object_get(given, "time"));
-    return self->question.time != NULL || jlt_refuse(problem, "time: no name of a time of the table");
+    self->question.time = time;
+    if (runs == NULL) return jlt_refuse(problem, "time: %s has no such time", d->model);
+    return runs->verdict == JLT_PROVED || jlt_refuse(problem, "the time %s of %s is not proved to run forwards", time, d->model);
 }
 
 static bool read_box(jlt_given_pole *self, const json_t *given, slong bits, char *problem)
@@ -112,6 +114,8 @@ const char *jlt_given_pole_problem(const jlt_pole_result *result)
         [JLT_POLE_OPEN] = "the motions are not shown to come to rest at a pole from the instant on (try smaller radii, more "
                           "digits, or other starts)",
         [JLT_POLE_OUTSIDE] = "the states of the box are not shown to lie in the domain of the table",
+        [JLT_POLE_LEAVES] = "the motions are not shown to stay in the domain of the table (where they do, try smaller radii, or "
+                            "more digits)",
         [JLT_POLE_EITHER] = "the motions come to rest, but are not shown to do so at one end of the pole's interval (try smaller "
                             "radii)",
     };

@@ -24,14 +24,36 @@ void jlt_pole_result_clear(jlt_pole_result *self)
     arb_clear(self->time);
 }
 
+/* Enclose the end of an interval, of which the descriptor has the nearest double. */
+static void set_end(arb_t out, double end)
+{
+    arb_set_d(out, end);
+    if (end != floor(end)) mag_set_d(arb_radref(out), ldexp(fabs(end), -52));
+}
+
+static bool is_inside(const arb_t value, const jlt_quantity *state)
+{
+    arb_t low, high;
+    bool inside;
+
+    arb_init(low);
+    arb_init(high);
+    set_end(low, state->low);
+    set_end(high, state->high);
+    inside = arb_gt(value, low) && arb_lt(value, high);
+    arb_clear(low);
+    arb_clear(high);
+    return inside;
+}
+
 /* Append the lifted roots and t = 0 to the box. Returns false unless the box is shown to lie in the table's domain. */
-static bool begin(arb_ptr x, jlt_step *step, arb_srcptr box)
+static bool begin(arb_ptr x, jlt_step *step, const jlt_pole_question *question)
 {
     const jlt_formulas *of = jlt_step_formulas(step);
     const unsigned first = of->states - 1 - of->lifted_count;
-    bool good = true;
+    bool good = is_inside(question->box + question->state, &question->descriptor->states[question->state]);
 
-    _arb_vec_set(x, box, first);
+    _arb_vec_set(x, question->box, first);
     for (unsigned i = 0; i < of->lifted_count; i++) arb_one(x + first + i);
     arb_zero(x + of->states - 1);
     for (unsigned i = 0; good && i < of->lifted_count; i++) { /* a radicand may contain the roots before it */
@@ -42,13 +64,6 @@ static bool begin(arb_ptr x, jlt_step *step, arb_srcptr box)
     }
     jlt_step_evaluate(step, x);
     return good && jlt_step_holds(step);
-}
-
-/* Enclose the end of an interval, of which the descriptor has the nearest double. */
-static void set_end(arb_t out, double end)
-{
-    arb_set_d(out, end);
-    if (end != floor(end)) mag_set_d(arb_radref(out), ldexp(fabs(end), -52));
 }
 
 static bool is_at(const arb_t limit, double number)
@@ -64,23 +79,17 @@ static bool is_at(const arb_t limit, double number)
     return at;
 }
 
-/* Tell at which end the pole is. The table is not defined where a lifted root is 0, and all other conditions of its domain hold at
- * the limit, so that some state is there at an end of its interval. Returns false if more than one end may be meant. */
+/* Tell at which end the pole is. The table is not defined where a lifted root is 0, and all conditions of its domain but those of
+ * this state hold at the limit, so that the state is at an end there. Returns false if either end may be meant. */
 static bool tell_end(jlt_pole_result *result, const jlt_pole_question *question)
 {
-    const jlt_quantity *states = question->descriptor->states;
-    bool is_high = false, is_told = false;
+    const jlt_quantity *state = &question->descriptor->states[question->state];
+    arb_ptr limit = result->limit + question->state;
+    const bool is_low = is_at(limit, state->low);
 
-    for (unsigned i = 0; i < result->states; i++) {
-        const bool low = is_at(result->limit + i, states[i].low), high = is_at(result->limit + i, states[i].high);
-        if (i != question->state && (low || high)) return false;
-        if (i != question->state) continue;
-        is_high = high;
-        is_told = low != high;
-    }
-    result->is_high = is_high;
-    set_end(result->limit + question->state, is_high ? states[question->state].high : states[question->state].low);
-    return is_told;
+    result->is_high = is_at(limit, state->high);
+    set_end(limit, result->is_high ? state->high : state->low);
+    return is_low != result->is_high;
 }
 
 static jlt_pole_verdict conclude(jlt_pole_result *result, const jlt_pole_question *question, const jlt_settle_result *settled,
@@ -137,17 +146,19 @@ jlt_status jlt_pole_prove(jlt_pole_result *result, const jlt_pole_question *ques
     bool is_settled;
     jlt_status st;
 
-    JLT_TRY(jlt_formulas_create_lifted(&of, question->descriptor, question->time));
+    JLT_TRY(jlt_formulas_create_lifted(&of, question->descriptor, question->time, question->state));
     JLT_TRY(jlt_step_create(&step, of, question->params, jlt_step_accuracy_for(question->digits)));
     x = _arb_vec_init((slong)of->dim);
     jlt_settle_result_init(&settled, of);
     for (unsigned i = 0; i < of->valid_count; i++) arf_pos_inf(result->least + i);
     result->verdict = JLT_POLE_OUTSIDE;
-    if (!begin(x, step, question->box)) goto done;
+    if (!begin(x, step, question)) goto done;
     jlt_set_init(&set, x, of->dim, jlt_step_bits(step));
     st = fly(result, &settled, &is_settled, step, &set, x, instant);
     jlt_set_clear(&set);
-    if (st == JLT_OK) result->verdict = is_settled ? conclude(result, question, &settled, of) : JLT_POLE_OPEN;
+    if (st == JLT_OK && is_settled) result->verdict = conclude(result, question, &settled, of);
+    else result->verdict = st == JLT_ERR_DOMAIN ? JLT_POLE_LEAVES : JLT_POLE_OPEN;
+    if (st == JLT_ERR_DOMAIN || st == JLT_ERR_NO_PROGRESS) st = JLT_OK; /* the verdict says it */
 done:
     if (x != NULL) {
         _arb_vec_clear(x, (slong)of->dim);

@@ -3,8 +3,9 @@
  *  The record `pole` of a table claims that in a time tau that lifts a root r, dt/dtau is r times what does not vanish at the
  *  pole, and that r = 0 is invariant there, so that motions reach the pole only as tau tends to infinity. To show that they do,
  *  the box is carried to an instant tau from which it settles on equilibria with r = 0 (settle.h). These lie at an end of the
- *  state's interval, since roots are positive wherever the table is defined. The table's time t is one of the states, and has a
- *  finite limit. */
+ *  state's interval: roots are positive wherever the table is defined, and all other conditions of its domain are shown to hold
+ *  there, as on the way. So until then motions keep off the ends, where r = 0, and other lifted roots stay positive. The table's
+ *  time t is one of the states, and has a finite limit. */
 #ifndef JLT_VALIDATED_POLE_H
 #define JLT_VALIDATED_POLE_H
 
@@ -23,6 +24,7 @@ typedef enum {
     JLT_POLE_PROVED,
     JLT_POLE_OPEN,    /* not shown to settle from the instant on */
     JLT_POLE_OUTSIDE, /* the box is not shown to lie in the table's domain */
+    JLT_POLE_LEAVES,  /* nor, on the way to the instant, are the motions */
     JLT_POLE_EITHER   /* the motions settle, but are not shown to do so at one particular end of this state's interval */
 } jlt_pole_verdict;
 
@@ -43,7 +45,7 @@ void jlt_pole_result_clear(jlt_pole_result *self);
 
 /** Carry out the proof. In and out: instant, exact, in the time `time`: how far the box is carried before it is to settle. If it is
  *  0, the box is carried until it settles, through at most 1000 steps, and the instant is set. Errors: as
- *  jlt_formulas_create_lifted and jlt_step_advance. Cost: some 100 steps. */
+ *  jlt_formulas_create_lifted and jlt_step_create. Cost: some 100 steps. */
 JLT_CHECKED jlt_status jlt_pole_prove(jlt_pole_result *result, const jlt_pole_question *question, arf_t instant);
 
 #endif

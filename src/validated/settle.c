@@ -167,7 +167,7 @@ static bool has_room(settling *self)
     for (unsigned i = 0; i < self->dim; i++) {
         if (self->vanishes[i]) continue;
         drift(need, self, i);
-        if (arb_le(need, self->room + i)) continue;
+        if (arb_is_finite(need) && arb_le(need, self->room + i)) continue;
         enough = false;
         arb_mul_2exp_si(self->room + i, need, 1);
     }

@@ -80,6 +80,20 @@ assert shown["vanish"] == []
 END
 done
 
+# What must not be proved. y comes to 1 before x = sin(t) does, as du/dt = -u/r - 4: there u = 0, but the equations with lifted
+# roots go on, to u < 0, and settle where x = 1. A state beyond the end, where the radicand is positive again. Time that runs back.
+table() { # RECORDS
+    printf '%s\n' 'model other' 'title "a motion that does not end at x = 1"' 'source "made for a test"' 'state x in (-1, 1)' "$@" \
+        > "$scratch/other.tt"
+}
+table 'state y' 'root r = sqrt(1 - x^2)' 'root u = sqrt(1 - y^2)' 'domain disc : 1 - y^2 > 0' 'domain right : y > 0' 'eq x = + r' \
+    'eq y = + u^2/(r*y) + 4*u/y' 'pole x' 'time regular : r lifting r, u'
+expect 1 'not shown to stay in the domain' jellett certify pole "$scratch/other.tt" --start x=99/100,y=199/200
+table 'root r = sqrt((1 - x)^2*(1 + x))' 'eq x = + (1 - x)*r' 'pole x' 'time regular : r lifting r'
+expect 1 'not shown to lie in the domain' jellett certify pole "$scratch/other.tt" --start x=3/2
+table 'root r = sqrt(1 - x^2)' 'eq x = - r' 'pole x' 'time regular : -r lifting r'
+expect 1 'not proved to run forwards' jellett certify pole "$scratch/other.tt" --start x=1/2
+
 # NAME STATEMENT: a copy of turn_over changed by a statement of Python on its question g and what is shown, s, with a good digest.
 change() {
     python3 - tools/certificates/turn_over.json "$scratch/$1.json" "$2" << 'END'
@@ -102,6 +116,7 @@ refuse wide 'may be 0' 's["time"]["radius"] = "3"' 1
 refuse contact 'does not follow' 's["conditions"]["contact"] = "0.4"' 1
 refuse words 'its theorem is not what its numbers say' 'c["theorem"][1] = c["theorem"][1].replace("Every", "No")' 1
 refuse early 'not shown to come to rest' 'g["instant"] = "1"' 1
+refuse coarse 'not shown to come to rest' 'g["digits"] = 5' 1
 refuse never 'instant: a number > 0' 'g["instant"] = "-1"' 3
 refuse state 'has no pole' 'g["pole"] = "v_nu"' 3
 refuse time 'no such time' 'g["time"] = "own"' 3
