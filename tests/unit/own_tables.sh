@@ -223,6 +223,11 @@ expect 0 'drift_E' jellett simulate ./swing.tt --start x=1,v=0 --times 1
 expect 0 '' jellett simulate ./swing.tt --start x=1,v=0 --times 1 --set c=1
 [ ! -s err ] || fail "simulate speaks of an integral that a variant follows: $(cat err)"
 
+# A table is read once, and its warnings come once.
+sed -e 's/^param c .*/&\nparam unused/' -e 's/^default .*/&, unused = 0/' swing.tt > warned.tt
+expect 0 alive jellett simulate ./warned.tt --start x=1,v=0 --times 1
+[ "$(grep -c "'unused' is never used" err)" -eq 1 ] || fail "a warning comes twice: $(cat err)"
+
 # More states than eigenvalues of equilibria are looked for in.
 {
     echo 'model chain'
