@@ -228,6 +228,9 @@ sed -e 's/^param c .*/&\nparam unused/' -e 's/^default .*/&, unused = 0/' swing.
 expect 0 alive jellett simulate ./warned.tt --start x=1,v=0 --times 1
 [ "$(grep -c "'unused' is never used" err)" -eq 1 ] || fail "a warning comes twice: $(cat err)"
 
+# However many names are wrong, the first of them is told.
+expect 3 "the section has no coordinate 'foo'" jellett drift --start eta=0.1,gamma3=-0.6,foo=1,bar=2
+
 # More states than eigenvalues of equilibria are looked for in.
 {
     echo 'model chain'
