@@ -64,7 +64,7 @@ static int cannot(const ttc_cache *cache, const char *what)
 }
 
 /* Make the object in a folder of its own, and publish it. */
-static int make(ttc_cache *cache, const char *key, const char *compiler, const ttc_options *options)
+static int make(ttc_cache *cache, const char *key, ttc_model *model, const char *compiler, const ttc_options *options)
 {
     ttc_options generate = *options;
     ttc_text object = { 0 };
@@ -74,7 +74,7 @@ static int make(ttc_cache *cache, const char *key, const char *compiler, const t
     generate.out = workshop;
     generate.unproved = true;
     generate.extent = TTC_WITHOUT_ELIMINATIONS;
-    int status = object.failed ? TTC_EXIT_MEMORY : ttc_command_generate(&generate);
+    int status = object.failed ? TTC_EXIT_MEMORY : ttc_command_generate_models(&model, 1, &generate);
     if (status == TTC_EXIT_DONE && !ttc_compile_folder(compiler, workshop, options->lanes, object.bytes))
         status = fail(TTC_EXIT_IO, "the C compiler %s failed; what it says is above", compiler);
     if (status != TTC_EXIT_DONE) ttc_cache_clear_workshop(workshop);
@@ -86,7 +86,7 @@ static int make(ttc_cache *cache, const char *key, const char *compiler, const t
 }
 
 /* *path: that of the object, for the caller to free. */
-static int find_or_make(ttc_cache *cache, const ttc_model *model, const char *compiler, const ttc_options *options, char **path)
+static int find_or_make(ttc_cache *cache, ttc_model *model, const char *compiler, const ttc_options *options, char **path)
 {
     char key[65];
     const bool is_known = make_key(key, model, compiler, options->lanes);
@@ -95,7 +95,7 @@ static int find_or_make(ttc_cache *cache, const ttc_model *model, const char *co
     if (is_known && ttc_cache_has(*path)) return TTC_EXIT_DONE;
     if (!ttc_cache_lock(cache, key)) return cannot(cache, "lock");
     if (is_known && ttc_cache_has(*path)) return TTC_EXIT_DONE; /* another run made it while this one waited */
-    return make(cache, key, compiler, options);
+    return make(cache, key, model, compiler, options);
 }
 
 int ttc_command_build(const ttc_options *options)

@@ -286,28 +286,15 @@ static void refuse_name(const ttc_model *model, const ttc_model *other, int *sta
     ttc_command_raise(status, TTC_EXIT_BAD_TABLE);
 }
 
-int ttc_command_generate(const ttc_options *options)
+int ttc_command_generate_models(ttc_model *const *models, size_t count, const ttc_options *options)
 {
     int status = TTC_EXIT_DONE;
     ttc_output output = { 0 };
-    ttc_model **models = calloc(options->file_count + 1, sizeof *models);
-    ttc_catalogue *catalogues = calloc(options->file_count + 1, sizeof *catalogues);
+    ttc_catalogue *catalogues = calloc(count + 1, sizeof *catalogues);
     kept_lists kept = { 0 };
-    size_t count = 0;
-    if (options->out == NULL) {
-        fprintf(stderr, "ttc generate: no folder is given (expected --out DIR)\n");
-        status = TTC_EXIT_USAGE;
-        goto done;
-    }
-    if (models == NULL || catalogues == NULL) {
+    if (catalogues == NULL) {
         fprintf(stderr, "ttc: out of memory\n");
-        status = TTC_EXIT_MEMORY;
-        goto done;
-    }
-    for (size_t i = 0; i < options->file_count; i++) {
-        models[count] = ttc_command_read(options->files[i], &status, NULL);
-        if (models[count] == NULL || !ttc_command_passes_over(models[count], options)) count++;
-        else ttc_model_destroy(models[count]), models[count] = NULL;
+        return TTC_EXIT_MEMORY;
     }
     if (options->keep) kept = (kept_lists){ read_list(options->out, "manifest.tsv"), read_list(options->out, "counts.tsv") };
     for (size_t i = 0; i < count && status == TTC_EXIT_DONE; i++) {
@@ -323,15 +310,34 @@ int ttc_command_generate(const ttc_options *options)
         status = TTC_EXIT_MEMORY;
     }
     if (status == TTC_EXIT_DONE) status = write_files(&output, options->out);
-done:
     free(kept.manifest);
     free(kept.counts);
-    for (size_t i = 0; i < options->file_count; i++) {
-        if (catalogues != NULL) ttc_catalogue_clear(catalogues + i);
-        if (models != NULL) ttc_model_destroy(models[i]);
-    }
+    for (size_t i = 0; i < count; i++) ttc_catalogue_clear(catalogues + i);
     free(catalogues);
-    free(models);
     ttc_output_clear(&output);
+    return status;
+}
+
+int ttc_command_generate(const ttc_options *options)
+{
+    int status = TTC_EXIT_DONE;
+    size_t count = 0;
+    if (options->out == NULL) {
+        fprintf(stderr, "ttc generate: no folder is given (expected --out DIR)\n");
+        return TTC_EXIT_USAGE;
+    }
+    ttc_model **models = calloc(options->file_count + 1, sizeof *models);
+    if (models == NULL) {
+        fprintf(stderr, "ttc: out of memory\n");
+        return TTC_EXIT_MEMORY;
+    }
+    for (size_t i = 0; i < options->file_count; i++) {
+        models[count] = ttc_command_read(options->files[i], &status, NULL);
+        if (models[count] == NULL || !ttc_command_passes_over(models[count], options)) count++;
+        else ttc_model_destroy(models[count]), models[count] = NULL;
+    }
+    if (status == TTC_EXIT_DONE) status = ttc_command_generate_models(models, count, options);
+    for (size_t i = 0; i < count; i++) ttc_model_destroy(models[i]);
+    free(models);
     return status;
 }

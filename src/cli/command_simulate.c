@@ -338,9 +338,12 @@ static void closing_words(const jlt_simulate_request *r)
                 row->unknown, row->unknown_at);
     for (const jlt_claim *claim = r->session.descriptor->claims; claim->kind != NULL; claim++)
         if (strcmp(claim->kind, "integral") == 0 && claim->verdict == JLT_PROVED
-            && !jlt_descriptor_follows(r->session.descriptor, claim->name))
-            fprintf(stderr, "jellett: %s is an integral where %s; its drift has a column there once a 'variant' sets this\n",
-                    claim->name, claim->condition);
+            && !jlt_descriptor_follows(r->session.descriptor, claim->name)) {
+            fprintf(stderr, "jellett: %s is an integral ", claim->name);
+            if (claim->condition[0] == '\0')
+                fputs("on zero levels of other claims alone ('modulo'); its drift has no column\n", stderr);
+            else fprintf(stderr, "where %s; its drift has a column there once a 'variant' sets this\n", claim->condition);
+        }
 }
 
 static const jlt_swept_form swept = { &jlt_command_simulate, false, 1 };

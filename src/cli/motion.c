@@ -199,7 +199,7 @@ jlt_exit jlt_motion_start(double *q, const jlt_system *system, const char *text)
     size_t count = 0;
     jlt_exit code = strchr(text, '=') == NULL || strchr(text, ':') != NULL
                         ? jlt_command_fail(JLT_EXIT_USAGE, "--start: '%s' is no start (write NAME=VALUE,...)", text)
-                        : jlt_grid_parse(axes, &count, chart->dim + 1, text, "--start");
+                        : jlt_grid_parse(axes, &count, JLT_CHART_DIM_MAX + 1, text, "--start");
 
     for (size_t i = 0; code == JLT_EXIT_DONE && i < count; i++) {
         const unsigned k = coordinate(chart, axes[i].name);

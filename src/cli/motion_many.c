@@ -54,7 +54,9 @@ static jlt_exit set_projection(jlt_section_batch_options *batch_options, const j
     jlt_exit code;
 
     if (!options->in_lanes && system->surface != NULL)
-        return jlt_command_fail(JLT_EXIT_USAGE, "--project: orbits of this section are put back in lanes alone, and %s",
+        return jlt_command_fail(JLT_EXIT_USAGE,
+                                "--project: orbits of this section are put back in lanes alone, and %s: ask for one of the table "
+                                "itself, --section STATE=VALUE, with all other states as coordinates",
                                 options->alone != NULL ? options->alone : "by --method they go one at a time");
     if (!options->in_lanes) return jlt_motion_project(system);
     code = jlt_common_project(d);

@@ -105,42 +105,48 @@ static void set_double(fmpq_t out, double value)
 }
 
 /* Read pi, -pi, 2*pi, 2*pi/3, pi/2 and the like; out is the double that double arithmetic gives. */
-static bool read_multiple_of_pi(fmpq_t out, const char *text, size_t length)
+static jlt_status read_multiple_of_pi(fmpq_t out, const char *text, size_t length)
 {
     static const double pi = 3.14159265358979323846;
     const char *const end = text + length, *at = text;
     double factor = 1, divisor = 1;
+    jlt_status st = JLT_OK, below = JLT_OK;
     bool good;
 
     while (end - at >= 2 && strncmp(at, "pi", 2) != 0) at++;
-    if (end - at < 2) return false;
+    if (end - at < 2) return JLT_ERR_ARG;
     const size_t before = (size_t)(at - text), after = (size_t)(end - at) - 2;
     if (before <= 1) {
         good = before == 0 || *text == '-' || *text == '+';
         if (before == 1 && *text == '-') factor = -1;
     } else {
-        good = at[-1] == '*' && read_plain(out, text, before - 1) && round_nearest(&factor, out) == JLT_OK;
+        good = at[-1] == '*' && read_plain(out, text, before - 1);
+        if (good) st = round_nearest(&factor, out);
     }
-    if (good && after > 0)
-        good = at[2] == '/' && read_plain(out, at + 3, after - 1) && round_nearest(&divisor, out) == JLT_OK && divisor != 0;
+    if (good && after > 0) {
+        good = at[2] == '/' && read_plain(out, at + 3, after - 1) && !fmpq_is_zero(out);
+        if (good) below = round_nearest(&divisor, out);
+    }
+    if (!good) return JLT_ERR_ARG;
     const double value = factor * pi / divisor;
-    if (!good || (value != 0 && !isnormal(value))) return false;
+    if (st != JLT_OK || below != JLT_OK || (value != 0 && !isnormal(value))) return JLT_ERR_NONFINITE;
     set_double(out, value);
-    return true;
+    return JLT_OK;
 }
 
-static bool read_fraction(fmpq_t value, const char *text, size_t length)
+static jlt_status read_fraction(fmpq_t value, const char *text, size_t length)
 {
-    return read_plain(value, text, length) || read_multiple_of_pi(value, text, length);
+    return read_plain(value, text, length) ? JLT_OK : read_multiple_of_pi(value, text, length);
 }
 
 jlt_status jlt_number_parse(double *value, const char *text, size_t length)
 {
     fmpq_t exact;
-    jlt_status st = JLT_ERR_ARG;
+    jlt_status st;
 
     fmpq_init(exact);
-    if (read_fraction(exact, text, length)) st = round_nearest(value, exact);
+    st = read_fraction(exact, text, length);
+    if (st == JLT_OK) st = round_nearest(value, exact);
     fmpq_clear(exact);
     return st;
 }
@@ -150,12 +156,14 @@ jlt_status jlt_number_between(double *value, const char *low, size_t low_length,
 {
     fmpq_t first, last;
     fmpz_t weight;
-    jlt_status st = JLT_ERR_ARG;
+    jlt_status st = index <= parts && parts > 0 ? JLT_OK : JLT_ERR_ARG;
 
     fmpq_init(first);
     fmpq_init(last);
     fmpz_init(weight);
-    if (index <= parts && parts > 0 && read_fraction(first, low, low_length) && read_fraction(last, high, high_length)) {
+    if (st == JLT_OK) st = read_fraction(first, low, low_length);
+    if (st == JLT_OK) st = read_fraction(last, high, high_length);
+    if (st == JLT_OK) {
         fmpq_sub(last, last, first);
         fmpz_set_ui(weight, index);
         fmpq_mul_fmpz(last, last, weight);
@@ -174,11 +182,12 @@ jlt_status jlt_number_fraction(char **fraction, const char *text, size_t length)
 {
     fmpq_t exact;
     char *written = NULL;
-    jlt_status st = JLT_ERR_ARG;
+    jlt_status st;
 
     *fraction = NULL;
     fmpq_init(exact);
-    if (read_fraction(exact, text, length)) {
+    st = read_fraction(exact, text, length);
+    if (st == JLT_OK) {
         written = fmpq_get_str(NULL, 10, exact);
         *fraction = written == NULL ? NULL : strdup(written);
         st = *fraction == NULL ? JLT_ERR_NOMEM : JLT_OK;

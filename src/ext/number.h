@@ -26,7 +26,7 @@ JLT_CHECKED jlt_status jlt_number_between(double *value, const char *low, size_t
                                           size_t high_length, size_t index, size_t parts);
 
 /** Convert a number to an exact fraction in lowest terms, "p/q" or "p". Out: *fraction, a string that the caller frees, NULL on
- *  failure. Errors: ARG, as jlt_number_parse; NOMEM. */
+ *  failure. Errors: ARG, as jlt_number_parse; NONFINITE, a multiple of pi beyond the range; NOMEM. */
 JLT_CHECKED jlt_status jlt_number_fraction(char **fraction, const char *text, size_t length);
 
 #endif

@@ -223,6 +223,18 @@ expect 0 'drift_E' jellett simulate ./swing.tt --start x=1,v=0 --times 1
 expect 0 '' jellett simulate ./swing.tt --start x=1,v=0 --times 1 --set c=1
 [ ! -s err ] || fail "simulate speaks of an integral that a variant follows: $(cat err)"
 
+# What is claimed on a zero level alone has no condition to tell.
+printf '%s\n' 'model level' 'state x' 'state v' 'eq x = v' 'eq v = -v' 'invariant rest = v' 'integral X = x modulo rest' > level.tt
+expect 0 "X is an integral on zero levels of other claims alone" jellett simulate ./level.tt --start x=1,v=0 --times 1
+
+# A table is read once, and its warnings come once.
+sed -e 's/^param c .*/&\nparam unused/' -e 's/^default .*/&, unused = 0/' swing.tt > warned.tt
+expect 0 alive jellett simulate ./warned.tt --start x=1,v=0 --times 1
+[ "$(grep -c "'unused' is never used" err)" -eq 1 ] || fail "a warning comes twice: $(cat err)"
+
+# However many names are wrong, the first of them is told.
+expect 3 "the section has no coordinate 'foo'" jellett drift --start eta=0.1,gamma3=-0.6,foo=1,bar=2
+
 # More states than eigenvalues of equilibria are looked for in.
 {
     echo 'model chain'
