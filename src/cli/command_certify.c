@@ -32,18 +32,20 @@ enum { DIGITS = 2000, RADIUS, SPREAD, DISTANCE, ORBIT, FAMILY, BOX, LIMIT };
 static const struct argp_option option_table[] = {
     { "period", 'n', "N", 0, "The orbit closes after N returns, at most 64; default 1", 1 },
     { "start", 'a', "NAME=VALUE,...", 0,
-      "A point near the orbit, every coordinate of the section, as `jellett orbits` gives it; of a pole, every state where the "
-      "motions begin", 1 },
+      "A point near the orbit: a value for every coordinate of the section, as `jellett orbits` gives it; for a pole, a "
+      "value for every state where the motions begin", 1 },
     { "digits", DIGITS, "N", 0, "Decimals to compute with, 10 to 1000; default 20", 1 },
     { "radius", RADIUS, "R", 0,
-      "Of the box, in units of the table's states; default 1e-10, or with --spread as far as orbits spread", 1 },
-    { "distance", DISTANCE, "VALUE", 0, "Of a homoclinic orbit's beginning from the saddle, in coordinates; default 1e-7", 1 },
-    { "orbit", ORBIT, "N", 0, "Which homoclinic orbit: the Nth that is met, by returns; default 1", 1 },
-    { "family", FAMILY, "NAME", 0, "Of equilibria, where the table has more than one", 1 },
-    { "box", BOX, "NAME=LOW:HIGH|VALUE,...", 0, "Ranges of parameters, and of all states that the family leaves free", 1 },
-    { "limit", LIMIT, "N", 0, "Parts to cut the box of a family into, at most; default 100000", 1 },
+      "Radius of the box, in units of the table's states; default 1e-10, or with --spread as far as orbits spread", 1 },
+    { "distance", DISTANCE, "VALUE", 0, "How far from the saddle a homoclinic orbit begins, in coordinates; default 1e-7", 1 },
+    { "orbit", ORBIT, "N", 0, "Which homoclinic orbit: the Nth that is found, in order of returns; default 1", 1 },
+    { "family", FAMILY, "NAME", 0, "The family of equilibria, where the table has more than one", 1 },
+    { "box", BOX, "NAME=LOW:HIGH|VALUE,...", 0,
+      "Ranges, or values, of the parameters and of all states that the family leaves free", 1 },
+    { "limit", LIMIT, "N", 0, "Cut the box of a family into at most N parts; default 100000", 1 },
     { "spread", SPREAD, "NAME=RADIUS,...", 0,
-      "Let parameters and levels, and states of a pole's start, have any value within this distance of theirs", 1 },
+      "Prove it for all values of these parameters and levels, and of states where motions to a pole begin, that are within "
+      "RADIUS of the given ones", 1 },
     { 0 },
 };
 
@@ -142,14 +144,14 @@ static const struct argp parser = {
     "\vKinds:\n"
     "cycle: through a box on the section exactly one orbit closes after a time near one that is given; its period and its "
     "multipliers are enclosed.\n"
-    "obstruction: besides, the product of its multipliers is not 1, so that no invariant measure has a continuous positive density "
-    "at it.\n"
-    "sink: besides, all multipliers are inside the unit circle, so that it attracts; its image under a reversor repels, and no "
-    "invariant measure has a positive density near it.\n"
+    "obstruction: a cycle, and the product of its multipliers is not 1, so that no invariant measure has a continuous positive "
+    "density at it.\n"
+    "sink: a cycle, and all multipliers lie inside the unit circle, so that it attracts; its image under a reversor repels, and "
+    "no invariant measure has a positive density near it.\n"
     "symmetric: the orbit is its own mirror image under a proved reversor, so that the product of its multipliers is 1 exactly, "
     "and its trace tells its type; the rotation number is enclosed where it is elliptic.\n"
-    "elliptic: it is so, without a resonance up to order 4, and its twist coefficient is not 0: it is stable on its levels, "
-    "surrounded by invariant tori.\n"
+    "elliptic: symmetric and elliptic, without a resonance up to order 4, and with a twist coefficient that is not 0: the orbit is "
+    "stable on its levels, surrounded by invariant tori.\n"
     "homoclinic: the orbit is a saddle and its own mirror image, and its unstable and stable manifolds cross transversally at a "
     "point that a reversor keeps, the table's first one that serves.\n"
     "equilibria: at all points of a family that the table claims, in a whole box of parameters and states, the trace of the "
@@ -157,9 +159,10 @@ static const struct argp parser = {
     "in halves as far as needed.\n"
     "pole: all motions that begin in a box of states end at one end of a state's interval, which the table claims to be a pole, "
     "after a finite time that is enclosed: a spherical top turns over, or comes down.\n\n"
-    "Values typed and defaults of tables are taken exactly. Orbits are found in doubles first. Of a forced system, or around an "
-    "angle, one closes up to periods that the table proves (`periodic`), and is the only one that does by their numbers: these are "
-    "served as cycle, obstruction and sink.\n\n"
+    "Values typed and defaults of tables are taken exactly. Orbits are found in doubles first. An orbit of a forced system, or "
+    "around an angle, closes up to whole numbers of periods that the table proves (`periodic`), and is the only one that does with "
+    "these numbers; for such orbits there are cycle, obstruction and sink.\n\n"
+    "Examples:\n"
     "  jellett certify equilibria --family spin \\\n"
     "    --box I1=0.2:1,I3=0.2:1,gamma3=0.05:0.9,v_nu=0.1:2,omega3=-3:3\n"
     "  jellett certify sink --set I1=0.591,I3=0.494,a3=0.548 \\\n"

@@ -12,7 +12,7 @@ typedef struct {
 } options;
 
 static const struct argp_option option_table[] = {
-    { "model", 'm', "FILE.tt", 0, "The table that the certificates speak of, where it is not built in", 1 },
+    { "model", 'm', "FILE.tt", 0, "The table that the certificates are about, if it is not built in", 1 },
     { 0 },
 };
 
@@ -33,10 +33,11 @@ static error_t parse(int key, char *value, struct argp_state *state)
 
 static const struct argp parser = {
     option_table, parse, "CERTIFICATE...",
-    "Replay certificates from their files alone: the proof is carried out again in ball arithmetic."
-    "\vWhat it says in numbers must follow from the replay, and its words from these numbers as they are written; it has no "
-    "members but those that are replayed. Exit status 1: a certificate does not prove what it says, or was changed after it was "
-    "made. 3: it is none, or speaks of a table that is not here.\n\n"
+    "Replay certificates from their files alone: carry out the proofs again in ball arithmetic."
+    "\vThe numbers of a certificate must follow from the replay, and its words from these numbers as they are written; it may "
+    "have no members but those that are replayed. Exit status 1: a certificate does not prove what it says, or was changed "
+    "after it was made. 3: the file is no certificate, or is about a table that is not here.\n\n"
+    "Examples:\n"
     "  jellett check tools/certificates/sink.json",
     NULL, NULL, NULL,
 };

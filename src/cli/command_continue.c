@@ -20,20 +20,23 @@ typedef struct {
 enum { ALONG = 2000, STEP, DOWN, FOLLOW, GENERATIONS };
 
 static const struct argp_option option_table[] = {
-    { "along", ALONG, "PARAM|LEVEL=LOW:HIGH", 0, "The parameter or level that runs, and its range", 1 },
+    { "along", ALONG, "PARAM|LEVEL=LOW:HIGH", 0, "The parameter or level that varies, and its range", 1 },
     { "start", 'a', "NAME=VALUE,...", 0,
-      "A point near the orbit, every coordinate of the section; of the spherical top the saddle of Figure 3 by default", 1 },
+      "A point near the orbit: a value for every coordinate of the section; for the spherical top default the saddle of "
+      "Figure 3", 1 },
     { "period", 'n', "N", 0, "The orbit closes after N returns; default 1", 1 },
     { "step", STEP, "VALUE", 0,
-      "Arc length to the second point, in coordinates and value together, this one over its largest or, if that is less, four "
-      "times its range; later steps are at most 5 times as long; default 0.01", 1 },
-    { "count", 'c', "N", 0, "At most N points on a branch; default 500", 1 },
+      "Arc length to the second point; later steps are at most 5 times as long; default 0.01. It is measured in the "
+      "coordinates and the varying value together, this value divided by its largest or, if that is less, by four times its "
+      "range", 1 },
+    { "count", 'c', "N", 0, "Compute at most N points on a branch; default 500", 1 },
     { "decreasing", DOWN, NULL, 0, "Go towards smaller values first", 1 },
     { "branches", FOLLOW, NULL, 0,
-      "Follow the branches that begin at branch points and period doublings of branch 0 as well, each once; on sections of two "
-      "coordinates", 1 },
+      "On sections of two coordinates: also follow, once each, the branches that begin at branch points and period "
+      "doublings of branch 0", 1 },
     { "generations", GENERATIONS, "N", 0,
-      "--branches N times over: also what begins on those branches, and so on; default 1 with --branches", 1 },
+      "Repeat --branches N times: also follow the branches that begin on those branches, and so on; default 1 with "
+      "--branches", 1 },
     { 0 },
 };
 
@@ -63,13 +66,18 @@ static error_t parse(int key, char *value, struct argp_state *state)
 
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
-    "Follow a periodic orbit as one parameter or level runs (pseudo-arclength), with its bifurcations: folds, period doublings, "
-    "branch points and, on a section of two coordinates, tori."
-    "\vColumns: branch, the running value (along_arc of one called arc), arc, period, the coordinates, T, trace, det, mu1_re, "
-    "mu1_im, mu2_re, mu2_im, symmetric, type, residual, bifurcation, low, high. Branch 0 is the orbit itself; a bifurcation has a "
-    "row of its own, with the values at the nearest points found on both sides of it: low and high are wide apart where it was not "
-    "located, as steps may cease to converge there. How many bifurcations are listed whose branches are not followed is said at "
-    "the end.\n\n"
+    "Follow a periodic orbit as one parameter or level varies, by pseudo-arclength, and find its bifurcations: folds, period "
+    "doublings, branch points and, on a section of two coordinates, tori."
+    "\vColumns, one row a point:\n"
+    "  branch            0 is the orbit itself\n"
+    "  PARAM or LEVEL    the value that varies (along_arc, if it is called arc)\n"
+    "  arc               arc length along the branch\n"
+    "  period ... residual: the orbit, as in `jellett orbits --help`\n"
+    "  bifurcation       its kind; a bifurcation has a row of its own\n"
+    "  low, high         the values at the nearest points found on both sides of it\n\n"
+    "low and high are wide apart where a bifurcation could not be located, as steps may cease to converge there. At the end the "
+    "command reports how many bifurcations have branches that were not followed.\n\n"
+    "Examples:\n"
     "  jellett continue --along E=2:2.4\n"
     "  jellett continue --along a3=0.4:0.6 --branches --plot tree.svg > tree.csv\n"
     "  jellett continue roessler --section y=0 --direction down \\\n"

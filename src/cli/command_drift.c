@@ -44,10 +44,10 @@ typedef struct {
 
 static const struct argp_option option_table[] = {
     { "start", 'a', "NAME=VALUE,...", 0,
-      "The start on the section, every coordinate; of the spherical top a regular orbit by default", 1 },
+      "The start on the section: a value for every coordinate; for the spherical top default a regular orbit", 1 },
     { "returns", 'n', "N", 0, "Follow the orbit for N returns; default 10000", 1 },
     { "project", PROJECT, NULL, 0,
-      "Put the orbit back onto the start's levels of the integrals after every step (one-step methods)", 1 },
+      "After every step, put the orbit back onto the levels that the integrals have at the start (one-step methods only)", 1 },
     { 0 },
 };
 
@@ -70,15 +70,22 @@ static error_t parse(int key, char *value, struct argp_state *state)
 
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
-    "How far the integrals that a table proves drift along an orbit, by every method or by that of --method: of the spherical top "
-    "E and G in the five states of system (3.2) in regular time, where no integral is built in; of other tables on --section."
-    "\vColumns: method, returns, t, evaluations, drift_E, drift_G (drift_NAME of each integral): evaluations of the field since "
-    "the start, and the largest |F - F(start)|/|F(start)| at a return so far (not divided where F(start) is 0, or the rounding of "
-    "it); rows at powers of two and at the end. Comment lines at the end have the slopes: the powers of the number of returns "
-    "with which the drifts grow, fitted over the last four doublings; or, where the orbit ends before all returns are done, its "
-    "end: pole+, pole- or equilibrium, as in jellett section --help, with its time and the returns until then.\n\n"
+    "Measure how far the integrals that a table proves drift along an orbit, by every method, or by that of --method. For the "
+    "spherical top: E and G, in the five states of system (3.2) in regular time, where no integral is built in. For other "
+    "tables: on --section."
+    "\vColumns:\n"
+    "  method, returns, t: the method, number of returns, and time\n"
+    "  evaluations       evaluations of the field since the start\n"
+    "  drift_NAME        of each integral F: the largest |F - F(start)|/|F(start)\n"
+    "                    at a return so far; not divided where F(start) is 0, or\n"
+    "                    rounding of 0\n\n"
+    "Rows are at powers of two and at the end. Comment lines at the end have the slopes: the powers of the number of returns "
+    "with which the drifts grow, fitted over the last four doublings. Where the orbit ends before all returns, they have its "
+    "fate instead: pole+, pole- or equilibrium, as in `jellett section --help`, with its time and the returns until then.\n\n"
+    "Examples:\n"
     "  jellett drift --returns 1000000 --method gauss --tol 1e-13\n"
-    "  jellett drift toda --section q1=0 --start q2=0.1,q3=-0.1,p1=0.2,p2=0,p3=-0.2",
+    "  jellett drift toda --section q1=0 \\\n"
+    "    --start q2=0.1,q3=-0.1,p1=0.2,p2=0,p3=-0.2",
     children, NULL, NULL,
 };
 

@@ -8,15 +8,16 @@
 enum { KEY_FIND = 256, KEY_SWEEP, KEY_DIGITS, KEY_FAST, KEY_THREADS };
 
 static const struct argp_option option_table[] = {
-    { "at", 'a', "STATE=VALUE,...", 0, "States of the equilibrium; those not named follow from its family, or are zero", 1 },
-    { "find", KEY_FIND, NULL, 0, "Take the states as a guess, and go to an equilibrium nearby by Newton's method", 1 },
-    { "sweep", KEY_SWEEP, "STATE|PARAM=LOW:HIGH:COUNT,...", 0, "A row for each point of a grid in these states or parameters", 1 },
+    { "at", 'a', "STATE=VALUE,...", 0, "States of the equilibrium. States not named follow from its family, or are zero", 1 },
+    { "find", KEY_FIND, NULL, 0, "Take the states as a guess, and find an equilibrium nearby by Newton's method", 1 },
+    { "sweep", KEY_SWEEP, "STATE|PARAM=LOW:HIGH:COUNT,...", 0,
+      "Write one row for each point of a grid in these states or parameters", 1 },
     { "threads", KEY_THREADS, "N", 0,
-      "Of a sweep: by so many processes; default: as many as processors, or as OMP_NUM_THREADS says. Rows do not depend on it", 1 },
-    { "digits", KEY_DIGITS, "N", 0, "Numbers with N digits (1 to 1000), all of them right; not with --sweep or --csv", 1 },
-    { "fast", KEY_FAST, NULL, 0, "Doubles alone, with bounds on their errors; verdicts are not proved", 1 },
+      "Compute a sweep by N processes; default: as many as processors, or as OMP_NUM_THREADS says. Rows do not depend on N", 1 },
+    { "digits", KEY_DIGITS, "N", 0, "Print numbers with N digits (1 to 1000), all of them right; not with --sweep or --csv", 1 },
+    { "fast", KEY_FAST, NULL, 0, "Compute in doubles only, with bounds on their errors; verdicts are then not proved", 1 },
     { "json", 'j', NULL, 0, "Print JSON", 1 },
-    { "csv", 'c', NULL, 0, "Print CSV with a comment header (a sweep does so by itself)", 1 },
+    { "csv", 'c', NULL, 0, "Print CSV with a header of comments, as a sweep always does", 1 },
     { 0 },
 };
 
@@ -59,23 +60,29 @@ static const struct argp_child children[] = { { &jlt_common_argp, 0, NULL, 0 }, 
 
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
-    "Report on an equilibrium: residual, Jacobian, characteristic polynomial, trace, eigenvalues, stability, and what follows for "
-    "an invariant measure."
-    "\vExamples:\n"
+    "Report on an equilibrium: residual, Jacobian, characteristic polynomial, trace, eigenvalues, stability, and what follows "
+    "for an invariant measure."
+    "\vValues are read exactly (1/3, 0.51). Matrix, characteristic polynomial, trace and eigenvalues are those of the exact "
+    "equilibrium, in ball arithmetic with as many bits, 192 to 6144, as make every number printed the nearest double, or with "
+    "--digits the nearest decimal of N digits. Eigenvalues that integrals force to vanish are exactly zero.\n\n"
+    "Verdicts:\n"
+    "  stable, unstable, centre: of the linearization, and proved\n"
+    "  not settled       the number of bits did not suffice for a proof\n\n"
+    "The proof of a verdict covers:\n"
+    "  that the equilibrium exists: by exact arithmetic with square roots, or by\n"
+    "  Krawczyk's test\n"
+    "  zero eigenvalues, and pairs on the imaginary axis: by exact polynomials, by\n"
+    "  integrals, and by a reversor that leaves the equilibrium where it is\n\n"
+    "What follows for the motion itself is reported separately. It is often \"not settled\", as a linear centre may be a weak "
+    "focus, and a zero eigenvalue may hide x' = x^2.\n\n"
+    "A sweep does the same at the doubles that its rows show. With --fast, numbers and verdicts are those of doubles, and each "
+    "eigenvalue has a bound on its error. A state is refused with status 3, and its residual is printed, if it is off every "
+    "equilibrium by more than the rounding of its digits, or by a part of its distance from a pole.\n\n"
+    "Examples:\n"
     "  jellett eigen --set a3=0 --at gamma3=0.3,v_nu=0.7,omega3=1.1\n"
     "  jellett eigen --set a3=0,I1=2/5 --at v_nu=0.7,omega3=1.1 \\\n"
     "    --sweep gamma3=-0.99:0.99:201 --plot locus.svg\n"
-    "  jellett eigen --at gamma3=-0.6,omega_n=1 --find --digits 50\n\n"
-    "Values are read exactly (1/3, 0.51), and matrix, characteristic polynomial, trace and eigenvalues are those of the exact "
-    "equilibrium, in ball arithmetic of as many bits as it takes (192 to 6144) to make every number the nearest double, or the "
-    "nearest decimal of N digits. The verdict \"stable\", \"unstable\" or \"centre\" is that of the linearization, and proved: "
-    "that the equilibrium exists, by exact arithmetic with square roots or by Krawczyk's test; zeros, and pairs on the imaginary "
-    "axis, by exact polynomials, by integrals, and by a reversor that leaves the equilibrium where it is. Else the verdict is "
-    "\"not settled\" at these bits. What follows for the motion itself is said beside it: a linear centre may be a weak focus, "
-    "and zero may hide x' = x^2, so that it is often \"not settled\". Eigenvalues that integrals force to vanish are exactly "
-    "zero. Rows of a sweep are the same at the doubles printed; with --fast numbers and verdicts are those of doubles, each "
-    "eigenvalue with a bound on its error. A state that is off every equilibrium by more than the rounding of its digits, or by a "
-    "part of its distance from a pole, is refused with status 3, and its residual is said.",
+    "  jellett eigen --at gamma3=-0.6,omega_n=1 --find --digits 50",
     children, NULL, NULL,
 };
 

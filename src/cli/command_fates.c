@@ -19,13 +19,13 @@ typedef struct {
 enum { SWEEP = 2000 };
 
 static const struct argp_option option_table[] = {
-    { "start", 'a', "NAME=VALUE,...", 0, "A start on the section, every coordinate; may be repeated", 1 },
+    { "start", 'a', "NAME=VALUE,...", 0, "A start on the section: a value for every coordinate; may be repeated", 1 },
     { "grid", 'g', "COUNTxCOUNT", 0,
-      "A grid of starts over the whole section, or of NAME=LOW:HIGH:COUNT,...; for the spherical top default 60x40 when there is "
-      "no --start", 1 },
+      "A grid of starts over the whole section, or over NAME=LOW:HIGH:COUNT,...; for the spherical top 60x40 by default, "
+      "where there is no --start", 1 },
     { "returns", 'n', "N", 0, "Returns after which an orbit counts as alive; default 200", 1 },
     { "sweep", SWEEP, "PARAM|LEVEL=LOW:HIGH:COUNT,...", 0,
-      "Shares of the fates as parameters and levels run, the last one fastest, in place of a row for every start", 1 },
+      "One row for every point of a grid of parameters and levels, the last one fastest: the shares of the fates", 1 },
     { 0 },
 };
 
@@ -52,18 +52,31 @@ static error_t parse(int key, char *value, struct argp_state *state)
 
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
-    "How orbits end, and when, or that they go on, for starts on the section: of the spherical top at which pole, and which share "
-    "turns over."
-    "\vColumns: the coordinates of the start, fate, t_end, and quantities at the end, NAME_end: of the spherical top three "
-    "velocities, of another model all its states; for orbits that are alive, the last return. Fates are those of jellett "
-    "section, and so are empty fields and the status 4 where the method failed on an orbit.\n\n"
-    "An orbit of the spherical top turns over when it starts with its centre of mass below the centre of the sphere and ends at "
-    "the pole where it is above. With --sweep, columns: the values, starts, low_starts, the fates (pole+, pole-, lost_contact, "
-    "equilibrium, alive, budget), failed, turned, turned_error, turned_in_contact: failed, those the method failed on; then the "
-    "share of the low starts that turns over, how far Wilson's interval of one standard error reaches from it, and the share that "
-    "does so with the model valid all the way; starts are even in the coordinates. Of other models columns are the values, starts, "
-    "fates, failed, and where the table has conditions NAME_held: on how many starts they held all the way. Orbits go at once as "
-    "those of jellett section, by a method that --tol chooses, or by --method one at a time.\n\n"
+    "Follow orbits from a section, and report how and when they end, or that they go on; for the spherical top at which pole, "
+    "and which share turns over."
+    "\vColumns, one row a start:\n"
+    "  COORDINATE        each coordinate of the start\n"
+    "  fate              as in `jellett section --help`\n"
+    "  t_end             time of the end; of an orbit that is alive, of the last\n"
+    "                    return; so also below\n"
+    "  NAME_end          values at the end: of the spherical top three velocities,\n"
+    "                    of another model all its states\n\n"
+    "What is not known is empty. The exit status is 4 where the method failed on an orbit.\n\n"
+    "An orbit of the spherical top turns over when it starts with its centre of mass below the centre of the sphere (a low "
+    "start) and ends at the pole where it is above.\n\n"
+    "Columns with --sweep, for the spherical top:\n"
+    "  PARAM, LEVEL      the values of this point\n"
+    "  starts, low_starts: how many starts there are, and low ones\n"
+    "  pole+, pole-, lost_contact, equilibrium, alive, budget: how many end so\n"
+    "  failed            on how many the method failed\n"
+    "  turned            the share of the low starts that turns over\n"
+    "  turned_error      how far Wilson's interval of one standard error reaches\n"
+    "                    from this share\n"
+    "  turned_in_contact the share that turns over with the model valid all the way\n\n"
+    "Starts are evenly spaced in the coordinates. For other models the columns are the values, starts, the fates, failed, and, "
+    "where the table has conditions, NAME_held: on how many starts they held all the way.\n\n"
+    "Orbits are followed side by side as by `jellett section`, with a method that --tol chooses; with --method, one at a time.\n\n"
+    "Examples:\n"
     "  jellett fates --grid 300x200 --plot fates.png > fates.csv\n"
     "  jellett fates --grid eta=-pi:pi:60,gamma3=-0.9999:-0.99:10\n"
     "  jellett fates --sweep E=0.6:4:18 --plot share.svg\n"

@@ -17,13 +17,14 @@ enum { SKIP = 2000, THREADS };
 
 static const struct argp_option option_table[] = {
     { "start", 'a', "NAME=VALUE,...", 0,
-      "The start on the section, every coordinate; of the spherical top a chaotic orbit by default", 1 },
+      "The start on the section: a value for every coordinate; for the spherical top default a chaotic orbit", 1 },
     { "grid", 'g', "COUNTxCOUNT", 0,
-      "A chart instead: finite-time exponents of a grid of starts over the whole section, or of NAME=LOW:HIGH:COUNT,...", 1 },
+      "Compute a chart instead: finite-time exponents for a grid of starts over the whole section, or over "
+      "NAME=LOW:HIGH:COUNT,...", 1 },
     { "returns", 'n', "N", 0, "Follow orbits for N returns; default 1000, or 10 for a chart", 1 },
     { "skip", SKIP, "N|0", 0,
-      "Leave out N returns first, so that the orbit is on its attractor; t counts from there; default 0", 1 },
-    { "threads", THREADS, "N", 0, "Compute a chart on so many threads; default: all processors. Rows do not depend on it", 1 },
+      "Leave out N returns first, so that the orbit reaches its attractor; t counts from there; default 0", 1 },
+    { "threads", THREADS, "N", 0, "Compute a chart on N threads; default: all processors. Rows do not depend on N", 1 },
     { 0 },
 };
 
@@ -54,13 +55,22 @@ static error_t parse(int key, char *value, struct argp_state *state)
 
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
-    "Lyapunov exponents of the section's map, per time, with the history of their convergence; or a chart of finite-time "
-    "exponents over the section. The exponents of the flow's direction and across the levels are zero and left out."
-    "\vColumns: return, t, lambda1, lambda2, ..., divergence: the mean divergence along the orbit, which the sum of the "
-    "exponents tends to. Returns are shown at powers of two and at quarters between them. Chart: the coordinates, exponent, t; "
-    "orbits that end before N returns have an empty exponent. With --sweep a history is its last row. Starts, and histories of a "
-    "sweep, go many at once, by a method chosen by --tol, or by --method one at a "
-    "time.\n\n"
+    "Compute the Lyapunov exponents of the section's map, per unit of time, with the history of their convergence; or a chart "
+    "of finite-time exponents over the section. The exponents of the flow's direction and across the levels are zero, and are "
+    "left out."
+    "\vColumns of a history:\n"
+    "  return, t         number of returns, and time; at powers of two, and at\n"
+    "                    quarters between them\n"
+    "  lambda1, lambda2, ...: the exponents\n"
+    "  divergence        mean divergence along the orbit, to which the sum of the\n"
+    "                    exponents tends\n\n"
+    "Columns of a chart:\n"
+    "  COORDINATE        each coordinate of the start\n"
+    "  exponent          empty if the orbit ends before N returns\n"
+    "  t                 time\n\n"
+    "With --sweep, a history is its last row. The starts of a chart, and the histories of a sweep, are followed side by side, "
+    "by a method that --tol chooses; with --method, one at a time.\n\n"
+    "Examples:\n"
     "  jellett lyapunov --start eta=0.02,gamma3=-0.61 --returns 20000 \\\n"
     "    --plot history.svg\n"
     "  jellett lyapunov --sweep a3=0.4:0.6:101 --returns 2000 --plot over.svg\n"

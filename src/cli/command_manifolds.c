@@ -23,13 +23,15 @@ enum { LENGTH = 2000, SPACING, TURN, SEED, CROSSINGS, NO_CROSSINGS, COUNT };
 
 static const struct argp_option option_table[] = {
     { "start", 'a', "NAME=VALUE,...", 0,
-      "A point near the saddle, every coordinate of the section; of the spherical top the saddle of Figure 3 by default", 1 },
+      "A point near the saddle: a value for every coordinate of the section; for the spherical top default the saddle of "
+      "Figure 3", 1 },
     { "period", 'n', "N", 0, "The saddle's orbit closes after N returns; default 1", 1 },
     { "length", LENGTH, "VALUE", 0, "Arc length of every branch, in coordinates of the section; default 1.6", 1 },
-    { "spacing", SPACING, "VALUE", 0, "Largest distance of neighbouring points, in coordinates; default 0.01", 1 },
-    { "turn", TURN, "VALUE", 0, "Largest angle between neighbouring pieces, in radians; default 0.2", 1 },
-    { "count", COUNT, "N", 0, "At most N points on a branch; default 4000", 1 },
-    { "seed", SEED, "VALUE", 0, "Distance from the saddle at which branches begin, in coordinates, 1e-8 to 1e-2; default 1e-4", 1 },
+    { "spacing", SPACING, "VALUE", 0, "Largest distance between neighbouring points, in coordinates; default 0.01", 1 },
+    { "turn", TURN, "VALUE", 0, "Largest angle between neighbouring segments, in radians; default 0.2", 1 },
+    { "count", COUNT, "N", 0, "Compute at most N points on a branch; default 4000", 1 },
+    { "seed", SEED, "VALUE", 0,
+      "Distance from the saddle at which branches begin, in coordinates, 1e-8 to 1e-2; default 1e-4", 1 },
     { "crossings", CROSSINGS, "FILE", 0, "Write the points where separatrices cross to FILE, as CSV", 1 },
     { "no-crossings", NO_CROSSINGS, NULL, 0, "Do not look for points where separatrices cross", 1 },
     { 0 },
@@ -75,15 +77,29 @@ static error_t parse(int key, char *value, struct argp_state *state)
 
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
-    "Stable and unstable branches of a saddle of the map, both sides, grown with arc length and curvature under control, and "
-    "where they cross: homoclinic points with the angle of crossing and an error bar on it, and the areas of the lobes."
-    "\vColumns: branch (unstable or stable), side, sigma, length, the two coordinates; sigma counts fundamental domains from the "
-    "saddle. Homoclinic points: the coordinates, sigma_unstable, sigma_stable, side_unstable, side_stable, angle, angle_error, "
-    "residual, lobe, lobe_error; the angle is from the unstable to the stable tangent in the plane of the coordinates, the lobe "
-    "the signed area up to the next crossing along the unstable branch, empty where one branch goes around an angle on the way and "
-    "the other does not. Errors are what other tolerances, seeds and, of lobes, other points on the branches change. Branches grow "
-    "one point after another by --method, each on a thread; crossings are refined, and lobes integrated along the branches, all at "
-    "once in lanes, by a method that --tol chooses, or by --method where it is named.\n\n"
+    "Compute the stable and unstable branches of a saddle of the map, on both sides, with their arc length and curvature under "
+    "control; and find where they cross: homoclinic points, with the angle of crossing and its error bar, and the areas of the "
+    "lobes."
+    "\vColumns of the branches:\n"
+    "  branch, side      unstable or stable; one side or the other\n"
+    "  sigma             number of fundamental domains from the saddle\n"
+    "  length            arc length along the branch\n"
+    "  COORDINATE        the two coordinates\n\n"
+    "Columns of the homoclinic points (--crossings):\n"
+    "  COORDINATE        the two coordinates\n"
+    "  sigma_unstable, sigma_stable, side_unstable, side_stable: as above\n"
+    "  angle             from the unstable to the stable tangent, in the plane of\n"
+    "                    the coordinates\n"
+    "  angle_error       its error\n"
+    "  residual          of the crossing\n"
+    "  lobe              signed area up to the next crossing along the unstable\n"
+    "                    branch; empty where one branch goes around an angle on the\n"
+    "                    way and the other does not\n"
+    "  lobe_error        its error\n\n"
+    "Errors are the changes that other tolerances and seeds make, and, for lobes, other points on the branches. Branches grow "
+    "one point after another by --method, each on its own thread. Crossings are refined, and lobes integrated, side by side in "
+    "lanes, by a method that --tol chooses; if --method is given, by that method.\n\n"
+    "Examples:\n"
     "  jellett manifolds --plot fig3b.svg > branches.csv",
     children, NULL, NULL,
 };

@@ -20,10 +20,10 @@ typedef struct {
 } request;
 
 static const struct argp_option option_table[] = {
-    { "points", KEY_POINTS, "N", 0, "Rows of the density's table; default 41", 1 },
-    { "seed", KEY_SEED, "N|0", 0, "Seed of the random states; default 1", 1 },
+    { "points", KEY_POINTS, "N", 0, "Rows in the table of the density, at least 3; default 41", 1 },
+    { "seed", KEY_SEED, "N|0", 0, "Seed of the random states at which the divergence is examined; default 1", 1 },
     { "json", 'j', NULL, 0, "Print JSON", 1 },
-    { "csv", 'c', NULL, 0, "Print the table as CSV with a comment header; a sweep does so by itself", 1 },
+    { "csv", 'c', NULL, 0, "Print the table as CSV with a header of comments, as a sweep always does", 1 },
     { 0 },
 };
 
@@ -51,13 +51,14 @@ static const struct argp_child children[] = { { &jlt_common_argp, 0, NULL, 0 }, 
 
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
-    "The density of an invariant measure, computed from the field's divergence alone; or what excludes one."
-    "\vExamples:\n"
+    "Compute the density of an invariant measure from the divergence of the field alone, or report what excludes one."
+    "\vA density rho that depends on one state q alone obeys d ln rho/dq = -div f/f_q. Where the right-hand side depends on q "
+    "alone, a quadrature gives rho, which is compared with the density that the table claims. Otherwise the report says by how "
+    "much the right-hand side varies with the other states. It also has the residual of div(rho f) for every density that the "
+    "table claims at these parameters.\n\n"
+    "Examples:\n"
     "  jellett measure --set I3=0 --plot density.svg   # of Euler and Jacobi\n"
-    "  jellett measure --set a3=0                      # obstructed\n\n"
-    "A density rho of one state q alone obeys d ln rho/dq = -div f/f_q: where the right-hand side depends on q alone, a "
-    "quadrature gives rho, and it is compared with the table's. Otherwise the defect says by how much it varies with the "
-    "other states. Beside it, the residual of div(rho f) for every density that the table claims at these parameters.",
+    "  jellett measure --set a3=0                      # obstructed",
     children, NULL, NULL,
 };
 

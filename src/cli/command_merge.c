@@ -23,7 +23,8 @@ typedef struct {
 
 static const struct argp_option option_table[] = {
     { "output", 'o', "FILE", 0,
-      "FILE.csv, FILE.npy (a structured array for numpy.load) or FILE.sqlite; may be repeated; default CSV on standard output", 0 },
+      "Write FILE.csv, FILE.npy (a structured array for numpy.load) or FILE.sqlite; may be repeated; default CSV on "
+      "standard output", 0 },
     { 0 },
 };
 
@@ -46,13 +47,15 @@ static error_t parse(int key, char *value, struct argp_state *state)
 
 static const struct argp parser = {
     option_table, parse, "FOLDER|FILE...",
-    "Make one table of what the shards of a study have computed: the rows that its command would print, behind columns of what "
-    "the study runs over."
-    "\vRows are in the order of the study, with the same bytes however many shards there were and however often they were begun "
-    "again. Every record is checked. Where pieces are missing, or files are of different studies, or say different things of one "
-    "piece, nothing is written, and the status is 1 or 3. Shards that are computing may be read at any time.\n\n"
-    "In SQLite, table rows has an index on every column that the study runs over and on every column of text, table pieces tells "
-    "how each piece ended and what its command said, table provenance what the rows were computed by.\n\n"
+    "Make one table of what the shards of a study have computed: its rows, as the command of the study prints them, behind columns "
+    "with the values that the study varies."
+    "\vRows are in the order of the study, and the same, byte for byte, however many shards there were and however often they "
+    "were begun again. Every record is checked. Nothing is written, and the status is 1 or 3, where pieces are missing, or "
+    "files belong to different studies, or differ about one piece. Files of shards that are still computing may be read at any "
+    "time.\n\n"
+    "A file of SQLite has three tables. rows has an index on every column that the study varies and on every column of text; "
+    "pieces has how each piece ended, and the messages of its command; provenance has what computed the rows.\n\n"
+    "Examples:\n"
     "  jellett merge study.shards > study.csv\n"
     "  jellett merge study.shards -o study.csv -o study.npy -o study.sqlite",
     NULL, NULL, NULL,

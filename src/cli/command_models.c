@@ -35,10 +35,11 @@ static error_t parse(int key, char *value, struct argp_state *state)
 
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
-    "What is built in and which tables of your own lie in this folder, or what one table (./my.tt) says: models, their states and "
-    "parameters, variants, kernels with operation counts, and hashes.\vCounts are operations of one call of the right-hand side, "
-    "of the Jacobian, and of both fused, on prepared parameters; a fused multiply-add counts once. "
-    "The hash is that of the table that the kernels were written from. JSON holds what is built in, or the one table.",
+    "List the models that are built in, and your own tables in this folder; or describe one model or table (./my.tt): states, "
+    "parameters, variants, kernels with operation counts, and hashes."
+    "\vCounts are the operations of one call, on prepared parameters, of the right-hand side, of the Jacobian, and of both fused; "
+    "a fused multiply-add counts as one. The hash is that of the table from which the kernels were written. JSON has the models "
+    "that are built in, or the one that is named.",
     NULL, NULL, NULL,
 };
 

@@ -25,18 +25,23 @@ enum { NEAR = 2000, SETTLE, SAMPLES, LINE, HOLD, THREADS };
 static const struct argp_option option_table[] = {
     { "period", 'n', "N", 0, "Look for orbits that close after 1 to N returns, N at most 64; default 3", 1 },
     { "grid", 'g', "COUNTxCOUNT", 0,
-      "Starts of Newton's method over the whole section, or NAME=LOW:HIGH:COUNT,...; default 40x40; 0x0 for none", 1 },
+      "Starts of Newton's method: a grid over the whole section, or over NAME=LOW:HIGH:COUNT,...; default 40x40; 0x0 for "
+      "none", 1 },
     { "near", NEAR, "DISTANCE", 0,
-      "Try Newton's method where an orbit comes back within this distance, in coordinates; default 0.6. A strongly unstable orbit "
-      "is found with a larger one, such as 10, or a finer --grid", 1 },
-    { "settle", SETTLE, "N|0", 0, "Try once more from the Nth return of every start, which finds what attracts; default 20", 1 },
+      "Try Newton's method where an orbit comes back to within this distance, in coordinates; default 0.6. To find a "
+      "strongly unstable orbit, take a larger distance, such as 10, or a finer --grid", 1 },
+    { "settle", SETTLE, "N|0", 0,
+      "Also try Newton's method from the Nth return of every start, which finds attracting orbits; default 20; 0: do not", 1 },
     { "samples", SAMPLES, "N|0", 0,
-      "Points on each of the lines that the section's reversor keeps, for symmetric orbits; default 1000; 0 for none", 1 },
-    { "start", 'a', "NAME=VALUE,...", 0, "Begin Newton's method at this point alone, for an orbit of exactly N returns", 1 },
-    { "hold", HOLD, "NAME,...", 0, "Coordinates that keep the values of --start, where orbits come in families", 1 },
+      "For symmetric orbits: points on each of the lines that the section's reversor keeps; default 1000; 0 for none", 1 },
+    { "start", 'a', "NAME=VALUE,...", 0,
+      "Begin Newton's method at this point only, and look for an orbit of exactly N returns, N from --period", 1 },
+    { "hold", HOLD, "NAME,...", 0, "With --start, where orbits come in families: the coordinates that keep their values", 1 },
     { "line", LINE, "NAME=LOW:HIGH:COUNT", 0,
-      "Symmetric orbits of exactly N returns or less on the line through --start along this coordinate alone", 1 },
-    { "threads", THREADS, "N", 0, "Search the grid on so many threads; default: all processors. Orbits do not depend on it", 1 },
+      "Look for symmetric orbits on one line only: through --start, along this coordinate, of at most N returns, N from "
+      "--period", 1 },
+    { "threads", THREADS, "N", 0,
+      "Search the grid on N threads; default: all processors. The orbits found do not depend on N", 1 },
     { 0 },
 };
 
@@ -69,14 +74,23 @@ static error_t parse(int key, char *value, struct argp_state *state)
 
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
-    "Periodic points of the section's map: symmetric orbits as zeros along the reversor's lines, all others by Newton's "
-    "method on a grid of starts; one row an orbit."
-    "\vColumns: period, the coordinates, T, trace, det, mu1_re, mu1_im, mu2_re, mu2_im, symmetric, type, residual. The residual "
-    "is the largest distance by which a return misses the orbit's next point; distances are in coordinates, or in parts of "
-    "their size, where that is not between 1/64 and 64. The determinant is the exponential of the "
-    "integrated divergence, which DP's own determinant is checked against. Of three multipliers or more, those that errors of DP "
-    "hide are empty. An orbit that is not symmetric and has det != 1 "
-    "excludes a smooth positive invariant measure; its mirror image has 1/det.\n\n"
+    "Find periodic orbits of the section's map: symmetric ones as zeros along the lines that the reversor keeps, all others by "
+    "Newton's method from a grid of starts."
+    "\vColumns, one row an orbit:\n"
+    "  period            returns after which the orbit closes\n"
+    "  COORDINATE        each coordinate of one of its points\n"
+    "  T                 the time that the whole orbit takes\n"
+    "  trace, det        of the derivative DP of the map over one period\n"
+    "  mu1_re, mu1_im, mu2_re, mu2_im: its multipliers\n"
+    "  symmetric         whether the orbit is its own mirror image\n"
+    "  type              centre, saddle, ...\n"
+    "  residual          the largest distance by which a return misses the next\n"
+    "                    point of the orbit\n\n"
+    "Distances are in coordinates; a coordinate whose size is not between 1/64 and 64 is divided by its size. det is the "
+    "exponential of the integrated divergence, and the determinant of DP itself is checked against it. Of three multipliers or "
+    "more, those that the errors of DP hide are empty. An orbit that is not symmetric and has det != 1 excludes an invariant "
+    "measure with smooth positive density; its mirror image has 1/det.\n\n"
+    "Examples:\n"
     "  jellett orbits --period 4\n"
     "  jellett orbits --set I1=0.591,I3=0.494,a3=0.548 \\\n"
     "    --level E=2.15,G=0.161 --period 1",

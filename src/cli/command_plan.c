@@ -17,7 +17,7 @@ typedef struct {
 } options;
 
 static const struct argp_option option_table[] = {
-    { "set", 's', "PARAM=VALUE,...", 0, "Parameters that take the place of the scene's, in all of its commands", 0 },
+    { "set", 's', "PARAM=VALUE,...", 0, "Values of parameters in place of the scene's, in all of its commands", 0 },
     { 0 },
 };
 
@@ -40,11 +40,14 @@ static error_t parse(int key, char *value, struct argp_state *state)
 
 static const struct argp parser = {
     option_table, parse, "[SCENE]\nCOMMAND OPTION...",
-    "Which model a command gets, or each part of a scene, and why: the tiers from the smallest up, with the most special kernel "
-    "for the parameters and the operations of one call of its right-hand side; on a section, its levels, what is proved of them, "
-    "where orbits start, and what follows them; a start that is refused is told. Nothing more is computed. Without either: the "
-    "tiers that serve."
-    "\v  jellett plan section --grid 24x16 --set a3=0\n"
+    "Show which model a command, or each part of a scene, gets, and why. Nothing else is computed. Without arguments: the tiers "
+    "there are."
+    "\vFor each question the plan lists the tiers from the smallest up; for each tier the most special kernel that fits the "
+    "parameters, and the operations of one call of its right-hand side.\n\n"
+    "On a section it also shows the levels, what is proved of them, where orbits start, and by which method they are followed. "
+    "A start that would be refused is reported.\n\n"
+    "Examples:\n"
+    "  jellett plan section --grid 24x16 --set a3=0\n"
     "  jellett plan continue --along a3=0.4:0.6\n"
     "  jellett plan tools/scenes/full.scene --set a3=0",
     NULL, NULL, NULL,

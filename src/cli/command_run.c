@@ -22,9 +22,9 @@ typedef struct {
 enum { DRY = 1000 };
 
 static const struct argp_option option_table[] = {
-    { "into", 'C', "FOLDER", 0, "Write the scene's files there; default the current folder", 0 },
-    { "set", 's', "PARAM=VALUE,...", 0, "Parameters that take the place of the scene's, in all of its commands", 0 },
-    { "dry-run", DRY, NULL, 0, "Show the commands, and run nothing", 0 },
+    { "into", 'C', "FOLDER", 0, "Write the scene's files to FOLDER; default the current folder", 0 },
+    { "set", 's', "PARAM=VALUE,...", 0, "Values of parameters in place of the scene's, in all of its commands", 0 },
+    { "dry-run", DRY, NULL, 0, "Show the commands, but run none", 0 },
     { 0 },
 };
 
@@ -47,7 +47,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
 
 static const struct argp parser = {
     option_table, parse, "SCENE",
-    "Do what a scene file asks for: its commands one after the other, each with the scene's parameters and accuracy."
+    "Run the commands of a scene file one after the other, each with the scene's parameters and accuracy."
     "\vA scene is a text of this form (tools/scenes has more):\n\n"
     "  title = \"Poincare map of (5.1)\";\n"
     "  parameters = { a3 = 0.51; I1 = \"1/3\"; I3 = \"1/3\"; };\n"
@@ -55,9 +55,9 @@ static const struct argp parser = {
     "  accuracy = { tolerance = 1e-12; };\n"
     "  compute = ( { what = \"section\"; grid = \"24x16\"; returns = 300;\n"
     "                output = \"map.csv\"; plot = \"map.svg\"; } );\n\n"
-    "Keys of an entry are the options of its command; parameters is --set there, levels --level, tolerance --tol, and all may "
-    "stand above for all entries. Whatever is unknown or of the wrong kind is an error with its line "
-    "(status 3), before anything is run. The first command that fails ends the run with its status.",
+    "The keys of an entry are the options of its command; in place of --set, --level and --tol they are parameters, levels and "
+    "tolerance. What stands above the entries holds for all of them. A key that is unknown, or a value of the wrong kind, is an "
+    "error with its line (status 3), before anything is run. The first command that fails ends the run, with its status.",
     NULL, NULL, NULL,
 };
 

@@ -9,19 +9,21 @@
 enum { SKIP = 2000, BACKWARD, CHECK, PROJECT };
 
 static const struct argp_option option_table[] = {
-    { "start", 'a', "NAME=VALUE,...", 0, "A start on the section, every coordinate of it; may be repeated", 1 },
+    { "start", 'a', "NAME=VALUE,...", 0, "A start on the section: a value for every coordinate; may be repeated", 1 },
     { "grid", 'g', "COUNTxCOUNT", 0,
-      "A grid of starts over the whole section, or of NAME=LOW:HIGH:COUNT,...; points where the levels are empty are passed "
-      "over", 1 },
+      "A grid of starts over the whole section, or over NAME=LOW:HIGH:COUNT,...; points where no state has the levels are "
+      "left out", 1 },
     { "returns", 'n', "N", 0, "Follow every orbit for N returns; default 100", 1 },
     { "skip", SKIP, "N|0", 0,
-      "Leave out N returns first, and the start; an orbit that ends among them has its last row; default 0", 1 },
+      "Leave out the rows of the start and of the first N returns; an orbit that ends among them still has its last row; "
+      "default 0", 1 },
     { "backward", BACKWARD, NULL, 0, "Follow orbits backwards in time", 1 },
     { "check", CHECK, NULL, 0,
-      "Compute the derivative DP of every return by the variational equations, and hold its determinant against the flux "
-      "through the section and the integral of the divergence", 1 },
+      "Compute the derivative DP of every return by the variational equations, and compare its determinant with that from "
+      "the flux through the section and the integral of the divergence", 1 },
     { "project", PROJECT, NULL, 0,
-      "Put orbits back onto the start's levels of the integrals: in lanes at every crossing, else after every step", 2 },
+      "Put orbits back onto the levels that the integrals have at the start: in lanes at every crossing, otherwise after "
+      "every step", 2 },
     { 0 },
 };
 
@@ -51,22 +53,40 @@ static error_t parse(int key, char *value, struct argp_state *state)
 
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
-    "The Poincare map of the spherical top at levels of E and G: the returns of orbits, and what becomes of them. For another "
-    "model, on --section STATE=VALUE, in all its other states or, with --level and --solve, fewer."
-    "\vColumns: orbit, return, t, the coordinates, quantities beside them (of the spherical top three velocities), fate. Return 0 "
-    "is the start. An orbit that ends has a last row with its fate: pole+ or pole- (the axis is vertical; velocities are the "
-    "limits), lost_contact, equilibrium (it has come to rest to within 1000 tolerances; the limits), left_domain (the model's "
-    "domain ends there), budget (one return took more than 100000 steps); or, where the method failed, nonfinite, no_convergence "
-    "or no_progress: then the status is 4, and all other orbits are there. Coordinates of the section are empty in that row, and "
-    "so is what the levels do not tell at a pole. With --check: trace and det of DP at that return, divergence (its integral on "
-    "the levels), and defect, det less flux(start)/flux(end) exp(divergence) relative to the size of DP; status 1 when one is "
-    "beyond what an error of a tolerance a step makes of it, which is much where the section is crossed slowly.\n\n"
-    "More than one orbit go at once, in lanes of vectors and on all processors, by a Runge-Kutta method that --tol chooses, and "
-    "near a pole or at rest one at a time; jellett plan section ... and the header tell by which method, or why there are no "
-    "lanes. They go in blocks of 256 a thread, and a block's rows are written when it is done; rows beyond 1024 of an orbit, or "
-    "beyond 256 MiB, wait in a file in TMPDIR. One orbit alone, and all with --method, go by the method named, gauss by default. "
-    "With --sweep orbits of all points go at once, also where each has but one: what its rows are does not depend on the other "
-    "points.\n\n"
+    "Compute the Poincare map: the returns of orbits to a section, and how orbits end. The spherical top has a section of its "
+    "own, at levels of E and G. For another model, --section STATE=VALUE takes all its other states as coordinates, or fewer "
+    "with --level and --solve."
+    "\vColumns:\n"
+    "  orbit, return     numbers from 0; return 0 is the start\n"
+    "  t                 time\n"
+    "  COORDINATE        each coordinate of the section\n"
+    "  QUANTITY          further quantities that the table shows at returns; of the\n"
+    "                    spherical top three velocities\n"
+    "  fate              alive, or how the orbit ended\n"
+    "  NAME_min          with --contact report: the least value so far\n"
+    "  trace, det, divergence, defect: with --check (below)\n\n"
+    "An orbit that ends has one more row, with its fate. In that row coordinates that are angles are empty, on a section "
+    "STATE=VALUE all of them, and so is what the levels do not determine at a pole.\n\n"
+    "Fates:\n"
+    "  pole+, pole-      the axis is vertical; the velocities are the limits\n"
+    "  lost_NAME         with --contact end: this condition of the model breaks;\n"
+    "                    lost_contact: the plane would have to pull the top\n"
+    "  equilibrium       the orbit has come to rest, to within 1000 tolerances; the\n"
+    "                    values are the limits\n"
+    "  left_domain       the model's domain ends there\n"
+    "  budget            one return took more than 100000 steps\n"
+    "  nonfinite, no_convergence, no_progress: the method failed\n\n"
+    "Where the method failed, the exit status is 4; all other orbits are written.\n\n"
+    "With --check: trace and det of DP at that return; divergence, its integral on the levels; and defect, which is det - "
+    "flux(start)/flux(end)*exp(divergence), relative to the size of DP. The exit status is 1 when a defect is larger than an "
+    "error of one tolerance a step explains. That bound is wide where the section is crossed slowly.\n\n"
+    "Two or more orbits are followed side by side, in lanes of vectors and on all processors, by a Runge-Kutta method that "
+    "--tol chooses; near a pole or at rest, one at a time. `jellett plan section ...` and the header of the table name the "
+    "method, or say why there are no lanes. Orbits go in blocks of 256 a thread, and the rows of a block are written when it is "
+    "done. Rows beyond 1024 of an orbit, or beyond 256 MiB, wait in a file in TMPDIR. One orbit alone, and all orbits with "
+    "--method, are integrated by the method named, gauss by default. With --sweep the orbits of all points go side by side, "
+    "even where each point has one orbit only; the rows of a point do not depend on the other points.\n\n"
+    "Examples:\n"
     "  jellett section --level E=2.15,G=-0.56 --start eta=0.1,gamma3=-0.6 \\\n"
     "    --returns 10 --tol 1e-13\n"
     "  jellett section --grid 24x16 --returns 400 --plot section.svg > section.csv\n"

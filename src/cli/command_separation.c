@@ -17,8 +17,9 @@ typedef struct {
 enum { CELLS = 2000, SETTLE };
 
 static const struct argp_option option_table[] = {
-    { "grid", 'g', "COUNTxCOUNT", 0, "A grid of starts over the whole section, or of NAME=LOW:HIGH:COUNT,...; default 24x16", 1 },
-    { "cells", CELLS, "COUNTxCOUNT", 0, "The cells that visits are counted by, written like a grid; default 200x200", 1 },
+    { "grid", 'g', "COUNTxCOUNT", 0,
+      "A grid of starts over the whole section, or over NAME=LOW:HIGH:COUNT,...; default 24x16", 1 },
+    { "cells", CELLS, "COUNTxCOUNT", 0, "The cells in which visits are counted, written like --grid; default 200x200", 1 },
     { "returns", 'n', "N", 0, "Count N returns of every orbit; default 1024", 1 },
     { "settle", SETTLE, "N|0", 0, "Leave out N returns first; default 200", 1 },
     { 0 },
@@ -44,16 +45,24 @@ static error_t parse(int key, char *value, struct argp_state *state)
 
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
-    "Are attractor and repeller apart? Cells of the section that long orbits visit forwards and backwards in time, compared "
-    "as the orbits grow longer. The reversor maps one set onto the other."
-    "\vColumns: returns, alive_forward, alive_backward, cells_forward, cells_backward, cells_common, overlap, mirror_overlap. "
-    "alive_forward and alive_backward are the orbits that had not ended, at a pole for one, after all returns; the others "
-    "count up to their ends. overlap is common/union: 1 where the sets agree, as in conservative dynamics, 0 where they are "
-    "apart; in between lies mixed dynamics. mirror_overlap compares the mirror image of the forward set with the backward one: "
-    "its distance from 1 is the error of finite length. Where the table proves the reversor, orbits are ended by poles alone, and "
-    "the mirror images of starts are starts, orbits backwards are taken for mirror images of those forwards and not followed; if "
-    "so are all, mirror_overlap is 1 by that and tells nothing. Orbits go at once as those of jellett "
-    "section, by a method that --tol chooses, or by --method one at a time.\n\n"
+    "Find out whether attractor and repeller are apart: compare the cells of the section that long orbits visit forwards and "
+    "backwards in time, as the orbits grow longer. A reversor maps one set onto the other."
+    "\vColumns:\n"
+    "  returns           returns counted of every orbit\n"
+    "  alive_forward, alive_backward: orbits that had not ended after all returns;\n"
+    "                    the others, such as at a pole, count up to their ends\n"
+    "  cells_forward, cells_backward, cells_common: cells visited forwards,\n"
+    "                    backwards, both\n"
+    "  overlap           common/union: 1 where the sets agree, as in conservative\n"
+    "                    dynamics; 0 where they are apart; mixed dynamics between\n"
+    "  mirror_overlap    the same of the mirror image of the forward set and the\n"
+    "                    backward set; its distance from 1 is the error that comes\n"
+    "                    from the finite length of orbits\n\n"
+    "Orbits backwards are not followed, but taken as mirror images of those forwards, where the table proves the reversor, only "
+    "poles end orbits, and the mirror images of starts are starts. If that holds for all orbits, mirror_overlap is 1 by "
+    "construction, and shows nothing.\n\n"
+    "Orbits are followed side by side as by `jellett section`, with a method that --tol chooses; with --method, one at a time.\n\n"
+    "Examples:\n"
     "  jellett separation --grid eta=-0.5:0.5:20,gamma3=-0.75:-0.5:20 \\\n"
     "    --returns 4096",
     children, NULL, NULL,

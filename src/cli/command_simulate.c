@@ -15,15 +15,13 @@
 enum { TIMES = 2000, UNTIL, EVERY, TIER, COMPARE, TRACK, PROJECT };
 
 static const struct argp_option option_table[] = {
-    { "times", TIMES, "T,T,...", 0,
-      "Rows at these times, in the table's unit and in order; the start is at t = 0; all of one sign", 1 },
-    { "until", UNTIL, "T", 0, "Rows from t = 0 to T, in the table's unit of time; T < 0 goes backwards in time", 1 },
-    { "every", EVERY, "DT", 0, "Time between rows of --until; default a hundredth of it", 1 },
-    { "tier", TIER, "TIER", 0, "Integrate this tier; default the smallest that can answer (see jellett plan simulate ...)", 1 },
-    { "compare", COMPARE, "TIER,...", 0, "Follow the same orbit in these tiers as well; each has a column of its difference", 1 },
-    { "track", TRACK, NULL, 0,
-      "Integrate a larger table, which tells more such as attitude and track: its states, and what it observes", 1 },
-    { "project", PROJECT, NULL, 0, "Put the orbit back onto the start's levels of all integrals after every step", 1 },
+    { "times", TIMES, "T,T,...", 0, "Rows at these times, in the table's unit: in order, of one sign; t = 0 is the start", 1 },
+    { "until", UNTIL, "T", 0, "Rows from t = 0 to T, in the table's unit of time; a negative T goes backwards in time", 1 },
+    { "every", EVERY, "DT", 0, "With --until: the time between rows; default a hundredth of T", 1 },
+    { "tier", TIER, "TIER", 0, "Integrate this tier; default: the smallest that can answer (see jellett plan simulate ...)", 1 },
+    { "compare", COMPARE, "TIER,...", 0, "Follow the orbit in these tiers too; each has a column of its largest difference", 1 },
+    { "track", TRACK, NULL, 0, "Integrate a larger table, whose further states, such as attitude and track, get columns", 1 },
+    { "project", PROJECT, NULL, 0, "After every step, put the orbit back onto the levels of all integrals at the start", 1 },
     { 0 },
 };
 
@@ -54,16 +52,28 @@ static error_t parse(int key, char *value, struct argp_state *state)
 
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
-    "One orbit: states at given times, drift of the integrals, what is observed along it, and what ends it."
-    "\vColumns: t, the states, drift_NAME of every integral (|F - F(start)| relative to |F(start)|, or, where that is smaller, "
-    "to the least of 1 and what F changes by where all states change by the largest of them, in units of the problem), what the "
-    "table observes, with --track the other states and quantities of the larger table (empty where another tier has taken "
-    "over), the tiers compared, and fate: alive, lost_NAME (a condition of the model has been broken since the start, for the top "
-    "lost_contact: the plane would have had to pull), unknown_NAME (that condition has had no value since the start, and none "
-    "has been broken), "
-    "pole+ or pole- (the orbit ends there: the last row has the time and the limits, and later times have none). Where the "
-    "tier's coordinates end before the orbit does the last row says left_domain, where the method fails budget, nonfinite, "
-    "no_convergence or no_progress, and the status is 4. A field is a number or empty: what is not known, or has no limit.\n\n"
+    "Integrate one orbit: its states at given times, drifts of integrals, observed quantities, and what ends it."
+    "\vColumns:\n"
+    "  t, STATE          time, and each state of the model\n"
+    "  drift_NAME        drift of each integral F: |F - F(start)| over its size\n"
+    "  QUANTITY          each quantity that the table observes; with --track also\n"
+    "                    the larger table's other states and quantities, empty\n"
+    "                    where another tier has taken over\n"
+    "  difference_TIER   one for each tier of --compare\n"
+    "  fate              whether the orbit goes on (below)\n\n"
+    "The size of F is |F(start)|, or, where that is smaller, the least of 1 and of the amount by which F changes, to first "
+    "order, when every state changes by as much as the largest state is, in units of the problem.\n\n"
+    "Fates:\n"
+    "  alive             the orbit goes on, and the model holds\n"
+    "  lost_NAME         a condition of the model has been broken since the start;\n"
+    "                    lost_contact: the plane would have had to pull the top\n"
+    "  unknown_NAME      this condition has had no value, and none has been broken\n"
+    "  pole+, pole-      the orbit ends there, and this row has the limits\n"
+    "  left_domain       the tier's coordinates end before the orbit does; status 4\n"
+    "  budget, nonfinite, no_convergence, no_progress: the method failed; status 4\n\n"
+    "After the last three kinds there are no more rows. A field is a number, or empty where its value is not known or has no "
+    "limit.\n\n"
+    "Examples:\n"
     "  jellett simulate \\\n"
     "    --start gamma3=0.25,v_nu=0.8,omega_tau=-0.6,omega_n=1.1,omega3=-2.3 \\\n"
     "    --times 0,0.5,1\n"

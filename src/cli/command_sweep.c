@@ -34,14 +34,13 @@ static const double WORTH_SECONDS = 0.25;
 
 static const struct argp_option option_table[] = {
     { "into", 'C', "FOLDER", 0,
-      "Folder that shards write their files to, made where it is missing; default STUDY.shards in the current folder",
-      0 },
+      "Folder for the files of shards, made if it is missing; default STUDY.shards in the current folder", 0 },
     { "shard", SHARD, "I/N", 0,
-      "Compute the I-th of N shards alone, I from 1 to N; /N: whichever the environment says. Default: as the environment says, "
-      "which Slurm, Open MPI, other MPIs by PMI, and GNU parallel set; else 1/1", 0 },
-    { "resume", RESUME, NULL, 0, "Go on where the shard's file ends; where there is none, begin", 0 },
-    { "set", 's', "PARAM=VALUE,...", 0, "Parameters that take the place of the scene's", 0 },
-    { "dry-run", DRY, NULL, 0, "Show the command of every piece of the shard, and run nothing", 0 },
+      "Compute only shard I of N, I from 1 to N. /N: take I from the environment. Default: take I and N from the "
+      "environment, as Slurm, Open MPI, other MPIs by PMI, and GNU parallel set it; otherwise 1/1", 0 },
+    { "resume", RESUME, NULL, 0, "Continue where the shard's file ends; if there is none, begin", 0 },
+    { "set", 's', "PARAM=VALUE,...", 0, "Values of parameters in place of the scene's", 0 },
+    { "dry-run", DRY, NULL, 0, "Show the command of every piece of the shard, but run none", 0 },
     { 0 },
 };
 
@@ -66,17 +65,18 @@ static error_t parse(int key, char *value, struct argp_state *state)
 
 static const struct argp parser = {
     option_table, parse, "STUDY",
-    "Compute a study, or one shard of it, whose rows many processes share, on one machine or on many. A study is a scene with one "
-    "command, whose grid of starts, or sweep, is dealt out in pieces; the scene's 'over' runs parameters and levels beside."
+    "Compute a study, or one shard of it, so that many processes share its rows, on one machine or on many. A study is a scene "
+    "with one command, whose grid of starts, or sweep, is cut into pieces; the scene's 'over' adds a grid of parameters and levels."
     "\v  over = { a3 = (0.1, 0.7, 13); E = (1, 4, 31); };\n"
     "  piece = 256;\n"
     "  compute = ( { what = \"fates\"; grid = \"60x40\"; } );\n\n"
-    "Every shard writes one file of its own, I-of-N.shard, adding a record when a piece is done. Processes do not wait for each "
-    "other, and what one has done stands whatever becomes of it or of others: --resume cuts a torn end and computes what is "
-    "missing. Where the file is of another study, or of other kernels, that is refused, with the difference. One process writes a "
-    "file at a time. Each uses one thread unless OMP_NUM_THREADS says otherwise. 'jellett merge' makes one table of all.\n\n"
-    "A piece is a start of the command: 'piece', points of its grid, is best so that it takes a second or so. Where the command's "
-    "status is 1 or 4 its rows are kept, and the study's status is that at the end.\n\n"
+    "Every shard writes a file of its own, I-of-N.shard, and adds a record to it when a piece is done. Processes do not wait for "
+    "each other, and finished pieces are kept whatever becomes of a process: --resume cuts off an incomplete record and computes "
+    "what is missing. A file of another study, or of other kernels, is refused, with the difference. Only one process writes a "
+    "file at a time. Each uses one thread unless OMP_NUM_THREADS says otherwise. 'jellett merge' makes one table of all files.\n\n"
+    "Each piece is one call of the command; choose 'piece', the number of grid points in it, so that it takes a second or so. "
+    "Where the command's status is 1 or 4 its rows are kept, and the study ends with this status.\n\n"
+    "Examples:\n"
     "  jellett sweep tools/scenes/turnover.scene\n"
     "  jellett sweep study.scene --shard 3/8 --resume\n"
     "  mpirun -n 8 jellett sweep study.scene\n"

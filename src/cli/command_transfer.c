@@ -27,16 +27,18 @@ static const double drawn = 1e-6; /* pictures show densities down to this fracti
 static const struct argp_option option_table[] = {
     { "boxes", 'b', "COUNTxCOUNT", 0,
       "Boxes over the whole section, or over NAME=LOW:HIGH:COUNT,...; of a section that tables describe, default 100x100", 1 },
-    { "strata", STRATA, "N", 0, "Points of a box along each coordinate, one at random in each of N cells; default 10", 1 },
+    { "strata", STRATA, "N", 0,
+      "Points in each box: N along each coordinate, at random within each of N equal cells; default 10", 1 },
     { "eigenvalues", 'e', "N|0", 0,
-      "Compute the N leading eigenvalues; default 6. 0: none, only the matrix and the density that is known", 1 },
+      "Compute the N leading eigenvalues; default 6. 0: compute only the matrix and the density that is known", 1 },
     { "noise", NOISE, "PART,...", 0,
-      "Move images at random, by up to this part of each coordinate's interval either way: a matrix for each; default 0", 1 },
-    { "coarse", COARSE, "N,...", 0, "Compare with boxes N times wider, from the same points", 1 },
-    { "backward", BACKWARD, NULL, 0, "Take the inverse map: what stays is the repeller", 1 },
-    { "candidates", CANDIDATES, "N|0", 0, "Name the N boxes of highest density, each as a --start; default 3", 1 },
-    { "seed", SEED, "N|0", 0, "Seed of the points' places and of noise; default 1", 1 },
-    { "json", 'j', NULL, 0, "Print the comparison of operators as JSON in place of the rows", 1 },
+      "Move each image at random, along each coordinate by up to this part of its interval either way; one matrix for each "
+      "PART; default 0", 1 },
+    { "coarse", COARSE, "N,...", 0, "Compare with boxes that are N times as wide, computed from the same points", 1 },
+    { "backward", BACKWARD, NULL, 0, "Use the inverse map, whose invariant set is the repeller", 1 },
+    { "candidates", CANDIDATES, "N|0", 0, "Print the N boxes of highest density, each as a --start; default 3", 1 },
+    { "seed", SEED, "N|0", 0, "Seed of the places of points, and of the noise; default 1", 1 },
+    { "json", 'j', NULL, 0, "Print the comparison of operators as JSON, instead of the rows", 1 },
     { 0 },
 };
 
@@ -107,21 +109,34 @@ static error_t parse(int key, char *value, struct argp_state *state)
 
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
-    "The densities that stay under a section's return map, by Ulam's method: the section is cut into boxes, and the share of "
-    "each box that one return sends to each other box is a matrix, whose leading eigenvalues and vectors are computed. Orbits "
-    "that end are lost mass.\v"
-    "Columns: the coordinates of each box's centre, of boxes that have states; share, the part of the box that has; mass and "
-    "density, what stays on it; second, the eigenvector of the next positive eigenvalue, whose signs are sets that mix slowly; "
-    "known_density, where the table claims an invariant measure, rho times the flux; the shares that are lost at a return, by "
-    "fate, or outside the boxes; time, the mean one of a return.\n\n"
-    "On standard error, or with --json, of each matrix: its eigenvalues, as far as two computations agree on three digits; the "
-    "escape rate, -ln of the leading one, and the mass lost by fate; the distance of the density to its mirror image, which stays "
-    "under the inverse map (1: attractor and repeller are apart); how much of each set stays in it; how far the known density is "
-    "from its image, and in which order that falls with the boxes' width. Distances are in total variation, 0 to 1.\n\n"
+    "Compute the densities that a section's return map leaves invariant, by Ulam's method: the section is cut into boxes, the "
+    "shares of each box that one return sends to every other box form a matrix, and its leading eigenvalues and vectors are "
+    "computed. Orbits that end are lost mass."
+    "\vColumns, one row for each box that has states:\n"
+    "  COORDINATE        each coordinate of the box's centre\n"
+    "  share             the part of the box that has states\n"
+    "  mass, density     of the invariant density, in the box\n"
+    "  second            the eigenvector of the next positive eigenvalue; the signs\n"
+    "                    show sets that mix slowly\n"
+    "  known_density     where the table claims an invariant measure: rho times\n"
+    "                    the flux\n"
+    "  one for each fate, and for leaving the boxes: the share lost at a return\n"
+    "  time              mean time of a return\n\n"
+    "For each matrix, standard error or --json has:\n"
+    "  the eigenvalues, as far as two computations agree to three digits\n"
+    "  the escape rate, -ln of the leading eigenvalue, and the mass lost by fate\n"
+    "  the distance from the density to its mirror image, which is invariant under\n"
+    "  the inverse map (1: attractor and repeller are apart)\n"
+    "  how much of each set that mixes slowly stays in it\n"
+    "  the distance from the known density to its image, and the order in which it\n"
+    "  falls with the width of the boxes\n\n"
+    "Distances are in total variation, 0 to 1.\n\n"
     "All this is evidence, not proof: spreading mass over whole boxes hides dissipation and transport that are weaker. Compare "
-    "--coarse and --noise, and prove what matters by jellett certify, from what jellett orbits finds in the boxes named.\n\n"
-    "Memory: 12 bytes an entry of a matrix, of which a box has a few, and less than 2 kB a box for 6 eigenvalues. Orbits go at "
-    "once as those of jellett section, by a method that --tol chooses, or by --method one at a time.\n\n"
+    "--coarse and --noise, and prove what matters with `jellett certify`, from the orbits that `jellett orbits` finds in the "
+    "boxes printed.\n\n"
+    "Memory: 12 bytes for each entry of a matrix, of which a box has a few, and less than 2 kB a box for 6 eigenvalues. Orbits "
+    "are followed side by side as by `jellett section`, with a method that --tol chooses; with --method, one at a time.\n\n"
+    "Examples:\n"
     "  jellett transfer --boxes 300x300 --tol 1e-8 --coarse 2,3 \\\n"
     "    --plot density.png -o density.csv\n"
     "  jellett transfer --set I3=0 --boxes 64x64 --eigenvalues 0\n"

@@ -16,7 +16,8 @@ typedef struct {
 
 static const struct argp_option option_table[] = {
     { "json", 'j', NULL, 0, "Print JSON", 0 },
-    { "seed", KEY_SEED, "N|0", 0, "Seed of the random points; the same seed gives the same output, byte for byte; default 1", 0 },
+    { "seed", KEY_SEED, "N|0", 0,
+      "Seed of the random points; with the same seed the output is the same, byte for byte; default 1", 0 },
     { "samples", KEY_SAMPLES, "N", 0, "Points on each family of equilibria; default 400", 0 },
     { 0 },
 };
@@ -41,12 +42,12 @@ static const struct argp parser = {
     option_table, parse, "[MODEL]",
     "Prove what the model claims, and verify it through the compiled kernels."
     "\v(a) Every claim of the table is proved or refuted in exact arithmetic.\n"
-    "(b) On every family of equilibria, at random and extreme parameters and points, the generated Jacobian, divergence and "
-    "gradients are compared with the table's formulas, with ball enclosures of 256 bits and with complex-step "
-    "differentiation; characteristic polynomials by the method of Faddeev and LeVerrier with the table's and with the "
-    "eigenvalues; and where the trace excludes an invariant measure, certificates at rational points.\n"
+    "(b) Numbers are compared on every family of equilibria, at random and extreme parameters and points. The generated "
+    "Jacobian, divergence and gradients are compared with the table's formulas, with ball enclosures of 256 bits, and with "
+    "complex-step differentiation. Characteristic polynomials by the method of Faddeev and LeVerrier are compared with the "
+    "table's and with the eigenvalues. Where the trace excludes an invariant measure, there are certificates at rational points.\n"
     "(c) The density of an invariant measure is computed from the divergence alone, where there is one.\n"
-    "(d) Totals. Exit status 0 when all holds, 1 when something fails.",
+    "(d) Totals. The exit status is 0 when everything holds, and 1 when something fails.",
     NULL, NULL, NULL,
 };
 

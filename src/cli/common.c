@@ -21,13 +21,13 @@ enum { METHOD = 1000, KEEP, PLAN, AT };
 static const struct argp_option common_table[] = {
     { NULL, 0, NULL, 0, "The system:", 10 },
     { "set", 's', "PARAM=VALUE,...", 0,
-      "Parameters; the others have the table's defaults, which jellett models MODEL shows, for the spherical top (5.1) of the "
-      "paper", 10 },
+      "Values of parameters (1/3, 0.51, 1e-3). The others have the table's defaults, which `jellett models MODEL` shows; "
+      "those of the spherical top are (5.1) of the paper", 10 },
     { NULL, 0, NULL, 0, "Output:", 12 },
     { "output", 'o', "FILE", 0,
-      "Write results to FILE, a table to FILE.npy as an array of NumPy; default standard output", 12 },
-    { "plot", 'p', "FILE", 0, "Draw FILE.svg, .png or .pdf", 12 },
-    { "keep", KEEP, "FILE", 0, "Keep the picture's gnuplot script, all data included: gnuplot FILE draws it again", 12 },
+      "Write the results to FILE; a table to FILE.npy becomes an array of NumPy. Default: standard output", 12 },
+    { "plot", 'p', "FILE", 0, "Draw a picture: FILE.svg, FILE.png or FILE.pdf", 12 },
+    { "keep", KEEP, "FILE", 0, "Keep the picture's gnuplot script, with all its data: gnuplot FILE draws the picture again", 12 },
     { "@plan", PLAN, NULL, OPTION_HIDDEN, NULL, 12 },
     { "@set", AT, "PARAM=VALUE,...", OPTION_HIDDEN, NULL, 12 },
     { 0 },
@@ -36,7 +36,8 @@ static const struct argp_option common_table[] = {
 static const struct argp_option accuracy_table[] = {
     { NULL, 0, NULL, 0, "The computation:", 11 },
     { "tol", 't', "VALUE", 0,
-      "Tolerance of a step, in units of the problem; by every method ten returns then err by about as much; default 1e-12", 11 },
+      "Tolerance of a step, in units of the problem, 1e-16 to 0.1; default 1e-12. With every method the error of ten "
+      "returns is then about as large", 11 },
     { "method", METHOD, "METHOD", 0,
       "Method of integration: gauss (default), dop853, taylor (derivatives by gauss), rk8pd, rkf45, msadams", 11 },
     { 0 },

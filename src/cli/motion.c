@@ -10,32 +10,35 @@ enum { SECTION = 1100, SOLVE, MODULO, MIRROR, CONTACT, AT };
 
 static const struct argp_option option_table[] = {
     { "level", 'l', "LEVEL=VALUE,...", 0,
-      "Levels of integrals. Of a section that tables describe, the others have the defaults of its tables; with --section "
-      "STATE=VALUE, of integrals that the table claims, together with --solve", 10 },
+      "Values of integrals. On a section that tables describe, integrals not named here have the defaults of its tables. "
+      "With --section STATE=VALUE: integrals that the table claims; --solve says which states they determine", 10 },
     { "section", SECTION, "STATE=VALUE|NAME", 0,
-      "The section where a state has this value, with the other states as coordinates; or NAME, one that the table describes, "
-      "with coordinates of its own", 10 },
+      "STATE=VALUE: the section where this state has this value; its coordinates are the other states. NAME: a section that "
+      "the table describes, with coordinates of its own", 10 },
     { "solve", SOLVE, "STATE=GUESS,...", 0,
-      "With --section and --level: the states that the levels determine, one for each, and where Newton's method for them begins. "
-      "The section's coordinates are the others; starts lie on the branch that is found from there, and a return on another branch "
-      "is a row like others, but has no derivative", 10 },
+      "With --section and --level: the states that the levels determine, as many as there are levels, each with the guess "
+      "from which Newton's method begins. The other states are the section's coordinates. Starts lie on the branch of "
+      "solutions that the guess leads to; a return on another branch has its row, but no derivative", 10 },
     { "modulo", MODULO, "STATE=PERIOD,...", 0,
-      "With --section: states that are angles, such as phi=2*pi, beside those that the table proves by 'periodic'; 0 for one that "
-      "is to be none. They are shown within half a period of 0, orbits that differ by periods are one, and a section STATE=VALUE "
-      "is met once a turn: of a phase, which sees a forced system once a period", 10 },
+      "With --section: states that are angles, such as phi=2*pi, in addition to those that the table proves by 'periodic'; "
+      "PERIOD 0 makes a state no angle. An angle is shown within half a period of 0, and points that differ by periods are "
+      "the same. A section STATE=VALUE of an angle is crossed once a turn; if STATE is the phase of a forcing, once a "
+      "period of the forcing", 10 },
     { "mirror", MIRROR, "STATE,...", 0,
-      "With --section: states whose sign a reversor changes, in place of that which the table proves; an empty list for none", 10 },
+      "With --section: the states whose signs a reversor changes, in place of the reversor that the table proves; an empty "
+      "list for none", 10 },
     { "@level", AT, "LEVEL=VALUE,...", OPTION_HIDDEN, NULL, 10 },
     { "direction", 'd', "up|down|both", 0,
-      "Crossings that count: where the section's state rises, falls, or either; default up", 11 },
+      "Which crossings count: those where the section's state rises (up, the default), falls (down), or both", 11 },
     { 0 },
 };
 
 static const struct argp_option contact_table[] = {
     { "contact", CONTACT, "ignore|report|end", 0,
-      "What to do where a condition of the model breaks (`valid` in its table; of the top, contact: the plane would have to "
-      "pull): go on and say at the end for how many orbits (default), tell its least value at steps, and within one where it "
-      "breaks, in a column of its own, or end the orbit as lost_NAME", 11 },
+      "What to do with an orbit where a condition of the model breaks (`valid` in its table; for the spherical top, "
+      "contact: the plane would have to pull). ignore (default): follow it, and report at the end how many orbits there "
+      "were. report: also write a column with the condition's least value, found at steps and, where it breaks, within the "
+      "step. end: end the orbit there, as lost_NAME", 11 },
     { 0 },
 };
 

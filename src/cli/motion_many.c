@@ -9,7 +9,7 @@ enum { THREADS = 1200 };
 
 static const struct argp_option option_table[] = {
     { "threads", THREADS, "N", 0,
-      "Work on so many threads; default: all processors, or as many as OMP_NUM_THREADS says. Rows do not depend on it", 11 },
+      "Use N threads; default: all processors, or as many as OMP_NUM_THREADS says. Rows do not depend on N", 11 },
     { 0 },
 };
 

@@ -16,22 +16,24 @@ enum { SIZE = 1200, FONT, XRANGE, YRANGE, TITLE, STYLE, AXES };
 
 static const struct argp_option option_table[] = {
     { NULL, 0, NULL, 0, "The picture, beside --plot:", 13 },
-    { "size", SIZE, "WIDTHxHEIGHT", 0, "Size of the picture in cm, or with mm or in behind; default 18x13cm", 13 },
+    { "size", SIZE, "WIDTHxHEIGHT", 0,
+      "Size of the picture in cm, or with mm or in after it in those units; default 18x13cm", 13 },
     { "font", FONT, "NAME[,POINTS]", 0,
-      "Font of the picture; default Helvetica, of 8 points at a width of 8 cm, of 11 at 18 cm", 13 },
+      "Font of the picture and its size; default Helvetica, in a size that grows with the width: 8 points at 8 cm, 11 at 18 "
+      "cm", 13 },
     { "xrange", XRANGE, "LOW:HIGH", 0,
-      "Where the x axis of all panels begins and ends, such as -pi:pi; default: what there is to see", 13 },
-    { "yrange", YRANGE, "LOW:HIGH", 0, "The same of the y axis", 13 },
+      "Range of the x axis in all panels, such as -pi:pi; default: wide enough for all the data", 13 },
+    { "yrange", YRANGE, "LOW:HIGH", 0, "Range of the y axis, likewise", 13 },
     { "title", TITLE, "TEXT", 0,
-      "Text above the picture, to the letter; an empty one for none; default: model, parameters and levels", 13 },
+      "Text above the picture, exactly as typed; an empty one gives none. Default: model, parameters and levels", 13 },
     { "style", STYLE, "WORD,...", 0,
-      "grey (for print: black and greys, told apart by dashes and marks), dots (points as small as can be), nokey (no key), "
-      "points=FACTOR, lines=FACTOR (their size, times what it is otherwise)", 13 },
+      "grey (for print: black and greys, told apart by dashes and marks), dots (the smallest points possible), nokey (no "
+      "key), points=FACTOR, lines=FACTOR (multiply the size of points, the width of lines)", 13 },
     { 0 },
 };
 
 static const struct argp_option axes_table[] = {
-    { "axes", AXES, "NAME,NAME", 0, "Columns of the table that the picture has as x and y axis", 13 },
+    { "axes", AXES, "NAME,NAME", 0, "The columns of the table on the picture's x and y axes", 13 },
     { 0 },
 };
 

@@ -14,8 +14,8 @@ enum { SWEEP = 2900 };
 
 static const struct argp_option option_table[] = {
     { "sweep", SWEEP, "PARAM|LEVEL=LOW:HIGH:COUNT,...", 0,
-      "Compute all this at every point of a grid of parameters and levels, whose values stand first in each row; a picture then "
-      "shows a column over another one, by default over the first of these", 10 },
+      "Repeat the whole computation at every point of a grid of parameters and levels; their values are the first columns "
+      "of each row. A picture then shows one column over another, by default over the first of these values", 10 },
     { 0 },
 };
 

@@ -15,9 +15,9 @@ static const double pi = 3.14159265358979323846;
 enum { LEVEL = 2000, ORBITS, UNTIL, TRAJECTORIES, AT, SAMPLES = 400, TRIES_MAX = 1000, PATIENCE = 20 };
 
 static const struct argp_option option_table[] = {
-    { "level", 'l', "E=VALUE,G=VALUE,F0=VALUE", 0, "Levels of the three integrals; default those of --start", 1 },
-    { "orbits", ORBITS, "N|0", 0, "Orbits drawn, followed forwards and backwards; default 60", 1 },
-    { "until", UNTIL, "T", 0, "Time for which orbits are followed each way, in the table's unit; default 20", 1 },
+    { "level", 'l', "E=VALUE,G=VALUE,F0=VALUE", 0, "Values of the three integrals; default those of --start", 1 },
+    { "orbits", ORBITS, "N|0", 0, "Draw N orbits, followed forwards and backwards; default 60", 1 },
+    { "until", UNTIL, "T", 0, "Follow orbits for this time each way, in the table's unit; default 20", 1 },
     { "trajectories", TRAJECTORIES, "FILE", 0, "Write the points of the orbits to FILE, as CSV", 1 },
     { "@level", AT, "LEVEL=VALUE,...", OPTION_HIDDEN, NULL, 1 },
     { 0 },
@@ -51,12 +51,19 @@ static error_t parse(int key, char *value, struct argp_state *state)
 
 static const struct argp parser = {
     option_table, parse, "",
-    "The balanced sphere (a3 = 0): the flow on the surface M^2 where E, G and F0 have given values. Its fixed points in "
-    "closed form, their stability by (4.5) of the paper, orbits, and the picture."
-    "\vColumns: gamma3, v_nu, omega3, psi, v_slip, trace, determinant, re1, im1, re2, im2 (the two eigenvalues that the "
-    "integrals leave), type. psi is the angle of the horizontal angular momentum about the contact point, which is a constant "
-    "vector in space; v_slip the velocity of the contact point along nu, whose sign tells the two halves of M^2. A table of one's "
-    "own is served where it has a proved `reduction' by spherical_top_balanced.tt.\n\n"
+    "The balanced sphere (a3 = 0): compute the flow on the surface M^2 where E, G and F0 have given values: its fixed points in "
+    "closed form, their stability by (4.5) of the paper, orbits, and a picture."
+    "\vColumns, one row a fixed point:\n"
+    "  gamma3, v_nu, omega3: states of the fixed point\n"
+    "  psi               angle of the horizontal angular momentum about the contact\n"
+    "                    point, which is a constant vector in space\n"
+    "  v_slip            velocity of the contact point along nu; its sign tells the\n"
+    "                    two halves of M^2 apart\n"
+    "  trace, determinant: of the linearization\n"
+    "  re1, im1, re2, im2: the two eigenvalues that the integrals leave\n"
+    "  type              of the fixed point\n\n"
+    "Your own table is accepted if it has a proved `reduction' by spherical_top_balanced.tt.\n\n"
+    "Examples:\n"
     "  jellett portrait --set I1=2/5,I3=1/4 \\\n"
     "    --start gamma3=0.5,v_nu=0.8,omega_tau=0,omega_n=0,omega3=0.9 --plot m2.svg\n"
     "  jellett portrait --set I1=2/5,I3=1/4 --level E=1,G=-0.2,F0=0.15",

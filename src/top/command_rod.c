@@ -24,9 +24,10 @@ typedef struct {
 } request;
 
 static const struct argp_option option_table[] = {
-    { "sweep", SWEEP, "STATE|PARAM=LOW:HIGH:COUNT,...", 0, "A row for each point of a grid in these states or parameters", 1 },
+    { "sweep", SWEEP, "STATE|PARAM=LOW:HIGH:COUNT,...", 0,
+      "Write one row for each point of a grid in these states or parameters", 1 },
     { "check", CHECK, NULL, 0,
-      "Integrate over the period as well (--tol, here 1e-15 by default), and write by how much the state misses the start", 1 },
+      "Also integrate over one period (--tol is then 1e-15 by default), and write by how much the state misses the start", 1 },
     { 0 },
 };
 
@@ -46,12 +47,19 @@ static const struct argp_child children[] = { { &jlt_session_argp, 0, NULL, 0 },
 
 static const struct argp parser = {
     option_table, parse, "",
-    "The limiting case I3 = 0 of the spherical top by quadratures: turning points and period of gamma3, and the rotation "
-    "number, the turns of (v_nu, v_tau) a period. On E1 = 0 every orbit is periodic with that period."
-    "\vColumns: the quantities swept, E1, E2, G, gamma3_low, gamma3_high, period, rotation; with --check the distance from the "
-    "start after one period of the integrated orbit: defect_gamma3, defect_turn (radians; empty on E1 = 0), and defect_state, all "
-    "five states, which vanishes on E1 = 0 alone. A table of one's own is served where it has a proved `reduction' by "
-    "spherical_top_level.tt.\n\n"
+    "The limiting case I3 = 0 of the spherical top, by quadratures: compute the turning points and period of gamma3, and the "
+    "rotation number, which is the turns of (v_nu, v_tau) in a period. Where E1 = 0, every orbit has this period."
+    "\vColumns:\n"
+    "  STATE, PARAM      the values of --sweep\n"
+    "  E1, E2, G         the integrals\n"
+    "  gamma3_low, gamma3_high: the turning points\n"
+    "  period, rotation  the period of gamma3, and the rotation number\n\n"
+    "With --check also the distance from the start after one integrated period:\n"
+    "  defect_gamma3     in gamma3\n"
+    "  defect_turn       in radians; empty where E1 = 0\n"
+    "  defect_state      in all five states, which vanishes only where E1 = 0\n\n"
+    "Your own table is accepted if it has a proved `reduction' by spherical_top_level.tt.\n\n"
+    "Examples:\n"
     "  jellett rod --set I1=0.7,a3=0.3 \\\n"
     "    --start gamma3=0.2,v_nu=0.6,omega_tau=0.4,omega_n=1.3,omega3=-0.8 --check\n"
     "  jellett rod --start gamma3=0.2,v_nu=0.6,omega_tau=0.4,omega_n=1,omega3=0 \\\n"
