@@ -19,49 +19,48 @@ enum { OPTION_JSON = 'j', OPTION_OUT = 'o', OPTION_FORMAT = 'f', OPTION_MUTATE =
        OPTION_SEEK = 'S', OPTION_MEMORY = 'M' };
 
 #define JSON_OPTION { "json", OPTION_JSON, NULL, 0, "Write the result as JSON on standard output", 0 }
-#define EFFORT_OPTION { "effort", OPTION_EFFORT, "quick|full", 0, "How long to look for short programs; quick by default", 0 }
+#define EFFORT_OPTION { "effort", OPTION_EFFORT, "quick|full", 0, "How long to search for short programs; default quick", 0 }
 #define END_OF_OPTIONS { NULL, 0, NULL, 0, NULL, 0 }
 
 static const struct argp_option check_options[] = { JSON_OPTION, END_OF_OPTIONS };
 static const struct argp_option prove_options[] = {
     JSON_OPTION,
-    { "kernels", OPTION_KERNELS, NULL, 0, "Prove as well that every kernel computes what the table says", 0 },
-    { "verbose", OPTION_VERBOSE, NULL, 0, "Show with every verdict the point that backs it, and what a proof relies on", 0 },
-    { "challenge", OPTION_CHALLENGE, "N", 0, "Hold every verdict against N random points of the domain, in ball arithmetic", 0 },
-    { "seed", OPTION_SEED, "K", 0, "Other points for --challenge; 0 is the default", 0 },
+    { "kernels", OPTION_KERNELS, NULL, 0, "Also prove that every kernel computes what the table says", 0 },
+    { "verbose", OPTION_VERBOSE, NULL, 0, "With every verdict, show the point that supports it, and what its proof relies on", 0 },
+    { "challenge", OPTION_CHALLENGE, "N", 0, "Test every verdict at N random points of the domain, in ball arithmetic", 0 },
+    { "seed", OPTION_SEED, "K", 0, "Seed of the points of --challenge; default 0", 0 },
     EFFORT_OPTION,
     { "mutate", OPTION_MUTATE, NULL, 0, "Flip and drop every term in turn, and report whether some claim is then refuted", 0 },
     END_OF_OPTIONS
 };
 static const struct argp_option show_options[] = {
     { "format", OPTION_FORMAT, "text|latex|dot", 0,
-      "As in the table (the default), for LaTeX, or the graph of the shared expressions, for "
-      "Graphviz", 0 },
+      "text: as in the table (the default); latex: for LaTeX; dot: the graph of the shared expressions, for Graphviz", 0 },
     END_OF_OPTIONS
 };
 
 static const struct argp_option generate_options[] = {
-    { "out", OPTION_OUT, "DIR", 0, "Folder for the generated files; made when it is missing", 0 },
+    { "out", OPTION_OUT, "DIR", 0, "Folder for the generated files, made if it is missing", 0 },
     EFFORT_OPTION,
-    { "keep", OPTION_KEEP, NULL, 0, "Leave kernels in DIR as they are where its manifest.tsv names the very table they are of; "
-                                    "for the same ttc and options alone", 0 },
-    { "unproved", OPTION_UNPROVED, NULL, 0, "Write also kernels that rest on claims which are not proved, marked as such", 0 },
+    { "keep", OPTION_KEEP, NULL, 0, "Do not rewrite kernels in DIR whose table, by its manifest.tsv, has not changed; for the same "
+                                    "ttc and options only", 0 },
+    { "unproved", OPTION_UNPROVED, NULL, 0, "Also write kernels that rest on claims that are not proved, and mark them", 0 },
     END_OF_OPTIONS
 };
 static const struct argp_option build_options[] = {
     { "lanes", OPTION_LANES, "2|4|8", 0,
-      "Kernels on vectors of so many numbers as well, which follow many orbits at once; 4 is for "
-      "processors with AVX2, 8 with AVX-512", 0 },
+      "Also write kernels on vectors of 2, 4 or 8 numbers, which follow that many orbits at once; 4 needs a processor with AVX2, 8 "
+      "with AVX-512", 0 },
     END_OF_OPTIONS
 };
 static const struct argp_option discover_options[] = {
     JSON_OPTION,
-    { "degree", OPTION_DEGREE, "D", 0, "Polynomials up to this degree in states, roots and functions; default 4", 0 },
+    { "degree", OPTION_DEGREE, "D", 0, "Largest degree of the polynomials, in states, roots and functions; default 4", 0 },
     { "when", OPTION_WHEN, "PARAM=EXPR,...", 0, "Set parameters first, as the clause 'when' of a claim does", 0 },
     { "denominator", OPTION_DENOMINATOR, "EXPR,...", 0,
-      "Look also for integrals P/EXPR, with each of these in turn, and for products of powers of their factors", 0 },
-    { "seek", OPTION_SEEK, "KIND,...", 0, "Look for these alone: integrals, factors, densities; default all", 0 },
-    { "memory", OPTION_MEMORY, "GIB", 0, "What matrices may take; default 8", 0 },
+      "Also look for integrals P/EXPR, with each EXPR in turn, and for products of powers of the factors of EXPR", 0 },
+    { "seek", OPTION_SEEK, "KIND,...", 0, "Look only for these: integrals, factors, densities; default all", 0 },
+    { "memory", OPTION_MEMORY, "GIB", 0, "Memory that matrices may take; default 8 GiB", 0 },
     END_OF_OPTIONS
 };
 static const struct argp_option cost_options[] = { JSON_OPTION, EFFORT_OPTION, END_OF_OPTIONS };
@@ -79,27 +78,27 @@ static const command commands[] = {
       "proved and nothing is written." },
     { "prove", "prove or refute every claim of tables, exactly", ttc_command_prove, prove_options,
       "Prove every claim of each table over Q(parameters)(states, roots), and that its variants, times and eliminations "
-      "follow from it. A refuted claim is printed with its place and the remainder that is not zero; one that says "
-      "nothing (a vanishing denominator, an empty zero level) is an error of the table." },
+      "follow from it. A refuted claim is printed with its place and the remainder that is not zero. A claim without content "
+      "(a vanishing denominator, an empty zero level) is an error of the table." },
     { "show", "print equations and Jacobian as text, LaTeX or a graph", ttc_command_show, show_options,
       "Print the right-hand side of each equation and every entry of the Jacobian that is not zero, differentiated "
       "exactly." },
     { "generate", "write C kernels", ttc_command_generate, generate_options,
       "Write kernels for every variant, time and elimination of each table, the registry of all of them, a manifest and "
-      "operation counts. Claims are proved first: kernels that rest on one which is refuted or not settled are not "
-      "written. Output is a pure function of the tables and options; on any error no file is touched." },
+      "operation counts. Claims are proved first: a kernel that rests on a claim which is refuted or not settled is not "
+      "written. The output depends on the tables and options alone; after an error no file is changed." },
     { "build", "compile a table to a shared object, and print its path", ttc_command_build, build_options,
       "Write kernels by --effort quick and compile them, with the compiler that CC names, else cc. The object is kept in "
-      "$XDG_CACHE_HOME/jellett, else ~/.cache/jellett, under a key of table, ttc, compiler and flags, so that the next time it is "
-      "there; jellett does this for tables that it is given. Kernels that rest on claims without a proof are marked." },
+      "$XDG_CACHE_HOME/jellett, else ~/.cache/jellett, under a key of table, ttc, compiler and flags, and is not compiled again; "
+      "jellett does this for tables that it is given. Kernels that rest on claims without a proof are marked." },
     { "cost", "print operation counts of all kernels", ttc_command_cost, cost_options,
-      "Print operations, depth and live temporaries of every kernel, as generated and as the terms stand." },
+      "Print the operations, depth and live temporaries of every kernel, as generated and as the table has its terms." },
     { "discover", "find integrals and densities that a table does not claim", ttc_command_discover, discover_options,
       "Look for first integrals, for polynomials P that the motion multiplies by a number, P' = c P, for invariant lines, planes "
-      "and conics, whose cofactor K in P' = K P may be any ratio, and for invariant densities. "
-      "What is found is printed as claims of the language, each proved as by ttc prove, with comments that say what was looked at, "
-      "and that there is nothing else of this form: a rank proves that, or the factors of one polynomial. What the table claims "
-      "itself is proved first, and products with it are not found again. For example:\n\n"
+      "and conics, whose cofactor K in P' = K P may be any ratio, and for invariant densities.\n\n"
+      "What is found is printed as claims of the language, each proved as by ttc prove. Comments say which forms were searched, "
+      "and that nothing else of these forms exists: a rank proves that, or the factors of one polynomial. What the table claims is "
+      "proved first, and products with it are not found again. For example:\n\n"
       "  ttc discover --when a3=0 codegen/models/spherical_top.tt\n"
       "  ttc discover --degree 6 --seek integrals my.tt\n"
       "  ttc discover --denominator x*y,1+z^2 my.tt\n"

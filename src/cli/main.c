@@ -20,9 +20,9 @@ static void print_help(FILE *stream)
           "  jellett --help            this page\n"
           "  jellett --version         the version\n\n"
           "Exit status: 0 done, 1 a claim or check failed, 2 wrong usage, 3 bad input, 4 a numerical method failed,\n"
-          "5 a file cannot be read or written. An interrupted command ends by the signal (130 after Ctrl-C, 143 after\n"
-          "kill, as shells count); one that writes rows as they come saves the whole ones, the others save nothing. All end\n"
-          "within a second; a signal that comes later ends the program at once.\n",
+          "5 a file cannot be read or written. An interrupted command ends by the signal, within a second (shells show 130\n"
+          "after Ctrl-C, 143 after kill); a second later, another signal ends the program at once. A command that writes rows\n"
+          "as they come saves those that are whole; other commands save nothing.\n",
           stream);
 }
 

@@ -22,15 +22,15 @@ typedef struct {
 } options;
 
 static const struct argp_option option_table[] = {
-    { "reference", 'r', "FILE", 0, "True values: CSV in the form of tests/reference/data", 0 },
-    { "form", 'f', "TIER", 0, "Only this tier", 0 },
-    { "method", 'm', "NAME", 0, "Only this method", 0 },
-    { "returns", 'n', "N", 0, "Returns of every orbit; default 200", 0 },
-    { "repeats", 'k', "N", 0, "Runs that are counted, after one that is not; default 3", 0 },
-    { "threads", 't', "N", 0, "Measure batches on so many threads too; default 1", 0 },
-    { "quick", 'q', NULL, 0, "Every third tolerance", 0 },
-    { "list", 'l', NULL, 0, "Only list what section (tier, method) or slope (method) would measure", 0 },
-    { "output", 'o', "FILE", 0, "Where the table goes; default standard output", 0 },
+    { "reference", 'r', "FILE", 0, "File of true values, as CSV in the form of tests/reference/data", 0 },
+    { "form", 'f', "TIER", 0, "Measure only this tier", 0 },
+    { "method", 'm', "NAME", 0, "Measure only this method", 0 },
+    { "returns", 'n', "N", 0, "Follow every orbit for N returns; default 200", 0 },
+    { "repeats", 'k', "N", 0, "Measure N runs, after one that is not counted; default 3", 0 },
+    { "threads", 't', "N", 0, "Also measure batches on N threads; default 1", 0 },
+    { "quick", 'q', NULL, 0, "Measure only at every third tolerance", 0 },
+    { "list", 'l', NULL, 0, "Measure nothing, but list the tiers and methods of section, or the methods of slope", 0 },
+    { "output", 'o', "FILE", 0, "Write the table to FILE; default standard output", 0 },
     { 0 },
 };
 
@@ -86,7 +86,7 @@ static char *help_filter(int key, const char *text, void *input)
 
 static const struct argp parser = {
     option_table, parse, "KIND",
-    "Speed against accuracy: what the same question costs by every method, and how far off the answer is."
+    "Measure speed against accuracy: what the same question costs with every method, and how large the error of the answer is."
     "\vKinds", NULL, help_filter, NULL,
 };
 
