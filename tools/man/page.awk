@@ -33,8 +33,11 @@ function flags(text,    part, count, i, at, name, out) {
 function paragraph(line) {
     if (line ~ /^Exit status: / || line == "Examples:") return
     sub(/ Examples?:$/, "", line)
-    if (sub(/^Columns: /, "", line)) text = text ".Ss Columns of the table\n"
-    else if (text != "") text = text ".Pp\n"
+    if (line ~ /^Columns.*:$/) {
+        text = text ".Ss " substr(line, 1, length(line) - 1) "\n"
+        return
+    }
+    if (text != "") text = text ".Pp\n"
     text = text sentences(line)
     while (match(line, program " [a-z]+")) {
         named = substr(line, RSTART + length(program) + 1, RLENGTH - length(program) - 1)
