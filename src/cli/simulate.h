@@ -36,4 +36,7 @@ void jlt_simulate_point(jlt_simulate_request *request, const jlt_course_row *row
 /** Draw what was collected. */
 jlt_exit jlt_simulate_draw(const jlt_simulate_request *request);
 
+/** Say on standard error how the orbit ended, where its tier changed, which conditions broke, which integrals have no column. */
+void jlt_simulate_closing_words(const jlt_simulate_request *request);
+
 #endif

@@ -144,7 +144,7 @@ done:
 static jlt_status begin_window(grid_search *self, const double *window, size_t filled)
 {
     const unsigned d = self->chart->dim;
-    const double near = self->options->near > 0 ? self->options->near : 0.3;
+    const double near = self->options->near > 0 ? self->options->near : 0.6;
     jlt_status st = JLT_OK;
 
     for (size_t p = 1; p < filled; p++) {

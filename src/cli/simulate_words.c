@@ -1,0 +1,71 @@
+/* What `jellett simulate` says on standard error once its rows are written. */
+#include "cli/simulate.h"
+
+#include "kernel/descriptor.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Print at which pole the orbit ended, and the limits of the states there. */
+static void tell_pole(const jlt_simulate_request *r)
+{
+    const jlt_descriptor *d = r->session.descriptor;
+    const jlt_course_row *row = &r->last;
+    const char *untold[JLT_PLAN_STATES_MAX], *first = "";
+    unsigned count = 0;
+    double largest = 0;
+
+    fprintf(stderr, "jellett: the orbit reaches the pole %s = %+.10g at t = %.17g and ends there, with the limits ",
+            d->states[row->pole].name, row->x[row->pole], row->t);
+    for (unsigned i = 0; i < d->state_count; i++)
+        if (isfinite(row->x[i])) largest = fmax(largest, fabs(row->x[i]));
+    for (unsigned i = 0; i < d->state_count; i++) {
+        if (i == row->pole) continue;
+        if (!isfinite(row->x[i])) untold[count++] = d->states[i].name;
+        if (!isfinite(row->x[i])) continue;
+        /* print rounding noise as 0 */
+        fprintf(stderr, "%s%s = %.10g", first, d->states[i].name, fabs(row->x[i]) > 1e-16 * largest ? row->x[i] : 0.0);
+        first = ", ";
+    }
+    for (unsigned i = 0; i < count; i++)
+        fprintf(stderr, "%s%s%s", i == 0 ? " (there the tier does not tell " : ", ", untold[i], i + 1 == count ? ")" : "");
+    fprintf(stderr, "; of %zu times %zu lie before it\n", r->time_count, r->rows - 1);
+}
+
+/* Name the proved integrals whose drifts have no column. */
+static void tell_untracked(const jlt_descriptor *d)
+{
+    for (const jlt_claim *claim = d->claims; claim->kind != NULL; claim++) {
+        if (strcmp(claim->kind, "integral") != 0 || claim->verdict != JLT_PROVED) continue;
+        if (jlt_descriptor_follows(d, claim->name)) continue;
+        fprintf(stderr, "jellett: %s is an integral ", claim->name);
+        if (claim->condition[0] == '\0')
+            fputs("on zero levels of other claims alone ('modulo'); its drift has no column\n", stderr);
+        else fprintf(stderr, "where %s; its drift has a column there once a 'variant' sets this\n", claim->condition);
+    }
+}
+
+void jlt_simulate_closing_words(const jlt_simulate_request *r)
+{
+    const jlt_course_row *row = &r->last;
+
+    if (jlt_session_interrupted(&r->session))
+        fprintf(stderr, "jellett: interrupted; %zu whole rows of %zu are saved in %s\n", r->rows, r->time_count,
+                r->session.common.table.path);
+    else if (row->end == JLT_END_POLE) tell_pole(r);
+    for (unsigned i = 0; i < jlt_course_changes(r->courses[0]); i++) {
+        const char *from, *to, *why;
+        double t;
+        jlt_course_change(r->courses[0], i, &t, &from, &to, &why);
+        fprintf(stderr, "jellett: from t = %.10g on the tier %s in place of %s: %s\n", t, to, from, why);
+    }
+    if (!isnan(row->lost_at)) {
+        fprintf(stderr, "jellett: %s is lost at t = %.10g", row->lost, row->lost_at);
+        if (r->session.descriptor->family[0]->valid_count == 1) fprintf(stderr, " (least value %.6g)", row->least);
+        fputs(": from there on the model does not hold\n", stderr);
+    }
+    if (row->unknown != NULL)
+        fprintf(stderr, "jellett: %s has no value by t = %.10g (it is not a number): whether the model holds there is not known\n",
+                row->unknown, row->unknown_at);
+    tell_untracked(r->session.descriptor);
+}
