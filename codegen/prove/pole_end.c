@@ -70,7 +70,7 @@ static void split(const ttc_pole_end *end, fmpz_mpoly_t fixed, fmpz_mpoly_t rest
     fmpz_mpoly_clear(term, context);
 }
 
-/* ttc_pole_is_nonzero without the radicands of roots. */
+/* ttc_pole_is_nonzero without the radicands of roots, and of what no root divides. */
 static bool is_nonzero(const ttc_pole_end *end, const fmpz_mpoly_t polynomial)
 {
     const ttc_task *task = end->task;
@@ -94,10 +94,22 @@ static bool is_nonzero(const ttc_pole_end *end, const fmpz_mpoly_t polynomial)
 bool ttc_pole_is_nonzero(const ttc_pole_end *end, const fmpz_mpoly_t polynomial)
 {
     const ttc_ring *ring = end->task->ring;
-    bool nonzero = is_nonzero(end, polynomial);
-    for (size_t i = 0; nonzero && i < ring->generator_count; i++)
-        nonzero = fmpz_mpoly_degree_si(polynomial, ring->generators[i].variable, ring->context) < 1 ||
-                  ttc_pole_is_nonzero(end, ring->generators[i].square.numerator);
+    bool nonzero = true;
+    fmpz_mpoly_t rest, root, quotient;
+    fmpz_mpoly_init(rest, ring->context);
+    fmpz_mpoly_init(root, ring->context);
+    fmpz_mpoly_init(quotient, ring->context);
+    fmpz_mpoly_set(rest, polynomial, ring->context);
+    for (size_t i = 0; nonzero && i < ring->generator_count; i++) {
+        if (fmpz_mpoly_degree_si(rest, ring->generators[i].variable, ring->context) < 1) continue;
+        nonzero = ttc_pole_is_nonzero(end, ring->generators[i].square.numerator);
+        fmpz_mpoly_gen(root, ring->generators[i].variable, ring->context);
+        while (fmpz_mpoly_divides(quotient, rest, root, ring->context)) fmpz_mpoly_swap(rest, quotient, ring->context);
+    }
+    nonzero = nonzero && is_nonzero(end, rest);
+    fmpz_mpoly_clear(quotient, ring->context);
+    fmpz_mpoly_clear(root, ring->context);
+    fmpz_mpoly_clear(rest, ring->context);
     return nonzero;
 }
 

@@ -25,8 +25,8 @@ bool ttc_pole_has_factor(const ttc_pole_end *end, const fmpz_mpoly_t polynomial)
 void ttc_pole_put_state(const ttc_pole_end *end, ttc_ratio *out, const fmpz_mpoly_t polynomial);
 
 /* Returns true if a polynomial, and radicands of roots in it, are shown not to be zero with the state at its end: because they
- * depend on parameters alone, and are nonzero for parameters in general; or by signs of terms, one of which depends on parameters
- * alone, as other states may approach ends of their own at the same time. */
+ * depend on parameters alone, but for factors that are such roots, and are nonzero for parameters in general; or by signs of
+ * terms, one of which depends on parameters alone, as other states may approach ends of their own at the same time. */
 bool ttc_pole_is_nonzero(const ttc_pole_end *end, const fmpz_mpoly_t polynomial);
 
 /* Returns true if the limit of a polynomial at the end is found by replacing the state and the roots that vanish: it uses no
