@@ -6,9 +6,9 @@
 The table is read by a parser of its own, differentiated symbolically, and integrated by Taylor's method in interval arithmetic on
 integers (tools/replay/). Steps, order and precision are chosen here. Then Krawczyk's operator is applied in the certificate's
 box, and what it encloses must meet what the certificate says; the words of its theorem are not read. Taken on trust: that the
-table's integrals, families and traces are what it claims, which `ttc prove` shows. Served are cycles in tables without functions
-but roots, with numbers for parameters and levels, one level at most, and two coordinates: a leg takes some ten seconds, with a
-twist a minute; and families of equilibria in such tables, over boxes.
+table's integrals, families, traces and poles are what it claims, which `ttc prove` shows. Served are cycles in tables without
+functions but roots, with numbers for parameters and levels, one level at most, and two coordinates: a leg takes some ten seconds,
+with a twist a minute; families of equilibria in such tables, over boxes; and motions that end at a pole, in tables with one root.
 Exit status: 0 proved, 1 refused, 2 usage, 3 not a certificate that can be replayed here.
 """
 import hashlib
@@ -19,7 +19,7 @@ import sys
 from fractions import Fraction
 
 sys.dont_write_bytecode = True
-from replay import family
+from replay import family, pole
 from replay.balls import (ONE, P, ball, exact, exponential, hull, inside, less, matadd, matmul, meet, plus, product, quotient, size,
                           sum_of, unit)
 from replay.flow import Flow, Refused, must
@@ -242,8 +242,11 @@ def main(arguments):
             bounds, boxes = family.replay(certificate, Table(table.decode()))
             print("%s: proved by a second program: trace from %.5g to %.5g, %d boxes" % (path, *bounds, boxes))
             return 0
-        proved = replay(certificate, Table(table.decode()))
-    except Refused as problem:
+        if certificate["kind"] == "pole":
+            proved = pole.replay(certificate, table.decode(), read_ball)
+        else:
+            proved = replay(certificate, Table(table.decode()))
+    except (Refused, ArithmeticError) as problem:
         print("%s: refused: %s" % (path, problem), file=sys.stderr)
         return 1
     except (Unserved, OSError, KeyError, ValueError, TypeError, AttributeError) as problem:

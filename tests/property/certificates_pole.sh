@@ -55,7 +55,21 @@ for name in turn_over turn_over_box; do
     done < <(python3 "$scratch/starts.py" tools/certificates/$name.json)
 done
 
-# x = 1 - cos(t) from x = 1, and its mirror image: both come to an end of x at pi/2, where y = t.
+# CERTIFICATE NAME STATEMENT: a copy changed by a statement of Python on its question g and what is shown, s, with a good digest.
+change() {
+    python3 - "$1" "$scratch/$2.json" "$3" << 'END'
+import hashlib, json, sys
+source, target, statement = sys.argv[1:]
+c = json.load(open(source))
+g, s = c["given"], c["shown"]
+exec(statement)
+c.pop("digest")
+c["digest"] = hashlib.sha256(json.dumps(c, sort_keys=True, separators=(",", ":")).encode()).hexdigest()
+json.dump(c, open(target, "w"), indent=1)
+END
+}
+# x = 1 - cos(t) from x = 1, and its mirror image: both come to an end of x at pi/2, where y = t. A second program proves it too,
+# and refuses what is changed.
 for sign in + -; do
     cat > "$scratch/slide.tt" << END
 model slide
@@ -78,6 +92,20 @@ for ball in shown["time"], shown["limit"]["y"]:
     assert abs(float(ball["middle"]) - math.pi/2) <= float(ball["radius"]) < 1e-2, shown
 assert shown["vanish"] == []
 END
+    cp "$scratch/out" "$scratch/slide.json"
+    again=(python3 tools/check_certificate.py --table "$scratch/slide.tt")
+    expect 0 "pole proved by a second program: x = $end after 1.5" "${again[@]}" "$scratch/slide.json"
+    [ $sign = + ] || continue
+    refuse_again() { change "$scratch/slide.json" "$1" "$3"; expect 1 "$2" "${again[@]}" "$scratch/$1.json"; }
+    refuse_again end 'not shown to end there' 's["end"] = "-1/10"'
+    refuse_again late 'the time is another one' 's["time"] = {"middle": "1.6", "radius": "0.01"}'
+    refuse_again limit 'the limit of y is another one' 's["limit"]["y"]["middle"] = "1.65"'
+    refuse_again early 'not shown to settle' 'g["instant"] = "0.1"'
+    refuse_again nothing 'before it moves' 'g["instant"] = "0"'
+    refuse_again outside 'outside the interval' 'g["box"]["x"] = {"middle": "1.8", "radius": "0.1"}'
+    refuse_again vanish 'not shown to settle' 's["vanish"] = ["y"]; s["limit"] = {}'
+    refuse_again missing 'not of the table' 's["limit"] = {}'
+    refuse_again state 'the table claims no pole y' 'g["pole"] = "y"; s["limit"] = {"x": "1"}'
 done
 
 # What must not be proved. y comes to 1 before x = sin(t) does, as du/dt = -u/r - 4: there u = 0, but the equations with lifted
@@ -94,20 +122,7 @@ expect 1 'not shown to lie in the domain' jellett certify pole "$scratch/other.t
 table 'root r = sqrt(1 - x^2)' 'eq x = - r' 'pole x' 'time regular : -r lifting r'
 expect 1 'not proved to run forwards' jellett certify pole "$scratch/other.tt" --start x=1/2
 
-# NAME STATEMENT: a copy of turn_over changed by a statement of Python on its question g and what is shown, s, with a good digest.
-change() {
-    python3 - tools/certificates/turn_over.json "$scratch/$1.json" "$2" << 'END'
-import hashlib, json, sys
-source, target, statement = sys.argv[1:]
-c = json.load(open(source))
-g, s = c["given"], c["shown"]
-exec(statement)
-c.pop("digest")
-c["digest"] = hashlib.sha256(json.dumps(c, sort_keys=True, separators=(",", ":")).encode()).hexdigest()
-json.dump(c, open(target, "w"), indent=1)
-END
-}
-refuse() { change "$1" "$3"; expect "$4" "$2" jellett check "$scratch/$1.json"; }
+refuse() { change tools/certificates/turn_over.json "$1" "$3"; expect "$4" "$2" jellett check "$scratch/$1.json"; }
 refuse end 'does not follow' 's["end"] = "-1"' 1
 refuse vanish 'does not follow' 's["vanish"].append("v_nu"); del s["limit"]["v_nu"]' 1
 refuse limit 'does not follow' 's["limit"]["v_nu"]["radius"] = "0.01"' 1

@@ -105,7 +105,7 @@ class Table:
     def __init__(self, text):
         self.graph = Graph()
         self.params, self.states, self.names, self.field, self.integrals, self.valids, self.reversors = [], [], {}, {}, {}, {}, []
-        self.intervals, self.signs, self.families, self.traces, self.domains = {}, {}, {}, {}, []
+        self.intervals, self.signs, self.families, self.traces, self.domains, self.poles = {}, {}, {}, {}, [], []
         for record in self.records(text):
             self.read(record)
 
@@ -142,7 +142,7 @@ class Table:
             elif rest:
                 raise Unserved("the table has " + rest)
         elif word == "root":
-            self.names[name] = self.graph.put("r", self.parse(re.match(r"\s*sqrt(.*)", body).group(1)))
+            self.names[name] = self.root(name, self.parse(re.match(r"\s*sqrt(.*)", body).group(1)))
         elif word == "let" or (word == "observe" and body):
             self.names[name] = self.parse(body)
         elif word == "eq":
@@ -156,12 +156,23 @@ class Table:
             self.traces[name] = self.parse(body)
         elif word == "domain":
             self.domains.append(self.parse(rest.split(":", 1)[1].rsplit(">", 1)[0]))
+        elif word == "pole":
+            self.poles.append(name)
         elif word == "valid":
             self.valids[name] = self.parse(rest.split(":", 1)[1].rsplit(">", 1)[0])
         elif word == "reversor" and "when" not in rest:
             self.reversors.append(rest)
         elif word in ("angle", "exp", "log"):
             raise Unserved("the table has " + word)
+
+    def root(self, _, radicand):
+        return self.graph.put("r", radicand)
+
+    def rate(self, a):
+        out = self.graph.number(0)
+        for state, rate in self.field.items():
+            out = self.graph.add(out, self.graph.times(self.graph.partial(a, state), rate))
+        return out
 
     def reverses(self, flipped):
         """Whether the table claims that a change of these signs turns the motion around, and its expressions show it."""
@@ -204,11 +215,8 @@ class Table:
             self.tokens.pop(0)
         elif token == "rate":
             self.tokens.pop(0)
-            inner = self.sum()
+            out = self.rate(self.sum())
             self.tokens.pop(0)
-            out = self.graph.number(0)
-            for state, rate in self.field.items():
-                out = self.graph.add(out, self.graph.times(self.graph.partial(inner, state), rate))
         else:
             out = self.graph.number(Fraction(token)) if token[0].isdigit() else self.names[token]
         if self.next_is("^"):
