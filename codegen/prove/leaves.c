@@ -46,7 +46,7 @@ static bool look_for_point(cover *c, const ttc_subcase *b)
 {
     ttc_task *task = c->task;
     char *text = NULL;
-    ttc_subcase_add_leads(task, b);
+    ttc_subcase_add_conditions(task, b);
     ttc_domain_add(task, &task->domain, task->extent);
     if (ttc_ring_has_no_value(task->ring->status)) {
         c->why_empty = ttc_ring_status_text(task->ring->status);
@@ -258,6 +258,7 @@ static void descend(cover *c, const ttc_subcase *b)
     ttc_task *task = c->task;
     bool again = true;
     unsigned most = 0;
+    if (task->is_integral && c->with_point > 0) return;
     if (b->goal_count == 0) {
         visit(c, b);
         return;
@@ -339,6 +340,16 @@ static void prove_tested(ttc_task *task, ttc_prover prover, const ttc_subcase *s
     task->point = NULL;
 }
 
+/* Where what must not be zero is zero, a claim is false. Such points are often no rational numbers, and are not found as points of
+ * a larger set; so what is not settled is looked at once more with this as a level of its own. */
+static void look_at_zeros(cover *c, ttc_subcase *start)
+{
+    if (c->task->status != TTC_UNSETTLED || c->task->unexcluded == TTC_NONE) return;
+    if (c->task->claim->kind == TTC_CLAIM_EMBEDDING) return; /* it is claimed for parameters in general, which a level may set */
+    start->goals[start->goal_count++] = c->task->unexcluded;
+    descend(c, start);
+}
+
 void ttc_task_run(ttc_task *task, ttc_prover prover)
 {
     const ttc_claim *claim = task->claim;
@@ -348,6 +359,7 @@ void ttc_task_run(ttc_task *task, ttc_prover prover)
         ttc_task_unsettle(task, "more than %d zero levels", TTC_SUBCASE_RELATIONS_MAX - 1);
         return;
     }
+    task->is_integral = is_invariant(task) && ttc_task_is_integral(task);
     /* Goals are met from the last to the first: the invariant's own level after those to which `modulo` restricts it. */
     if (claim->kind == TTC_CLAIM_INVARIANT) start.goals[start.goal_count++] = claim->expression;
     for (size_t i = claim->modulo_count; i-- > 0;)
@@ -355,5 +367,6 @@ void ttc_task_run(ttc_task *task, ttc_prover prover)
     for (size_t i = task->level_count; i-- > 0;) start.goals[start.goal_count++] = task->levels[i];
     if (task->tested != NULL) prove_tested(task, prover, &start);
     if (task->status == TTC_PROVED) descend(&c, &start);
+    look_at_zeros(&c, &start);
     draw_verdict(&c);
 }

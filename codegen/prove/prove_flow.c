@@ -68,7 +68,10 @@ void ttc_prove_rate(ttc_task *task)
 }
 
 /* The leaf is a Zariski-dense part of a component of NAME = 0, which the flow keeps if it is tangent to the leaf. */
-void ttc_prove_invariant(ttc_task *task) { ttc_task_require_kept(task, NULL); }
+void ttc_prove_invariant(ttc_task *task)
+{
+    if (!task->is_integral) ttc_task_require_kept(task, NULL);
+}
 
 void ttc_prove_equal(ttc_task *task)
 {

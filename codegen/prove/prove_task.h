@@ -55,6 +55,8 @@ struct ttc_task {
     size_t map_count;
     size_t kept;    /* number of leaves that the flow was shown to keep, or whose image was shown to have its dimension */
     char why_empty[160]; /* why the last leaf without points has none; "" if that is not evident */
+    bool is_integral;  /* an invariant whose level is kept as one of an integral: what is left to show is that it has a point */
+    ttc_id unexcluded; /* an expression that must not be zero, and may be for all that is known; TTC_NONE: none */
     /* the verdict so far */
     ttc_proof_status status;
     bool relies_on_solver;
@@ -110,6 +112,10 @@ void ttc_task_free(ttc_task *task, ttc_ratio *ratios, size_t count);
 
 /* Returns true for a cosine whose sine is zero: its rate, a multiple of the sine, is zero at whatever rate its angle changes. */
 bool ttc_task_is_at_turn(ttc_task *task, const ttc_symbol_entry *entry);
+
+/* Returns true if the expression of an invariant is shown to be constant along all motions of the level to which it is restricted:
+ * each of its own levels is then kept, whatever its components are. */
+bool ttc_task_is_integral(ttc_task *task);
 
 /* Require that the flow keeps the set that the leaf describes, that is, is tangent to it. hint: NULL, or advice for a condition
  * that is not kept, with which the claim is then not settled. */
