@@ -160,20 +160,27 @@ static const jlt_claim *broken_way(const jlt_descriptor *asked, const char *name
     return NULL;
 }
 
-static jlt_exit refuse_name(const jlt_descriptor *asked, const char *tier)
+static jlt_exit refuse_name(const jlt_question *question)
 {
-    const jlt_claim *broken = broken_way(asked, tier);
+    const jlt_descriptor *tables[JLT_WAY_TABLES_MAX + 1] = { question->model };
+    const char *const tier = question->tier;
+    const jlt_claim *broken = NULL;
+    unsigned count = 1, i;
 
+    for (; question->others != NULL && count <= question->others->count; count++)
+        tables[count] = question->others->tables[count - 1];
+    for (i = 0; broken == NULL && i < count; i++) broken = broken_way(tables[i], tier);
     if (broken != NULL)
-        return jlt_command_fail(JLT_EXIT_INPUT, "the tier %s cannot answer: the %s %s is not proved of this table: %s", tier,
-                                broken->kind, broken->name, broken->reason);
-    broken = broken_claim(asked->claims);
+        return jlt_command_fail(JLT_EXIT_INPUT, "the tier %s cannot answer: the %s %s is not proved of %s: %s", tier, broken->kind,
+                                broken->name, i == 1 ? "this table" : tables[i - 1]->model, broken->reason);
+    for (i = 0; broken == NULL && i < count; i++) broken = broken_claim(tables[i]->claims);
     if (broken == NULL)
-        return jlt_command_fail(JLT_EXIT_INPUT, "there is no tier '%s' of %s; jellett plan lists them", tier, asked->model);
+        return jlt_command_fail(JLT_EXIT_INPUT, "there is no tier '%s' of %s; jellett plan lists them", tier, tables[0]->model);
     return jlt_command_fail(JLT_EXIT_INPUT,
                             "there is no tier '%s' of %s; jellett plan lists them; a table that has one may not serve: the %s %s "
-                            "is not proved of this table: %s",
-                            tier, asked->model, broken->kind, broken->name, broken->reason);
+                            "is not proved of %s: %s",
+                            tier, tables[0]->model, broken->kind, broken->name, i == 1 ? "this table" : tables[i - 1]->model,
+                            broken->reason);
 }
 
 /* Refuse with the reason of the last of the table's own tiers, which is meant to answer when the others cannot. */
@@ -217,7 +224,7 @@ jlt_exit jlt_planned_refuse(const jlt_plan *plan, const jlt_question *question, 
     const jlt_descriptor *asked = question->model;
     char refusal[1024];
 
-    if (status == JLT_ERR_ARG) return refuse_name(asked, question->tier);
+    if (status == JLT_ERR_ARG) return refuse_name(question);
     if (show) jlt_planned_show(plan, NULL);
     if (question->tier == NULL && question->more) return refuse_more(plan, asked);
     if (question->tier == NULL) return refuse_all(plan, asked);

@@ -18,7 +18,7 @@ jlt_status jlt_counterpart_open(jlt_counterpart *out, const jlt_claim **broken, 
         return JLT_ERR_UNSUPPORTED;
     for (unsigned i = 0; i < JLT_TOP_STATES; i++)
         if (!jlt_descriptor_state(model, known->states[i].name, &found.place[i])) return JLT_ERR_UNSUPPORTED;
-    if (strcmp(model->sha256, known->sha256) != 0) {
+    if (model->family != known->family) {
         found.way = jlt_way_to(broken, model, table, x, params);
         if (found.way == NULL || found.way->param_count > JLT_WAY_VALUES_MAX) return JLT_ERR_UNSUPPORTED;
         jlt_way_params(found.way, other, x, params);

@@ -80,6 +80,16 @@ for table in spherical_top spherical_top_balanced; do echo '# a comment' >> $tab
 expect 3 'the reduction momentum of ./spherical_top.tt leads to another one, spherical_top_balanced.tt beside it' \
     jellett portrait ./spherical_top.tt --set a3=0,I1=2/5,I3=1/4 --start gamma3=0.5,v_nu=0.8,omega_tau=0,omega_n=0.1,omega3=0.9
 
+# The same where the table asked for is to the letter what is built in, and tables at one remove.
+anew
+sed -i 's/^    + R\*omega_n\*omega3$/    + 2*R*omega_n*omega3/' spherical_top_balanced.tt
+expect 3 'the reduction momentum of ./spherical_top.tt leads to another one, spherical_top_balanced.tt beside it' \
+    jellett portrait ./spherical_top.tt --set a3=0 --start gamma3=0.25,v_nu=0.8,omega_tau=-0.6,omega_n=0.1,omega3=-0.3
+anew
+sed -i 's/^    + omega_n\/s$/    + 2*omega_n\/s/' spherical_top_plane.tt
+expect 3 'the reduction half is not proved of spherical_top_balanced: chain rule' \
+    jellett simulate ./spherical_top.tt --tier plane --set a3=0 --start $start --times 1
+
 # A density that is none is a check that failed.
 anew
 sed -i 's/^measure rho = s\*(I1 + m/measure rho = s*(I1 + 2*m/' spherical_top.tt
