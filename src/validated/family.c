@@ -210,10 +210,8 @@ static void change_along(arf_t out, search *s, const fmpq *middle, unsigned i)
 static unsigned choose(search *s, const fmpq *middle)
 {
     unsigned best = s->q->dim;
-    arf_t change, most;
+    JLT_SCOPED(arf, change, most);
 
-    arf_init(change);
-    arf_init(most);
     for (unsigned i = 0; i < s->q->dim; i++) {
         if (fmpq_equal(&s->low[i], &s->high[i]) || s->depth[i] == DEPTH_MAX) continue;
         change_along(change, s, middle, i);
@@ -222,8 +220,6 @@ static unsigned choose(search *s, const fmpq *middle)
         best = i;
         arf_set(most, change);
     }
-    arf_clear(change);
-    arf_clear(most);
     return best;
 }
 
@@ -253,9 +249,8 @@ static jlt_family_verdict explore(search *s);
 static jlt_family_verdict halve(search *s, unsigned side, const fmpq_t middle)
 {
     jlt_family_verdict verdict;
-    fmpq_t end;
+    JLT_SCOPED(fmpq, end);
 
-    fmpq_init(end);
     fmpq_set(end, &s->high[side]);
     fmpq_set(&s->high[side], middle);
     s->depth[side]++;
@@ -268,7 +263,6 @@ static jlt_family_verdict halve(search *s, unsigned side, const fmpq_t middle)
         fmpq_set(&s->low[side], end);
     }
     s->depth[side]--;
-    fmpq_clear(end);
     return verdict;
 }
 

@@ -37,10 +37,8 @@ static bool find_tangent(jlt_homoclinic_result *result, const jlt_homoclinic_cha
 {
     const slong n = arb_mat_nrows(chain->DG), width = (slong)result->unknowns, bits = jlt_step_bits(chain->of->step);
     bool crosses = false;
-    arb_mat_t right, dy;
+    JLT_SCOPED_MATRIX(arb, n, 1, right, dy);
 
-    arb_mat_init(right, n, 1);
-    arb_mat_init(dy, n, 1);
     arb_one(arb_mat_entry(right, n - 1, 0));
     if (arb_mat_solve_precond(dy, chain->DG, right, bits))
         for (unsigned i = 0; i < result->states; i++) {
@@ -50,8 +48,6 @@ static bool find_tangent(jlt_homoclinic_result *result, const jlt_homoclinic_cha
             crosses = crosses || (i != chain->flipped && i != chain->question->question->column
                                   && arb_is_nonzero(result->tangent + i));
         }
-    arb_mat_clear(right);
-    arb_mat_clear(dy);
     return crosses;
 }
 
@@ -59,14 +55,13 @@ static bool find_tangent(jlt_homoclinic_result *result, const jlt_homoclinic_cha
 static jlt_status prove(jlt_homoclinic_chain *chain, jlt_homoclinic_result *result)
 {
     const jlt_homoclinic_question *question = chain->question;
-    arb_ptr around = _arb_vec_init((slong)result->unknowns);
+    JLT_SCOPED_VECTOR(arb, around, (slong)result->unknowns);
     jlt_krawczyk_verdict verdict;
     jlt_krawczyk problem;
     bool regular;
-    arb_mat_t A;
     jlt_status st;
+    JLT_SCOPED_MATRIX(arb, 2, 2, A);
 
-    arb_mat_init(A, 2, 2);
     result->verdict = JLT_HOMOCLINIC_NO_CONE;
     JLT_TRY(jlt_homoclinic_chain_local(chain, A, around, &regular));
     if (!regular || !jlt_homoclinic_chain_is_cone(chain, A)) goto done;
@@ -85,8 +80,6 @@ static jlt_status prove(jlt_homoclinic_chain *chain, jlt_homoclinic_result *resu
     _arb_vec_set(result->point, chain->point, (slong)result->states);
     for (unsigned i = 0; i < JLT_ARRIVAL_VALIDS_MAX; i++) arf_set(result->least + i, chain->least + i);
 done:
-    arb_mat_clear(A);
-    _arb_vec_clear(around, (slong)result->unknowns);
     return st;
 }
 
