@@ -1,6 +1,5 @@
 #include "validated/family.h"
 
-#include "validated/on_family.h"
 #include "validated/over_box.h"
 
 #include <flint/fmpq_vec.h>
@@ -289,6 +288,46 @@ done:
     return verdict;
 }
 
+/* ---- the trace on the family ---- */
+
+typedef struct {
+    const ttc_model *model;
+    const ttc_bindings *bindings;
+} substitution;
+
+static ttc_id definition_of(void *context, uint32_t symbol)
+{
+    const ttc_symbol_entry *entry = &((const substitution *)context)->model->symbols[symbol];
+
+    return entry->kind == TTC_LET ? entry->definition : TTC_NONE;
+}
+
+static ttc_id value_of(void *context, uint32_t symbol, ttc_id definition)
+{
+    const substitution *s = context;
+    const ttc_symbol_entry *entry = &s->model->symbols[symbol];
+
+    for (size_t i = 0; i < s->bindings->count; i++)
+        if (s->bindings->items[i].symbol == symbol) return s->bindings->items[i].expression;
+    return definition == TTC_NONE || definition == entry->definition ? entry->node : definition;
+}
+
+static ttc_id put(const ttc_model *model, const ttc_bindings *bindings, ttc_id id)
+{
+    substitution s = { model, bindings };
+    const ttc_id out = ttc_substitute_through(model->graph, id, definition_of, value_of, &s);
+
+    if (out == TTC_NONE) ttc_graph_clear_error(model->graph);
+    return out;
+}
+
+/* Substitute what the family gives, in the expression and in those `let`s that it changes, so that terms cancel: states first, so
+ * that parameters are then substituted in their expressions too. Returns TTC_NONE if this divides by zero. */
+static ttc_id on_family(const ttc_model *model, const ttc_claim *family, ttc_id id)
+{
+    return put(model, &family->when, put(model, &family->bindings, id));
+}
+
 static jlt_status begin(search *s)
 {
     const ttc_model *m = s->q->model;
@@ -307,9 +346,9 @@ static jlt_status begin(search *s)
     for (size_t i = 0; i < m->state_count; i++)
         trace = ttc_add(m->graph, trace, ttc_model_partial(m, ttc_model_field(m, i), m->states[i]));
     if (trace == TTC_NONE) return JLT_ERR_NOMEM;
-    s->trace = jlt_on_family(m, family, trace);
+    s->trace = on_family(m, family, trace);
     if (s->trace == TTC_NONE) s->trace = trace;
-    if (s->q->trace != NULL) s->formula = jlt_on_family(m, family, s->q->trace->expression);
+    if (s->q->trace != NULL) s->formula = on_family(m, family, s->q->trace->expression);
     st = gather_conditions(s);
     if (st == JLT_OK) st = jlt_over_box_create(&s->over, m, s->q->bits);
     if (st != JLT_OK) return st;

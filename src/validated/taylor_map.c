@@ -1,7 +1,6 @@
 #include "validated/taylor_map.h"
 
 #include "validated/cycle_map.h"
-#include "validated/transport.h"
 
 enum { DEGREE = JLT_TAYLOR_MAP_DEGREE, TERMS = JLT_TAYLOR_MAP_TERMS };
 
@@ -81,6 +80,53 @@ done:
     return st;
 }
 
+/* ---- transport by the flow ---- */
+
+/* Replace x by the state after `length`, at most the step that was enclosed last. */
+static void move(const jlt_rough *self, arb_ptr x, const arb_t length)
+{
+    const unsigned K = self->accuracy.order;
+
+    for (unsigned i = 0; i < self->of->states * self->terms; i++)
+        jlt_rough_sum(x + i, jlt_rough_series(self, self->hull, i), K, jlt_rough_series(self, self->rough, i) + K, length,
+                      self->accuracy.bits);
+}
+
+/* Choose the next step h <= most. A step that would leave less than its own length is shortened to half of what is left. */
+static void choose(const jlt_rough *self, arf_t h, const arf_t most, const arb_t left)
+{
+    JLT_SCOPED(arf, half);
+
+    arf_set(h, most);
+    jlt_rough_choose(self, h);
+    arf_mul_2exp_si(half, arb_midref(left), -1);
+    if (arf_cmp(h, most) < 0 && arf_cmp(h, half) > 0) arf_set_d(h, arf_get_d(half, ARF_RND_DOWN));
+}
+
+/* Carry x, shape (dim, terms), in place for a time > 0, given as a ball; the free parameters after the states stay unchanged. The
+ * table's domain is not checked. Errors: NO_PROGRESS, no step can be validated. */
+static jlt_status carry(jlt_rough *self, arb_ptr x, const arb_t time)
+{
+    const slong bits = self->accuracy.bits;
+    JLT_SCOPED(arb, left, length);
+    JLT_SCOPED(arf, h, most);
+
+    arb_set(left, time);
+    while (arb_is_positive(left)) {
+        jlt_jets_run(self->hull, x, self->params, bits);
+        arb_get_ubound_arf(most, left, bits);
+        choose(self, h, most, left);
+        if (!jlt_rough_validate(self, h, NULL, NULL)) return JLT_ERR_NO_PROGRESS;
+        const bool last = arf_cmp(h, most) == 0;
+        if (last) arb_set(length, left);
+        else arb_set_arf(length, h);
+        move(self, x, length);
+        if (last) return JLT_OK;
+        arb_sub(left, left, length, bits);
+    }
+    return JLT_ERR_NO_PROGRESS;
+}
+
 /* out = sum over k of c_k s^k, for one state. */
 static void compose(arb_ptr out, const jlt_rough *around, unsigned state, arb_srcptr powers, slong bits)
 {
@@ -138,7 +184,7 @@ jlt_status jlt_taylor_map_compute(jlt_cycle *of, arb_ptr map, const jlt_cycle_re
     JLT_TRY(begin(&self, cycle->solution));
     for (unsigned i = 0; i < cycle->legs; i++) {
         JLT_TRY(jlt_cycle_map_arrive(of, cycle->solution + i * n, arb_midref(instants + i), q->direction, NULL));
-        JLT_TRY(jlt_transport_carry(&around, self.x, of->arrival.time));
+        JLT_TRY(carry(&around, self.x, of->arrival.time));
         fix(&self, cycle->solution + (i + 1) % cycle->legs * n);
         cross(&self, &around);
         _arb_vec_zero(self.x + q->column * TERMS + 1, TERMS - 1); /* the section's state is constant */
