@@ -83,14 +83,12 @@ static void eigenvalues_of_two(double *re, double *im, const double *a)
 jlt_status jlt_linear_eigenvalues(double *re, double *im, const double *a, unsigned dim)
 {
     unsigned i, j;
-    jlt_status st;
 
     if (dim == 2) {
         eigenvalues_of_two(re, im, a);
         return JLT_OK;
     }
-    st = jlt_eigen_values(re, im, a, dim);
-    if (st != JLT_OK) return st;
+    JLT_PASS(jlt_eigen_values(re, im, a, dim));
     for (i = 0; i < dim; i++)
         for (j = i; j > 0 && hypot(re[j], im[j]) > hypot(re[j - 1], im[j - 1]); j--) {
             const double held_re = re[j], held_im = im[j];

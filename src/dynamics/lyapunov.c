@@ -189,9 +189,8 @@ double jlt_lyapunov_finite_exponent(const double *slope, double t, size_t return
 jlt_status jlt_lyapunov_finite(jlt_map *map, double *exponent, double *t, const double *q, size_t returns)
 {
     jlt_image image;
-    const jlt_status st = jlt_map_apply(map, &image, q, returns, 1);
 
-    if (st != JLT_OK) return st;
+    JLT_PASS(jlt_map_apply(map, &image, q, returns, 1));
     *exponent = jlt_lyapunov_finite_exponent(image.slope, image.T, returns, jlt_map_flow(map));
     *t = image.T;
     return JLT_OK;

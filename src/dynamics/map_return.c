@@ -10,17 +10,15 @@ jlt_status jlt_map_return_start(double *varied, double *flux, const jlt_flow *fl
     const jlt_chart *chart = flow->chart;
     const unsigned n = chart->states, d = chart->dim;
     double tangent[JLT_CHART_STATES_MAX * JLT_CHART_DIM_MAX], f[JLT_CHART_STATES_MAX];
-    jlt_status st = JLT_OK;
 
-    JLT_TRY(chart->lift(chart, varied, tangent, q));
+    JLT_PASS(chart->lift(chart, varied, tangent, q));
     for (unsigned k = 0; k < d; k++)
         for (unsigned i = 0; i < n; i++) varied[n * (1 + k) + i] = ldexp(tangent[i * d + k], chart->unit[k]);
     varied[n * (1 + d)] = 0;
     if (jlt_rest_is_still(flow->field, varied)) return JLT_ERR_DOMAIN;
     flow->field->call(varied, flow->field->p, f);
     *flux = chart->flux(chart, varied, f);
-done:
-    return st;
+    return JLT_OK;
 }
 
 static void project(const jlt_chart *chart, double *slope, double *q, const double *end, const double *f)

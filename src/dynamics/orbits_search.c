@@ -6,16 +6,14 @@ static jlt_status add_mirrors(jlt_orbits *self, jlt_map *map)
     const jlt_chart *chart = jlt_map_flow(map)->chart;
     const size_t count = self->count;
     jlt_periodic image;
-    jlt_status st;
-    size_t i;
 
-    for (i = 0; i < count; i++) {
+    for (size_t i = 0; i < count; i++) {
         if (self->orbits[i].symmetric || jlt_orbits_mirror(self, chart, i) < self->count) continue;
         jlt_periodic_mirror(chart, &image, &self->orbits[i]);
-        st = jlt_periodic_find(map, &image, image.points, image.period, NULL);
+        const jlt_status st = jlt_periodic_find(map, &image, image.points, image.period, NULL);
         if (jlt_orbits_is_miss(st)) continue;
-        if (st == JLT_OK) st = jlt_orbits_add(self, chart, &image);
-        if (st != JLT_OK) return st;
+        JLT_PASS(st);
+        JLT_PASS(jlt_orbits_add(self, chart, &image));
     }
     return JLT_OK;
 }

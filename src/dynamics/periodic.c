@@ -28,12 +28,11 @@ static jlt_status iterate(jlt_map *map, double *points, size_t period, const uns
 {
     const jlt_chart *chart = jlt_map_flow(map)->chart;
     jlt_newton newton;
-    jlt_status st = jlt_newton_create(&newton, jlt_map_flow(map), points, period, held);
 
-    if (st != JLT_OK) return st;
+    JLT_PASS(jlt_newton_create(&newton, jlt_map_flow(map), points, period, held));
     while (jlt_newton_next(&newton, jlt_shooting_of(&newton.then, map, newton.trial, period))) { }
     memcpy(points, newton.points, period * chart->dim * sizeof *points);
-    st = newton.status;
+    const jlt_status st = newton.status;
     jlt_newton_clear(&newton);
     return st;
 }
@@ -152,17 +151,15 @@ jlt_status jlt_periodic_polish(jlt_map *map, jlt_periodic *out, const double *po
 {
     const jlt_chart *chart = jlt_map_flow(map)->chart;
     jlt_periodic orbit = { .period = period };
-    jlt_status st = JLT_OK;
 
     if (period == 0 || period > JLT_PERIODIC_MAX) return JLT_ERR_ARG;
     memcpy(orbit.points, points, period * chart->dim * sizeof *points);
-    JLT_TRY(iterate(map, orbit.points, period, held));
+    JLT_PASS(iterate(map, orbit.points, period, held));
     orbit.period = jlt_periodic_primitive(chart, orbit.points, period);
-    JLT_TRY(jlt_periodic_measure(map, &orbit));
-    st = jlt_periodic_moves(jlt_map_flow(map), &orbit) ? JLT_OK : JLT_ERR_NO_CONVERGENCE;
-    if (st == JLT_OK) *out = orbit;
-done:
-    return st;
+    JLT_PASS(jlt_periodic_measure(map, &orbit));
+    if (!jlt_periodic_moves(jlt_map_flow(map), &orbit)) return JLT_ERR_NO_CONVERGENCE;
+    *out = orbit;
+    return JLT_OK;
 }
 
 jlt_status jlt_periodic_find(jlt_map *map, jlt_periodic *out, const double *q, size_t period,
@@ -171,17 +168,14 @@ jlt_status jlt_periodic_find(jlt_map *map, jlt_periodic *out, const double *q, s
     const unsigned d = jlt_map_flow(map)->chart->dim;
     double points[JLT_PERIODIC_MAX * D];
     jlt_image image;
-    jlt_status st = JLT_OK;
 
     if (period == 0 || period > JLT_PERIODIC_MAX) return JLT_ERR_ARG;
     memcpy(points, q, d * sizeof *q);
     for (size_t k = 0; k + 1 < period; k++) {
-        JLT_TRY(jlt_map_point(map, &image, points + k * d, 1, 1));
+        JLT_PASS(jlt_map_point(map, &image, points + k * d, 1, 1));
         memcpy(points + (k + 1) * d, image.q, d * sizeof *q);
     }
-    st = jlt_periodic_polish(map, out, points, period, held);
-done:
-    return st;
+    return jlt_periodic_polish(map, out, points, period, held);
 }
 
 jlt_status jlt_periodic_rotate(jlt_map *map, jlt_periodic *io, size_t first)

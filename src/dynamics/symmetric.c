@@ -42,7 +42,6 @@ static jlt_status halves(const search *self, double *h, double u, size_t count)
 static jlt_status bisect(const search *self, double *root, bool *found, double *work, double a, double ha, double b,
                          double hb, size_t j)
 {
-    jlt_status st = JLT_OK;
     const double unit = ldexp(1, jlt_map_flow(self->map)->chart->scale[self->line->free]);
     double last = fmin(fabs(ha), fabs(hb)), previous = fabs(b - a);
     int side = 0, iteration;
@@ -54,8 +53,7 @@ static jlt_status bisect(const search *self, double *root, bool *found, double *
             if (fabs(b - a) > previous / 4 || !(u > fmin(a, b) && u < fmax(a, b))) u = (a + b) / 2;
             previous = fabs(b - a);
         }
-        st = halves(self, work, u, j);
-        if (st != JLT_OK) return st;
+        JLT_PASS(halves(self, work, u, j));
         h = work[j - 1];
         if (isnan(h)) return JLT_OK;
         *root = u;
@@ -86,21 +84,18 @@ static jlt_status deliver(const search *self, double u, size_t period, jlt_symme
     const unsigned char *held = self->held;
     jlt_periodic orbit;
     jlt_image image;
-    jlt_status st;
     size_t k, first = 0;
 
     memcpy(q, self->line->base, sizeof q);
     q[self->line->free] = u;
-    st = chart->lift(chart, x, NULL, q);
-    if (st != JLT_OK) return st;
+    JLT_PASS(chart->lift(chart, x, NULL, q));
     flow->field->call(x, flow->field->p, f);
     if (flow->direction != JLT_BOTH && (int)flow->direction * f[chart->column] < 0) {
-        st = jlt_map_point(self->map, &image, q, 1, 1);
-        if (st != JLT_OK) return JLT_OK;
+        if (jlt_map_point(self->map, &image, q, 1, 1) != JLT_OK) return JLT_OK;
         memcpy(q, image.q, sizeof q);
         if (d == 2) held = NULL;
     }
-    st = jlt_periodic_find(self->map, &orbit, q, period, held);
+    const jlt_status st = jlt_periodic_find(self->map, &orbit, q, period, held);
     if (st != JLT_OK) return st == JLT_ERR_NOMEM ? st : JLT_OK;
     if (!orbit.symmetric && orbit.type != JLT_ORBIT_DEGENERATE) return JLT_OK; /* Newton's method went to another orbit */
     for (k = 0; k < orbit.period; k++) {
@@ -109,10 +104,7 @@ static jlt_status deliver(const search *self, double u, size_t period, jlt_symme
         distance = jlt_chart_distance(chart, mirror, orbit.points + k * d);
         if (distance < nearest - 1e-9) nearest = distance, first = k;
     }
-    if (first != 0) {
-        st = jlt_periodic_rotate(self->map, &orbit, first);
-        if (st != JLT_OK) return st;
-    }
+    if (first != 0) JLT_PASS(jlt_periodic_rotate(self->map, &orbit, first));
     return sink(context, &orbit);
 }
 

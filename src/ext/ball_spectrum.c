@@ -176,9 +176,8 @@ static jlt_status attempt(jlt_ball_spectrum *s, bool *finished, jlt_ball_problem
 {
     const bool decimals = p->question->digits > 0;
     bool sure;
-    jlt_status st = place(p);
 
-    if (st != JLT_OK) return st;
+    JLT_PASS(place(p));
     s->precision = p->precision;
     s->n = (size_t)p->n;
     s->exists = p->proved;

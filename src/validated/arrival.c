@@ -33,19 +33,16 @@ static bool gets_on(const arf_t h, const arf_t left, const arf_t instant)
 
 static jlt_status carry(jlt_arrival *self, jlt_step *step, jlt_set *set, const arf_t instant)
 {
-    jlt_status st = JLT_OK;
     JLT_SCOPED(arf, left, h);
 
     arf_set(left, instant);
     for (self->steps = 0; arf_sgn(left) > 0; self->steps++) {
         arf_set(h, left);
-        JLT_TRY(jlt_step_advance(step, set, h, self->expansion, self->least));
+        JLT_PASS(jlt_step_advance(step, set, h, self->expansion, self->least));
         arf_sub(left, left, h, ARF_PREC_EXACT, ARF_RND_DOWN);
-        st = gets_on(h, left, instant) ? JLT_OK : JLT_ERR_NO_PROGRESS;
-        if (st != JLT_OK) goto done;
+        if (!gets_on(h, left, instant)) return JLT_ERR_NO_PROGRESS;
     }
-done:
-    return st;
+    return JLT_OK;
 }
 
 /* The rate of component i at the box last evaluated; 0 for a free parameter. */
@@ -60,7 +57,6 @@ static jlt_status cross(jlt_step *step, arb_ptr y, arb_t tau, arb_t span, arb_sr
                         const arb_t level, int direction)
 {
     const slong bits = jlt_step_bits(step);
-    jlt_status st = JLT_ERR_NO_CONVERGENCE;
     bool inside = false;
     JLT_SCOPED(arb, f, z);
     JLT_SCOPED(mag, size);
@@ -97,15 +93,12 @@ static jlt_status cross(jlt_step *step, arb_ptr y, arb_t tau, arb_t span, arb_sr
             }
         }
     }
-    if (!jlt_step_holds(step)) st = JLT_ERR_DOMAIN;
-    if (!inside) goto done;
+    if (!inside) return jlt_step_holds(step) ? JLT_ERR_NO_CONVERGENCE : JLT_ERR_DOMAIN;
     rate(f, step, column);
-    if (direction > 0 ? !arb_is_positive(f) : !arb_is_negative(f)) goto done;
+    if (direction > 0 ? !arb_is_positive(f) : !arb_is_negative(f)) return JLT_ERR_NO_CONVERGENCE;
     arb_sub(tau, level, x + column, bits);
     arb_div(tau, tau, f, bits);
-    if (arb_contains(span, tau)) st = JLT_OK;
-done:
-    return st;
+    return arb_contains(span, tau) ? JLT_OK : JLT_ERR_NO_CONVERGENCE;
 }
 
 /* Over the box y last evaluated, enclose the derivatives of the crossing's state, local, shape (dim, dim), and of its time, delay,
@@ -174,13 +167,12 @@ static jlt_status land(jlt_arrival *self, jlt_step *step, const jlt_set *set, co
     const slong bits = jlt_step_bits(step), n = (slong)self->dim;
     JLT_SCOPED_VECTOR(arb, middle, n);
     JLT_SCOPED_VECTOR(arb, y, n);
-    jlt_status st;
     JLT_SCOPED_MATRIX(arb, n, 1, state);
     JLT_SCOPED_MATRIX(arb, 1, 1, time);
     JLT_SCOPED(arb, span);
 
     for (slong i = 0; i < n; i++) arb_set(middle + i, arb_mat_entry(set->x, i, 0));
-    JLT_TRY(cross(step, y, arb_mat_entry(time, 0, 0), span, middle, self->dim, column, level, direction));
+    JLT_PASS(cross(step, y, arb_mat_entry(time, 0, 0), span, middle, self->dim, column, level, direction));
     for (unsigned i = 0; i < self->dim; i++) {
         arb_ptr out = arb_mat_entry(state, i, 0);
         rate(out, step, i);
@@ -192,8 +184,7 @@ static jlt_status land(jlt_arrival *self, jlt_step *step, const jlt_set *set, co
     for (slong i = 0; i < n; i++) arb_set(self->x + i, arb_mat_entry(state, i, 0));
     arb_set(self->x + column, level);
     arb_add(self->time, self->time, arb_mat_entry(time, 0, 0), bits);
-done:
-    return st;
+    return JLT_OK;
 }
 
 jlt_status jlt_arrival_compute(jlt_arrival *self, jlt_step *step, arb_srcptr start, unsigned column, const arb_t level,

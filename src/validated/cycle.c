@@ -140,9 +140,8 @@ static jlt_status shoot(void *context, arb_mat_t G, arb_mat_t DG, arb_srcptr y)
     for (unsigned i = 0; i < JLT_ARRIVAL_VALIDS_MAX; i++) arf_pos_inf(self->least + i);
     for (slong i = 0; i < (slong)self->legs; i++) {
         const slong to = (i + 1) % (slong)self->legs * n;
-        const jlt_status st = jlt_cycle_map_arrive(self->cycle, y + i * n, arb_midref(self->instants + i),
-                                                    self->cycle->question->direction, turns == NULL ? NULL : turns + i * (n + 1));
-        if (st != JLT_OK) return st;
+        JLT_PASS(jlt_cycle_map_arrive(self->cycle, y + i * n, arb_midref(self->instants + i),
+                                       self->cycle->question->direction, turns == NULL ? NULL : turns + i * (n + 1)));
         jlt_cycle_map_equations(self->cycle, G, DG, i * n, i * n, to, y + i * n, y + to, self->kept);
         follow(self, y + i * n, y + to);
         if (self->adjusts) arb_get_mid_arb(self->instants + i, self->cycle->arrival.time);

@@ -43,17 +43,15 @@ jlt_status jlt_elliptic_prove(jlt_cycle *of, jlt_elliptic_result *result, const 
 {
     const slong bits = jlt_step_bits(of->step);
     JLT_SCOPED_VECTOR(arb, map, 2 * JLT_TAYLOR_MAP_TERMS);
-    jlt_status st = JLT_OK;
 
     result->verdict = JLT_ELLIPTIC_OTHER;
-    if (type != JLT_SYMMETRY_ELLIPTIC) goto done;
+    if (type != JLT_SYMMETRY_ELLIPTIC) return JLT_OK;
     result->verdict = JLT_ELLIPTIC_RESONANT;
-    if (arb_contains_si(cycle->trace, 0) || arb_contains_si(cycle->trace, -1)) goto done;
-    JLT_TRY(jlt_taylor_map_compute(of, map, cycle, instants, kept));
+    if (arb_contains_si(cycle->trace, 0) || arb_contains_si(cycle->trace, -1)) return JLT_OK;
+    JLT_PASS(jlt_taylor_map_compute(of, map, cycle, instants, kept));
     jlt_normal_form_compute(&result->form, map, cycle->trace, bits);
     result->verdict = JLT_ELLIPTIC_CONTRADICTED;
-    if (!agrees(map, cycle->trace, bits) || !arb_contains_zero(result->form.growth)) goto done;
+    if (!agrees(map, cycle->trace, bits) || !arb_contains_zero(result->form.growth)) return JLT_OK;
     result->verdict = excludes_zero(result->form.twist) ? JLT_ELLIPTIC_PROVED : JLT_ELLIPTIC_UNTWISTED;
-done:
-    return st;
+    return JLT_OK;
 }

@@ -333,7 +333,6 @@ static jlt_status begin(search *s)
     const ttc_model *m = s->q->model;
     const ttc_claim *family = s->q->family;
     ttc_id trace;
-    jlt_status st;
 
     jlt_range_init(&s->both);
     s->low = _fmpq_vec_init(s->q->dim + 1);
@@ -349,9 +348,8 @@ static jlt_status begin(search *s)
     s->trace = on_family(m, family, trace);
     if (s->trace == TTC_NONE) s->trace = trace;
     if (s->q->trace != NULL) s->formula = on_family(m, family, s->q->trace->expression);
-    st = gather_conditions(s);
-    if (st == JLT_OK) st = jlt_over_box_create(&s->over, m, s->q->bits);
-    if (st != JLT_OK) return st;
+    JLT_PASS(gather_conditions(s));
+    JLT_PASS(jlt_over_box_create(&s->over, m, s->q->bits));
     for (size_t i = 0; i < family->when.count; i++)
         jlt_over_box_bind(s->over, family->when.items[i].symbol, family->when.items[i].expression);
     for (size_t i = 0; i < family->bindings.count; i++)

@@ -101,18 +101,16 @@ jlt_status jlt_homoclinic_chain_local(jlt_homoclinic_chain *self, arb_mat_t A, a
 {
     const jlt_homoclinic_question *q = self->question;
     const slong bits = jlt_step_bits(self->of->step);
-    jlt_status st = JLT_OK;
     JLT_SCOPED_MATRIX(arb, 2, 2, D, frame);
 
     *regular = surround(self, around);
-    if (!*regular) goto done;
-    JLT_TRY(jlt_cycle_map_arrive(self->of, around, arb_midref(q->saddle_instant), q->question->direction, NULL));
+    if (!*regular) return JLT_OK;
+    JLT_PASS(jlt_cycle_map_arrive(self->of, around, arb_midref(q->saddle_instant), q->question->direction, NULL));
     *regular = jlt_cycle_map_restrict(self->of, D, around, q->kept);
     for (unsigned i = 0; i < 4; i++) arb_set(arb_mat_entry(frame, i / 2, i % 2), q->frame + i);
     arb_mat_mul(A, D, frame, bits);
     arb_mat_mul(A, self->inverse, A, bits);
-done:
-    return st;
+    return JLT_OK;
 }
 
 bool jlt_homoclinic_chain_is_cone(const jlt_homoclinic_chain *self, const arb_mat_t A)
@@ -196,9 +194,8 @@ static jlt_status equations(void *context, arb_mat_t G, arb_mat_t DG, arb_srcptr
     begin(self, G, DG, y);
     for (slong i = 0; i <= last; i++) {
         arb_srcptr here = y + i * n;
-        const jlt_status st = jlt_cycle_map_arrive(self->of, here, arb_midref(self->own_instants + i),
-                                                   i < last ? q->question->direction : q->landing, NULL);
-        if (st != JLT_OK) return st;
+        JLT_PASS(jlt_cycle_map_arrive(self->of, here, arb_midref(self->own_instants + i),
+                                      i < last ? q->question->direction : q->landing, NULL));
         watch(self);
         self->goes_on = arb_is_positive(self->of->arrival.time) && self->goes_on;
         if (self->adjusts) arb_get_mid_arb(self->own_instants + i, self->of->arrival.time);

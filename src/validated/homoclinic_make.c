@@ -29,13 +29,10 @@ static bool choose_frame(arb_ptr frame, const arb_mat_t D)
 static jlt_status look(jlt_cycle *of, arb_mat_t D, const jlt_homoclinic_question *q)
 {
     JLT_SCOPED_VECTOR(arb, y, (slong)of->unknowns);
-    jlt_status st;
 
     for (unsigned i = 0; i < of->unknowns; i++) arb_get_mid_arb(y + i, q->saddle_box + i);
-    JLT_TRY(jlt_cycle_map_arrive(of, y, arb_midref(q->saddle_instant), q->question->direction, NULL));
-    if (!jlt_cycle_map_restrict(of, D, y, q->kept)) st = JLT_ERR_NO_CONVERGENCE;
-done:
-    return st;
+    JLT_PASS(jlt_cycle_map_arrive(of, y, arb_midref(q->saddle_instant), q->question->direction, NULL));
+    return jlt_cycle_map_restrict(of, D, y, q->kept) ? JLT_OK : JLT_ERR_NO_CONVERGENCE;
 }
 
 /* Choose a slope for which the cone is mapped into its interior. The least such slope depends on A over N, which grows with the
@@ -43,13 +40,12 @@ done:
 static jlt_status choose_cone(jlt_homoclinic_chain *chain, jlt_homoclinic_question *q)
 {
     JLT_SCOPED_VECTOR(arb, around, (slong)chain->of->unknowns);
-    jlt_status st = JLT_OK;
     bool regular, is_cone = false;
     JLT_SCOPED_MATRIX(arb, 2, 2, A);
 
     arb_set(q->slope, q->reach);
     for (unsigned attempt = 0; attempt < CONES && !is_cone; attempt++) {
-        JLT_TRY(jlt_homoclinic_chain_local(chain, A, around, &regular));
+        JLT_PASS(jlt_homoclinic_chain_local(chain, A, around, &regular));
         is_cone = regular && jlt_homoclinic_chain_is_cone(chain, A);
         if (is_cone) break;
         JLT_SCOPED(mag, least);
@@ -62,9 +58,7 @@ static jlt_status choose_cone(jlt_homoclinic_chain *chain, jlt_homoclinic_questi
             arb_max(q->slope, q->slope, around, 53);
         }
     }
-    if (!is_cone) st = JLT_ERR_NO_CONVERGENCE;
-done:
-    return st;
+    return is_cone ? JLT_OK : JLT_ERR_NO_CONVERGENCE;
 }
 
 /* Set the radii of the boxes to 4 times the least that Krawczyk's operator needs, plus the rounding of the midpoints. */
@@ -72,12 +66,11 @@ static jlt_status choose_radii(jlt_homoclinic_chain *chain, jlt_homoclinic_quest
 {
     const jlt_krawczyk problem = jlt_homoclinic_chain_equations(chain);
     const slong n = problem.n;
-    jlt_status st;
     JLT_SCOPED_MATRIX(arb, n, 1, G);
     JLT_SCOPED_MATRIX(arb, n, n, DG, M);
 
-    JLT_TRY(problem.equations(problem.context, G, DG, q->box));
-    if (!jlt_krawczyk_invert(M, DG, problem.bits)) st = JLT_ERR_NO_CONVERGENCE;
+    JLT_PASS(problem.equations(problem.context, G, DG, q->box));
+    if (!jlt_krawczyk_invert(M, DG, problem.bits)) return JLT_ERR_NO_CONVERGENCE;
     arb_mat_mul(G, M, G, problem.bits);
     for (slong i = 0; i < n; i++) {
         JLT_SCOPED(mag, rounding);
@@ -86,8 +79,7 @@ static jlt_status choose_radii(jlt_homoclinic_chain *chain, jlt_homoclinic_quest
         mag_set_ui_2exp_si(rounding, 1, -(slong)(3 * q->question->digits));
         mag_add(arb_radref(q->box + i), arb_radref(q->box + i), rounding);
     }
-done:
-    return st;
+    return JLT_OK;
 }
 
 /* Returns UNSUPPORTED unless the reversor is proved to map section, levels and saddle to themselves. */

@@ -38,26 +38,22 @@ static double size_of(const arb_mat_t column)
 jlt_status jlt_krawczyk_refine(const jlt_krawczyk *self, arb_ptr y, double accuracy)
 {
     const slong n = self->n;
-    jlt_status st = JLT_ERR_NO_CONVERGENCE;
     double size = INFINITY;
     JLT_SCOPED_MATRIX(arb, n, 1, G, correction);
     JLT_SCOPED_MATRIX(arb, n, n, DG, M);
 
     for (unsigned attempt = 0; attempt < NEWTON_STEPS && size > -accuracy; attempt++) {
-        JLT_TRY(evaluate(self, G, DG, y));
-        st = JLT_ERR_NO_CONVERGENCE;
-        if (!jlt_krawczyk_invert(M, DG, self->bits)) goto done;
+        JLT_PASS(evaluate(self, G, DG, y));
+        if (!jlt_krawczyk_invert(M, DG, self->bits)) return JLT_ERR_NO_CONVERGENCE;
         arb_mat_mul(correction, M, G, self->bits);
         size = size_of(correction);
-        if (!(size < 0)) goto done;
+        if (!(size < 0)) return JLT_ERR_NO_CONVERGENCE;
         for (slong i = 0; i < n; i++) {
             arb_sub(y + i, y + i, arb_mat_entry(correction, i, 0), self->bits);
             arb_get_mid_arb(y + i, y + i);
         }
     }
-    st = size <= -accuracy ? JLT_OK : JLT_ERR_NO_CONVERGENCE;
-done:
-    return st;
+    return size <= -accuracy ? JLT_OK : JLT_ERR_NO_CONVERGENCE;
 }
 
 /* The operator; y0, M and M G(y0) are those of the first box for all boxes. */
@@ -99,7 +95,6 @@ static jlt_status operator_init(operator *self, const jlt_krawczyk *of, bool *re
 static jlt_status operator_apply(operator *self, arb_ptr K, arb_srcptr y)
 {
     const slong n = self->of->n, bits = self->of->bits;
-    jlt_status st;
     JLT_SCOPED_MATRIX(arb, n, n, rest);
     JLT_SCOPED_MATRIX(arb, n, 1, away);
 
@@ -107,7 +102,7 @@ static jlt_status operator_apply(operator *self, arb_ptr K, arb_srcptr y)
         if (arb_contains(y + i, self->middle + i)) arb_set(self->between + i, y + i);
         else arb_union(self->between + i, y + i, self->middle + i, bits);
     }
-    JLT_TRY(evaluate(self->of, self->unused, self->DG, self->between));
+    JLT_PASS(evaluate(self->of, self->unused, self->DG, self->between));
     arb_mat_mul(rest, self->M, self->DG, bits);
     arb_mat_neg(rest, rest);
     for (slong i = 0; i < n; i++) {
@@ -117,8 +112,7 @@ static jlt_status operator_apply(operator *self, arb_ptr K, arb_srcptr y)
     arb_mat_mul(away, rest, away, bits);
     arb_mat_sub(away, away, self->offset, bits);
     for (slong i = 0; i < n; i++) arb_add(K + i, arb_mat_entry(away, i, 0), self->middle + i, bits);
-done:
-    return st;
+    return JLT_OK;
 }
 
 static bool all_inside(arb_srcptr outer, arb_srcptr inner, slong n)

@@ -7,14 +7,10 @@ enum { TRIES = 60 }; /* most lengths tried for a step */
 jlt_status jlt_rough_init(jlt_rough *self, const jlt_formulas *of, const ttc_program *program, arb_srcptr params,
                           jlt_rough_accuracy accuracy, unsigned degree)
 {
-    jlt_status st;
-
     *self = (jlt_rough){ .of = of, .params = params, .accuracy = accuracy, .terms = jlt_jets_terms(degree), .caution = 0.7 };
     self->y = _arb_vec_init((slong)(of->dim * self->terms));
-    JLT_TRY(jlt_jets_create(&self->hull, of, program, accuracy.order, degree));
-    JLT_TRY(jlt_jets_create(&self->rough, of, program, accuracy.order, degree));
-done:
-    return st;
+    JLT_PASS(jlt_jets_create(&self->hull, of, program, accuracy.order, degree));
+    return jlt_jets_create(&self->rough, of, program, accuracy.order, degree);
 }
 
 void jlt_rough_clear(jlt_rough *self)

@@ -90,18 +90,16 @@ jlt_status jlt_symmetry_maps(jlt_cycle *of, bool *symmetric, const jlt_cycle_res
     JLT_SCOPED_VECTOR(arb, windows, (slong)cycle->legs);
     const passage legs = { box, instants, times, windows };
     bool found = false;
-    jlt_status st = JLT_OK;
 
     for (unsigned i = 0; i < cycle->legs; i++) {
-        JLT_TRY(jlt_cycle_map_arrive(of, box + i * n, arb_midref(instants + i), direction, NULL));
+        JLT_PASS(jlt_cycle_map_arrive(of, box + i * n, arb_midref(instants + i), direction, NULL));
         arb_set(legs.windows + i, of->arrival.window);
-        JLT_TRY(jlt_cycle_map_arrive(of, cycle->solution + i * n, arb_midref(instants + i), direction, NULL));
+        JLT_PASS(jlt_cycle_map_arrive(of, cycle->solution + i * n, arb_midref(instants + i), direction, NULL));
         arb_set(legs.times + i, of->arrival.time);
     }
     for (unsigned k = 0; k < cycle->legs && !found; k++) found = is_image(of, cycle, k, &legs, signs);
     *symmetric = found;
-done:
-    return st;
+    return JLT_OK;
 }
 
 static void judge(jlt_symmetry_result *result, const arb_t trace, slong bits)
@@ -127,19 +125,17 @@ jlt_status jlt_symmetry_prove(jlt_cycle *of, jlt_symmetry_result *result, const 
 {
     const jlt_descriptor *d = of->question->descriptor;
     bool symmetric = false;
-    jlt_status st = JLT_OK;
 
     if (cycle->multipliers != 2) return JLT_ERR_ARG;
     result->verdict = JLT_SYMMETRY_NO_REVERSOR;
     for (unsigned i = 0; i < d->reversor_count && !symmetric; i++) {
         result->reversor = &d->reversors[i];
         if (d->claims[result->reversor->claim].verdict != JLT_PROVED || !jlt_symmetry_keeps(of, result->reversor->signs)) continue;
-        JLT_TRY(jlt_symmetry_maps(of, &symmetric, cycle, box, instants, result->reversor->signs));
+        JLT_PASS(jlt_symmetry_maps(of, &symmetric, cycle, box, instants, result->reversor->signs));
         result->verdict = symmetric ? JLT_SYMMETRY_PROVED : JLT_SYMMETRY_ASYMMETRIC;
     }
     if (symmetric) judge(result, cycle->trace, jlt_step_bits(of->step));
-done:
-    return st;
+    return JLT_OK;
 }
 
 void jlt_symmetry_result_init(jlt_symmetry_result *result)
