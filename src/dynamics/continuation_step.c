@@ -41,12 +41,11 @@ jlt_status jlt_continuation_step_evaluate(const jlt_continuation_runner *self, j
     const double range = (self->options.high - self->options.low) / self->options.scale, value = u[d] * self->options.scale;
     double difference[JLT_CHART_DIM_MAX], q[JLT_CHART_DIM_MAX];
     jlt_image image, above, below;
-    unsigned i, j;
 
     JLT_PASS(image_at(self, &image, u, true));
     jlt_chart_scaled_slope(&self->chart, out->slope, image.slope);
     out->scale = 1;
-    for (i = 0; i < d * d; i++) out->scale = fmax(out->scale, fabs(out->slope[i]));
+    for (unsigned i = 0; i < d * d; i++) out->scale = fmax(out->scale, fabs(out->slope[i]));
     /* A central difference errs by up^2 times the third derivative, which grows as scale^3, the derivative itself as scale. */
     double up = 1e-5 * fmin(1, range > 0 ? range : 1) / cbrt(out->scale * out->scale);
     if (fmin(value - self->options.low, self->options.high - value) < up * self->options.scale)
@@ -60,8 +59,8 @@ jlt_status jlt_continuation_step_evaluate(const jlt_continuation_runner *self, j
     jlt_chart_difference(&self->chart, difference, above.q, below.q);
     jlt_chart_scaled(&self->chart, difference, difference);
     out->noise = fmax(1e-10, self->tolerance);
-    for (i = 0; i < d; i++) {
-        for (j = 0; j < d; j++) out->jacobian[i * (d + 1) + j] = out->slope[i * d + j] - (i == j);
+    for (unsigned i = 0; i < d; i++) {
+        for (unsigned j = 0; j < d; j++) out->jacobian[i * (d + 1) + j] = out->slope[i * d + j] - (i == j);
         out->jacobian[i * (d + 1) + d] = difference[i] / (up - down);
     }
     return JLT_OK;
@@ -104,13 +103,12 @@ jlt_status jlt_continuation_step_correct(const jlt_continuation_runner *self, do
 {
     const unsigned d = self->d;
     double matrix[U * U], right[U], delta[U], start[U], last = INFINITY;
-    unsigned i, k;
 
     memcpy(start, u, sizeof *u * (d + 1));
-    for (k = 0; k < NEWTON; k++) {
+    for (unsigned k = 0; k < NEWTON; k++) {
         double residual = 0, moved = 0;
         JLT_PASS(jlt_continuation_step_evaluate(self, at, u));
-        for (i = 0; i < d; i++) residual = fmax(residual, fabs(at->f[i]));
+        for (unsigned i = 0; i < d; i++) residual = fmax(residual, fabs(at->f[i]));
         if (iterations != NULL) *iterations = k;
         /* Iterate until the residual is rounding, or has ceased to fall and is no larger than the map's own error. */
         if (residual < 1e-15 * at->scale || (residual < at->noise * at->scale && residual > last / 8)) return JLT_OK;
@@ -118,10 +116,10 @@ jlt_status jlt_continuation_step_correct(const jlt_continuation_runner *self, do
         border(matrix, at, tangent, d);
         leave_out(self, matrix);
         right[d] = 0;
-        for (i = 0; i < d; i++) right[i] = -at->f[i];
-        for (i = 0; i <= d; i++) right[d] -= tangent[i] * (u[i] - start[i]);
+        for (unsigned i = 0; i < d; i++) right[i] = -at->f[i];
+        for (unsigned i = 0; i <= d; i++) right[d] -= tangent[i] * (u[i] - start[i]);
         JLT_PASS(jlt_eigen_least_squares(delta, matrix, right, d + 1, d + 1, 1e-14));
-        for (i = 0; i <= d; i++) {
+        for (unsigned i = 0; i <= d; i++) {
             u[i] += delta[i];
             moved = fmax(moved, fabs(delta[i]));
         }
@@ -137,13 +135,12 @@ jlt_status jlt_continuation_step_measure(const jlt_continuation_runner *self, jl
     jlt_map *map;
     jlt_image image;
     jlt_continuation_point point = { .value = u[d] * self->options.scale, .arc = arc, .kind = kind };
-    size_t k;
 
     JLT_PASS(self->family->map_at(self->family->context, &map, point.value));
     point.orbit.period = self->period;
     jlt_chart_unscaled(&self->chart, point.orbit.points, u);
     jlt_chart_wrap(jlt_map_flow(map)->chart, point.orbit.points);
-    for (k = 0; k + 1 < self->period; k++) {
+    for (size_t k = 0; k + 1 < self->period; k++) {
         JLT_PASS(jlt_map_point(map, &image, point.orbit.points + k * d, 1, 1));
         memcpy(point.orbit.points + (k + 1) * d, image.q, d * sizeof *u);
     }
@@ -157,11 +154,10 @@ jlt_status jlt_continuation_step_measure(const jlt_continuation_runner *self, jl
 static void test_functions(double test[4], const jlt_continuation_equation *at, const double *tangent, bool symmetric, unsigned d)
 {
     double matrix[U * U], shifted[JLT_CHART_DIM_MAX * JLT_CHART_DIM_MAX];
-    unsigned i;
 
     test[0] = tangent[d];
     memcpy(shifted, at->slope, sizeof *shifted * d * d);
-    for (i = 0; i < d; i++) shifted[i * d + i] += 1;
+    for (unsigned i = 0; i < d; i++) shifted[i * d + i] += 1;
     test[1] = jlt_linear_determinant(shifted, d);
     test[2] = border(matrix, at, tangent, d);
     test[3] = NAN;
@@ -174,9 +170,8 @@ jlt_status jlt_continuation_step_to(const jlt_continuation_runner *self, jlt_con
 {
     const unsigned d = self->d;
     jlt_continuation_place next = { .arc = from->arc + fabs(step), .symmetric = from->symmetric };
-    unsigned i;
 
-    for (i = 0; i <= d; i++) next.u[i] = from->u[i] + step * from->tangent[i];
+    for (unsigned i = 0; i <= d; i++) next.u[i] = from->u[i] + step * from->tangent[i];
     JLT_PASS(jlt_continuation_step_correct(self, next.u, &next.at, from->tangent, iterations));
     JLT_PASS(tangent_at(self, next.tangent, &next.at, from->tangent));
     test_functions(next.test, &next.at, next.tangent, next.symmetric, d);

@@ -37,7 +37,6 @@ jlt_status jlt_continuation_switch(jlt_continuation_point *out, const jlt_family
     double u[U] = { 0 }, origin[U], direction[U] = { 0 };
     jlt_continuation_equation here;
     jlt_status st = JLT_OK;
-    unsigned i;
 
     if ((side != 1 && side != -1) || !(offset > 0)) return JLT_ERR_ARG;
     if (at->kind != JLT_BIFURCATION_BRANCH && at->kind != JLT_BIFURCATION_DOUBLING) return JLT_ERR_ARG;
@@ -49,9 +48,9 @@ jlt_status jlt_continuation_switch(jlt_continuation_point *out, const jlt_family
     other_direction(direction, &here, at);
     if (at->kind == JLT_BIFURCATION_DOUBLING) self.period *= 2;
     memcpy(origin, u, sizeof origin);
-    for (i = 0; i < 3; i++) direction[i] *= side;
+    for (unsigned i = 0; i < 3; i++) direction[i] *= side;
     for (unsigned halving = 0; halving < HALVINGS; halving++, offset /= 2) {
-        for (i = 0; i < 3; i++) u[i] = origin[i] + offset * direction[i];
+        for (unsigned i = 0; i < 3; i++) u[i] = origin[i] + offset * direction[i];
         st = jlt_continuation_step_correct(&self, u, &here, direction, NULL);
         if (st == JLT_ERR_NOMEM || st == JLT_OK) break;
     }

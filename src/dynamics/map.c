@@ -203,14 +203,13 @@ jlt_status jlt_map_apply(jlt_map *self, jlt_image *out, const double *q, size_t 
 {
     const unsigned d = self->flow.chart->dim;
     jlt_image *image = &self->image;
-    size_t i;
 
     if (count == 0) return JLT_ERR_ARG;
     memcpy(image->q, q, d * sizeof *q);
-    for (i = 0; i < (size_t)d * d; i++) image->slope[i] = i % (d + 1) == 0;
+    for (size_t i = 0; i < (size_t)d * d; i++) image->slope[i] = i % (d + 1) == 0;
     image->T = image->expansion = image->defect = image->bound = 0;
     image->determinant = image->flux_determinant = 1;
-    for (i = 0; i < count; i++) JLT_PASS(advance(self, image, time_direction));
+    for (size_t i = 0; i < count; i++) JLT_PASS(advance(self, image, time_direction));
     copy_image(out, image, self->flow.chart);
     return JLT_OK;
 }
@@ -219,11 +218,10 @@ jlt_status jlt_map_point(jlt_map *self, jlt_image *out, const double *q, size_t 
 {
     const unsigned d = self->flow.chart->dim;
     jlt_return row;
-    size_t i;
 
     if (count == 0) return JLT_ERR_ARG;
     JLT_PASS(jlt_section_start(self->section, &row, q, time_direction));
-    for (i = 0; i < count; i++) {
+    for (size_t i = 0; i < count; i++) {
         JLT_PASS(jlt_section_next(self->section, &row));
         if (row.interrupted) return JLT_ERR_NO_CONVERGENCE;
         JLT_PASS(jlt_section_fate_status(row.fate));
@@ -231,7 +229,7 @@ jlt_status jlt_map_point(jlt_map *self, jlt_image *out, const double *q, size_t 
     memcpy(out->q, row.q, d * sizeof *q);
     memcpy(out->x, row.x, self->flow.chart->states * sizeof *out->x);
     out->T = row.t;
-    for (i = 0; i < (size_t)d * d; i++) out->slope[i] = NAN;
+    for (size_t i = 0; i < (size_t)d * d; i++) out->slope[i] = NAN;
     out->determinant = out->flux_determinant = out->expansion = out->defect = out->bound = NAN;
     return JLT_OK;
 }

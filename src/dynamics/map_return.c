@@ -25,14 +25,13 @@ static void project(const jlt_chart *chart, double *slope, double *q, const doub
 {
     const unsigned n = chart->states, d = chart->dim, c = chart->column;
     double lowering[JLT_CHART_DIM_MAX * JLT_CHART_STATES_MAX];
-    unsigned i, j, k;
 
     chart->lower(chart, q, lowering, end);
-    for (k = 0; k < d; k++) {
+    for (unsigned k = 0; k < d; k++) {
         const double *y = end + n * (1 + k);
-        for (i = 0; i < d; i++) {
+        for (unsigned i = 0; i < d; i++) {
             double sum = 0;
-            for (j = 0; j < n; j++)
+            for (unsigned j = 0; j < n; j++)
                 if (j != c) sum += lowering[i * n + j] * (y[j] - f[j] / f[c] * y[c]);
             slope[i * d + k] = ldexp(sum, -chart->unit[i]);
         }

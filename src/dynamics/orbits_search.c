@@ -35,10 +35,9 @@ jlt_status jlt_orbits_search(jlt_orbits *self, jlt_map *map, const jlt_orbits_op
     const jlt_chart *chart = jlt_map_flow(map)->chart;
     collector into = { self, chart };
     jlt_status st = JLT_OK;
-    size_t i;
 
     if (options->period_max == 0 || options->period_max > JLT_PERIODIC_MAX) return JLT_ERR_ARG;
-    for (i = 0; i < options->line_count; i++)
+    for (size_t i = 0; i < options->line_count; i++)
         JLT_TRY(jlt_symmetric_search(map, &options->lines[i], options->period_max, collect, &into));
     if (options->counts[0] > 0) JLT_TRY(jlt_orbits_grid(self, map, options));
     if (chart->reversible) JLT_TRY(add_mirrors(self, map));

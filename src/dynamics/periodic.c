@@ -39,9 +39,7 @@ static jlt_status iterate(jlt_map *map, double *points, size_t period, const uns
 
 size_t jlt_periodic_primitive(const jlt_chart *chart, const double *points, size_t period)
 {
-    size_t p;
-
-    for (p = 1; p < period; p++)
+    for (size_t p = 1; p < period; p++)
         if (period % p == 0 && jlt_chart_distance(chart, points, points + p * chart->dim) < same_point) return p;
     return period;
 }
@@ -49,11 +47,10 @@ size_t jlt_periodic_primitive(const jlt_chart *chart, const double *points, size
 static bool is_symmetric(const jlt_chart *chart, const double *points, size_t period)
 {
     double image[D];
-    size_t k;
 
     if (!chart->reversible) return false;
     jlt_chart_mirror(chart, image, points);
-    for (k = 0; k < period; k++)
+    for (size_t k = 0; k < period; k++)
         if (jlt_chart_distance(chart, image, points + k * chart->dim) < same_point) return true;
     return false;
 }
@@ -99,14 +96,13 @@ jlt_status jlt_periodic_measure(jlt_map *map, jlt_periodic *io)
     jlt_shooting at = { 0 };
     double *slope;
     unsigned i;
-    size_t k;
     jlt_status st = JLT_OK;
 
     if (io->period == 0 || io->period > JLT_PERIODIC_MAX) return JLT_ERR_ARG;
     JLT_TRY(jlt_shooting_create(&at, d, orbit.period));
     JLT_TRY(jlt_shooting_of(&at, map, orbit.points, orbit.period));
     slope = at.slopes; /* of the whole orbit, in place of the first return's */
-    for (k = 1; k < orbit.period; k++) jlt_linear_multiply(slope, at.slopes + k * d * d, slope, d);
+    for (size_t k = 1; k < orbit.period; k++) jlt_linear_multiply(slope, at.slopes + k * d * d, slope, d);
     for (i = 0; d == 2 && i < 4; i++) orbit.slope[i] = ldexp(slope[i], chart->scale[i / 2] - chart->scale[i % 2]);
     for (orbit.trace = 0, i = 0; i < d; i++) orbit.trace += slope[i * d + i];
     orbit.T = at.T;
@@ -183,10 +179,9 @@ jlt_status jlt_periodic_rotate(jlt_map *map, jlt_periodic *io, size_t first)
     const unsigned d = jlt_map_flow(map)->chart->dim;
     jlt_periodic orbit = *io;
     jlt_status st;
-    size_t k;
 
     if (first >= io->period) return JLT_ERR_ARG;
-    for (k = 0; k < io->period; k++)
+    for (size_t k = 0; k < io->period; k++)
         memcpy(orbit.points + k * d, io->points + (k + first) % io->period * d, d * sizeof *orbit.points);
     st = jlt_periodic_measure(map, &orbit);
     if (st == JLT_OK) *io = orbit;
@@ -202,10 +197,8 @@ void jlt_periodic_mirror(const jlt_chart *chart, jlt_periodic *out, const jlt_pe
 
 bool jlt_periodic_same(const jlt_chart *chart, const jlt_periodic *a, const jlt_periodic *b, double distance)
 {
-    size_t k;
-
     if (a->period != b->period) return false;
-    for (k = 0; k < a->period; k++)
+    for (size_t k = 0; k < a->period; k++)
         if (jlt_chart_distance(chart, a->points + k * chart->dim, b->points) < distance) return true;
     return false;
 }

@@ -21,14 +21,13 @@ static jlt_status halves(const search *self, double *h, double u, size_t count)
     double q[JLT_CHART_DIM_MAX];
     jlt_return row = { .fate = JLT_FATE_ALIVE };
     jlt_status st;
-    size_t j;
 
-    for (j = 0; j < count; j++) h[j] = NAN;
+    for (size_t j = 0; j < count; j++) h[j] = NAN;
     memcpy(q, self->line->base, sizeof q);
     q[self->line->free] = u;
     st = jlt_section_start(self->both, NULL, q, 1);
     if (st == JLT_ERR_EMPTY || st == JLT_ERR_DOMAIN) return JLT_OK;
-    for (j = 0; st == JLT_OK && j < count; j++) {
+    for (size_t j = 0; st == JLT_OK && j < count; j++) {
         st = jlt_section_next(self->both, &row);
         if (st != JLT_OK || row.interrupted || row.fate != JLT_FATE_ALIVE) break;
         h[j] = ldexp(row.q[self->mirrored], -chart->scale[self->mirrored]);
@@ -112,9 +111,8 @@ static jlt_status sample(const search *self, double *table, size_t crossings, do
 {
     const jlt_symmetric_line *line = self->line;
     jlt_status st = JLT_OK;
-    size_t i;
 
-    for (i = 0; st == JLT_OK && i < line->samples; i++) {
+    for (size_t i = 0; st == JLT_OK && i < line->samples; i++) {
         at[i] = line->low + (line->high - line->low) * (double)i / (double)(line->samples - 1);
         st = halves(self, table + i * crossings, at[i], crossings);
     }
@@ -131,12 +129,10 @@ jlt_status jlt_symmetric_search(jlt_map *map, const jlt_symmetric_line *line, si
     jlt_status st = JLT_OK;
     double *table = NULL, *at = NULL, *work = NULL;
     const size_t crossings = flow->direction == JLT_BOTH ? period_max / 2 : period_max;
-    size_t i, j;
-    unsigned k;
 
     if (line->samples < 2 || line->free >= chart->dim || !(line->low < line->high)) return JLT_ERR_ARG;
     if (!chart->reversible) return JLT_ERR_UNSUPPORTED;
-    for (k = 0; k < chart->dim; k++) {
+    for (unsigned k = 0; k < chart->dim; k++) {
         if (chart->mirror[k] > 0) {
             self.held[k] = k != line->free;
             continue;
@@ -155,8 +151,8 @@ jlt_status jlt_symmetric_search(jlt_map *map, const jlt_symmetric_line *line, si
     st = JLT_ERR_NOMEM;
     if (table == NULL || at == NULL || work == NULL) goto done;
     JLT_TRY(sample(&self, table, crossings, at));
-    for (j = 1; j <= crossings; j++)
-        for (i = 0; i + 1 < line->samples; i++) {
+    for (size_t j = 1; j <= crossings; j++)
+        for (size_t i = 0; i + 1 < line->samples; i++) {
             const double ha = table[i * crossings + j - 1], hb = table[(i + 1) * crossings + j - 1];
             double root = 0;
             bool found;

@@ -109,13 +109,12 @@ jlt_status jlt_system_plane(jlt_system **out, const jlt_descriptor *descriptor, 
     int all_signs[JLT_CHART_STATES_MAX];
     jlt_system *self = NULL;
     jlt_status st = JLT_OK;
-    unsigned i;
 
     *out = NULL;
     if (descriptor->state_count > JLT_CHART_STATES_MAX) return JLT_ERR_ARG;
     self = calloc(1, sizeof(plane_system));
     if (self == NULL) return JLT_ERR_NOMEM;
-    for (i = 0; i < descriptor->state_count; i++) {
+    for (unsigned i = 0; i < descriptor->state_count; i++) {
         state_names[i] = descriptor->states[i].name;
         all_signs[i] = signs != NULL && i < descriptor->state_count - descriptor->lifted_count ? signs[i] : 1;
     }
