@@ -115,9 +115,8 @@ static jlt_status solve_large(double *re, double *im, double *error, const doubl
 {
     const double size = jlt_linear_length(block, n * n);
     const double noise = jlt_linear_length(block_error, n * n) + 10 * (double)n * roundoff * size;
-    const jlt_status st = jlt_eigen_values(re, im, block, n);
 
-    if (st != JLT_OK) return st;
+    JLT_PASS(jlt_eigen_values(re, im, block, n));
     for (size_t i = 0; i < n; i++) {
         double distances = 1.0;
         for (size_t k = 0; k < n; k++)
@@ -171,25 +170,22 @@ static jlt_status cross_check(jlt_deflation *result, const jlt_deflation_problem
     const double size = fmax(jlt_linear_length(p->a, n * n), DBL_MIN);
     double re[SIZE], im[SIZE], other_re[SIZE], other_im[SIZE];
     size_t nonzero = 0, wanted, found = 0;
-    jlt_status st;
 
     for (size_t i = 0; i < n; i++) {
         re[i] = result->values[i].re;
         im[i] = result->values[i].im;
         nonzero += re[i] != 0.0 || im[i] != 0.0;
     }
-    st = jlt_eigen_values(other_re, other_im, c->block, rest);
-    if (st != JLT_OK) return st;
+    JLT_PASS(jlt_eigen_values(other_re, other_im, c->block, rest));
     result->gsl_difference = farthest(re + p->rank, im + p->rank, rest, other_re, other_im, rest) / size;
-    st = jlt_eigen_values(other_re, other_im, p->a, n);
-    if (st != JLT_OK) return st;
+    JLT_PASS(jlt_eigen_values(other_re, other_im, p->a, n));
     result->plain_difference = fmax(farthest(re, im, n, other_re, other_im, n),
                                     farthest(other_re, other_im, n, re, im, n)) / size;
     if (n < 3) result->arpack_note = "ARPACK needs three rows";
     else if (nonzero == 0) result->arpack_note = "no eigenvalue differs from zero";
     if (result->arpack_note[0] != '\0') return JLT_OK;
     wanted = nonzero < n - 2 ? nonzero : n - 2;
-    st = jlt_arpack_largest(other_re, other_im, &found, p->a, n, wanted);
+    const jlt_status st = jlt_arpack_largest(other_re, other_im, &found, p->a, n, wanted);
     if (st == JLT_ERR_NOMEM) return st;
     if (st != JLT_OK || found == 0) result->arpack_note = "ARPACK did not converge";
     else result->arpack_difference = farthest(other_re, other_im, found, re, im, n) / size;
@@ -245,13 +241,12 @@ static jlt_status compute(jlt_deflation *result, const double *a, const double *
     jlt_deflation r = { 0 };
     double re[SIZE], im[SIZE], errors[SIZE];
     size_t attributed, zeros;
-    jlt_status st;
 
     if (n == 0 || n > SIZE || count > SIZE) return JLT_ERR_ARG;
-    JLT_TRY(jlt_deflation_problem_set(&p, a, error, n, gradients, gradient_error, count));
+    JLT_PASS(jlt_deflation_problem_set(&p, a, error, n, gradients, gradient_error, count));
     r.defect = jlt_deflation_problem_defect(&p);
     attributed = p.rank;
-    JLT_TRY(solve_problem(re, im, errors, &p, &best));
+    JLT_PASS(solve_problem(re, im, errors, &p, &best));
     r.n = n;
     r.kept = n - attributed;
     zeros = attributed;
@@ -269,7 +264,7 @@ static jlt_status compute(jlt_deflation *result, const double *a, const double *
     }
     r.gsl_difference = r.plain_difference = r.arpack_difference = NAN;
     r.arpack_note = "";
-    if (checked) JLT_TRY(cross_check(&r, &p, &best));
+    if (checked) JLT_PASS(cross_check(&r, &p, &best));
     for (size_t i = 0; i < n; i++) {
         jlt_eigenvalue *value = &r.values[i];
         const bool small = value->re == 0.0 && value->im == 0.0;
@@ -277,12 +272,11 @@ static jlt_status compute(jlt_deflation *result, const double *a, const double *
         value->im = ldexp(value->im, p.exponent);
         value->error = ldexp(value->error, p.exponent);
         if (!isfinite(value->re) || !isfinite(value->im) || (!small && !isnormal(hypot(value->re, value->im))))
-            st = JLT_ERR_NONFINITE;
+            return JLT_ERR_NONFINITE;
         if (small && value->source < 0 && r.defective_zero) value->condition = INFINITY;
     }
-    if (st == JLT_OK) *result = r;
-done:
-    return st;
+    *result = r;
+    return JLT_OK;
 }
 
 jlt_status jlt_deflation_solve(jlt_deflation *result, const double *a, const double *error, size_t n, const double *gradients,

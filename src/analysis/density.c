@@ -37,16 +37,13 @@ void jlt_density_draw_state(double *x, const jlt_descriptor *descriptor, const d
 static jlt_status ratio_at(double *ratio, const jlt_instance *instance, size_t along, const double *x)
 {
     double f[SIZE], divergence;
-    jlt_status st;
 
-    JLT_TRY(jlt_instance_rhs(instance, f, x));
-    JLT_TRY(jlt_instance_divergence(instance, &divergence, x));
+    JLT_PASS(jlt_instance_rhs(instance, f, x));
+    JLT_PASS(jlt_instance_divergence(instance, &divergence, x));
     if (divergence == 0.0) *ratio = 0.0;
-    else if (f[along] == 0.0) st = JLT_ERR_DOMAIN;
+    else if (f[along] == 0.0) return JLT_ERR_DOMAIN;
     else *ratio = -divergence / f[along];
-    if (st == JLT_OK && !isfinite(*ratio)) st = JLT_ERR_DOMAIN;
-done:
-    return st;
+    return isfinite(*ratio) ? JLT_OK : JLT_ERR_DOMAIN;
 }
 
 jlt_status jlt_density_defect(double *defect, const jlt_instance *instance, size_t along, jlt_random *random)
@@ -102,7 +99,6 @@ jlt_status jlt_density_tabulate(jlt_density_point *points, size_t count, const j
 {
     const size_t middle = count / 2;
     line l = { .instance = instance, .along = along };
-    jlt_status st = JLT_OK;
 
     if (count == 0 || instance->descriptor->state_count > SIZE) return JLT_ERR_ARG;
     memcpy(l.x, x, instance->descriptor->state_count * sizeof *x);
@@ -119,14 +115,13 @@ jlt_status jlt_density_tabulate(jlt_density_point *points, size_t count, const j
             if (side == 0 ? !up : k > middle) continue;
             i = side == 0 ? middle + k : middle - k;
             from = side == 0 ? i - 1 : i + 1;
-            JLT_TRY(jlt_quadrature_integrate(&integral, &error, slope, &l, points[from].at, points[i].at, 1e-15, 1e-13));
+            JLT_PASS(jlt_quadrature_integrate(&integral, &error, slope, &l, points[from].at, points[i].at, 1e-15, 1e-13));
             points[i].density = points[from].density * exp(integral);
             points[i].error = points[from].error + error;
             if (!(points[i].density > 0) || isinf(points[i].density)) return JLT_ERR_NONFINITE;
         }
     }
-done:
-    return st;
+    return JLT_OK;
 }
 
 /* The size of the terms of div f and of f . grad ln rho before anything cancels. */
@@ -134,14 +129,12 @@ static jlt_status size_of_terms(double *size, const jlt_instance *instance, cons
 {
     const unsigned n = instance->descriptor->state_count;
     double f[SIZE], jacobian[SIZE * SIZE];
-    jlt_status st = JLT_OK;
 
-    JLT_TRY(jlt_instance_rhs(instance, f, x));
-    JLT_TRY(jlt_instance_jacobian(instance, jacobian, x));
+    JLT_PASS(jlt_instance_rhs(instance, f, x));
+    JLT_PASS(jlt_instance_jacobian(instance, jacobian, x));
     *size = 0.0;
     for (unsigned i = 0; i < n; i++) *size += fabs(jacobian[i * n + i]) + fabs(f[i] / x[i]);
-done:
-    return st;
+    return JLT_OK;
 }
 
 jlt_status jlt_density_residual(double *residual, const jlt_instance *instance, size_t samples, jlt_random *random)

@@ -125,31 +125,28 @@ static jlt_status measure_gradients(jlt_linearization *r, const jlt_instance *in
 {
     const jlt_descriptor *d = r->descriptor;
     double gradients[SIZE * SIZE];
-    jlt_status st = JLT_OK;
 
     r->integrals = 0;
-    if (d->integral_gradients.call == NULL || d->integral_count > SIZE) return st;
-    JLT_TRY(jlt_instance_gradients(instance, gradients, x));
+    if (d->integral_gradients.call == NULL || d->integral_count > SIZE) return JLT_OK;
+    JLT_PASS(jlt_instance_gradients(instance, gradients, x));
     for (unsigned k = 0; k < d->integral_count; k++) {
         if (!jlt_descriptor_proves(d, "integral", d->integrals[k].name)) continue;
         memcpy(r->gradients + r->integrals * r->n, gradients + k * r->n, r->n * sizeof *gradients);
         r->held[r->integrals++] = d->integrals[k];
     }
-done:
-    return st;
+    return JLT_OK;
 }
 
 static jlt_status measure_residual(jlt_linearization *r, const jlt_instance *instance, const double *x)
 {
     const size_t n = instance->descriptor->state_count;
-    jlt_status st;
 
     r->descriptor = instance->descriptor;
     r->n = n;
-    JLT_TRY(jlt_instance_rhs(instance, r->f, x));
-    JLT_TRY(jlt_instance_jacobian(instance, r->jacobian, x));
+    JLT_PASS(jlt_instance_rhs(instance, r->f, x));
+    JLT_PASS(jlt_instance_jacobian(instance, r->jacobian, x));
     for (size_t i = 0; i < n * n; i++) r->jacobian[i] += 0.0; /* -0 becomes 0 */
-    JLT_TRY(measure_gradients(r, instance, x));
+    JLT_PASS(measure_gradients(r, instance, x));
     r->residual = r->residual_ratio = 0.0;
     for (size_t j = 0; j < n; j++) r->reach[j] = reach_of(r, x, j);
     for (size_t i = 0; i < n; i++) {
@@ -158,8 +155,7 @@ static jlt_status measure_residual(jlt_linearization *r, const jlt_instance *ins
         r->residual = fmax(r->residual, fabs(r->f[i]));
         if (r->f[i] != 0.0) r->residual_ratio = fmax(r->residual_ratio, size > 0.0 ? fabs(r->f[i]) / size : INFINITY);
     }
-done:
-    return st;
+    return JLT_OK;
 }
 
 static jlt_status bind(jlt_instance **instance, const jlt_descriptor *descriptor, const double *params)
@@ -186,12 +182,10 @@ static jlt_status polynomial(jlt_linearization *r, const double *error)
 {
     const size_t n = r->n;
     double majorant[SIZE * SIZE], scale[SIZE + 1];
-    jlt_status st;
 
     for (size_t i = 0; i < n * n; i++)
         majorant[i] = error == NULL ? 4 * fabs(r->jacobian[i]) : fmax(fabs(r->jacobian[i]), error[i] / roundoff);
-    st = jlt_charpoly_faddeev_leverrier(r->charpoly, scale, r->jacobian, majorant, n);
-    if (st != JLT_OK) return st;
+    JLT_PASS(jlt_charpoly_faddeev_leverrier(r->charpoly, scale, r->jacobian, majorant, n));
     for (size_t k = 0; k <= n; k++) {
         r->charpoly_error[k] = (double)(k * (n + 3)) * roundoff * scale[k];
         if (k > r->eigen.kept) r->charpoly[k] = r->charpoly_error[k] = 0.0;
@@ -202,21 +196,19 @@ static jlt_status polynomial(jlt_linearization *r, const double *error)
 static jlt_status formulas(jlt_linearization *r, const jlt_descriptor *general, const double *params, const double *x)
 {
     const size_t n = r->n;
-    jlt_status st = JLT_OK;
 
     r->trace_formula = NAN;
     for (size_t k = 0; k <= n; k++) r->charpoly_formula[k] = NAN;
     r->family = family_of(general, params, x);
     if (r->family == NULL) return JLT_OK;
     if (r->family->trace != NULL)
-        JLT_TRY(jlt_kernel_eval_function(&r->trace_formula, r->family->trace, 1, x, n, params, general->param_count));
+        JLT_PASS(jlt_kernel_eval_function(&r->trace_formula, r->family->trace, 1, x, n, params, general->param_count));
     if (r->family->charpoly != NULL) {
         double c[SIZE + 1];
-        JLT_TRY(jlt_kernel_eval_function(c, r->family->charpoly, n + 1, x, n, params, general->param_count));
+        JLT_PASS(jlt_kernel_eval_function(c, r->family->charpoly, n + 1, x, n, params, general->param_count));
         for (size_t k = 0; k <= n; k++) r->charpoly_formula[k] = k == 0 ? 1.0 : c[k] / c[0];
     }
-done:
-    return st;
+    return JLT_OK;
 }
 
 /* Mark the eigenvalues as unknown: doubles do not determine them. */
@@ -356,9 +348,8 @@ jlt_status jlt_linearization_enclose(jlt_linearization *result, const jlt_descri
         .exact = exact, .digits = digits
     };
     jlt_ball_spectrum s;
-    const jlt_status st = jlt_ball_spectrum_compute(&s, &question);
 
-    if (st != JLT_OK) return st;
+    JLT_PASS(jlt_ball_spectrum_compute(&s, &question));
     memcpy(result->jacobian, s.jacobian, s.n * s.n * sizeof *s.jacobian);
     for (size_t k = 0; k <= s.n; k++) {
         result->charpoly[k] = s.charpoly[k];

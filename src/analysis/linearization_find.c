@@ -60,7 +60,6 @@ static jlt_status advance(search *s, bool *settled)
     size_t moving = 0, columns[SIZE];
     const double before = merit(s, s->at.f, s->x);
     jlt_linearization next;
-    jlt_status st;
 
     for (size_t j = 0; j < n; j++)
         if (!s->fixed[j]) columns[moving++] = j;
@@ -72,12 +71,11 @@ static jlt_status advance(search *s, bool *settled)
     }
     *settled = moving == 0 || before == 0.0;
     if (*settled) return JLT_OK;
-    st = jlt_eigen_least_squares(step, a, s->at.f, n, moving, 1e-10);
-    if (st != JLT_OK) return st;
+    JLT_PASS(jlt_eigen_least_squares(step, a, s->at.f, n, moving, 1e-10));
     for (int halving = 0; halving < HALVINGS; halving++) {
         memcpy(trial, s->x, n * sizeof *trial);
         for (size_t j = 0; j < moving; j++) trial[columns[j]] -= ldexp(step[j], -halving);
-        st = jlt_linearization_residual(&next, s->descriptor, s->params, trial);
+        const jlt_status st = jlt_linearization_residual(&next, s->descriptor, s->params, trial);
         if (st == JLT_ERR_NOMEM) return st;
         if (st == JLT_OK && merit(s, next.f, trial) < before) {
             s->at = next;
@@ -132,19 +130,16 @@ static jlt_status newton(search *s)
 {
     const double began = largest_of(s);
     bool settled = false;
-    jlt_status st;
 
-    JLT_TRY(measure(s));
-    for (int i = 0; i < NEWTON_STEPS && !settled; i++) JLT_TRY(advance(s, &settled));
+    JLT_PASS(measure(s));
+    for (int i = 0; i < NEWTON_STEPS && !settled; i++) JLT_PASS(advance(s, &settled));
     if (s->at.residual_ratio > JLT_LINEARIZATION_TOLERANCE) {
         snap(s);
         settled = false;
-        for (int i = 0; i < NEWTON_STEPS && !settled; i++) JLT_TRY(advance(s, &settled));
+        for (int i = 0; i < NEWTON_STEPS && !settled; i++) JLT_PASS(advance(s, &settled));
     }
     if (s->at.residual_ratio > JLT_LINEARIZATION_TOLERANCE) snap_to_origin(s, began);
-    if (s->at.residual_ratio > JLT_LINEARIZATION_TOLERANCE) st = JLT_ERR_NO_CONVERGENCE;
-done:
-    return st;
+    return s->at.residual_ratio > JLT_LINEARIZATION_TOLERANCE ? JLT_ERR_NO_CONVERGENCE : JLT_OK;
 }
 
 /* Starting point number k: the guess itself for k = 0, then random points farther and farther from it, so that a zero state of the

@@ -81,24 +81,22 @@ static bool depends_on_one(const jlt_instance *instance, unsigned which, const d
 static jlt_status compare(jlt_measure_attempt *a, const jlt_instance *instance, unsigned which, const double *x)
 {
     double y[STATES_MAX], middle = 1.0;
-    jlt_status st = JLT_OK;
 
     a->closed = jlt_memory_array(a->count, sizeof *a->closed);
     if (a->closed == NULL) return JLT_ERR_NOMEM;
     memcpy(y, x, instance->descriptor->state_count * sizeof *y);
     y[a->along] = a->points[a->count / 2].at;
-    JLT_TRY(density_at(&middle, instance, which, y));
+    JLT_PASS(density_at(&middle, instance, which, y));
     a->difference_bound = 1e-12;
     for (size_t i = 0; i < a->count; i++) {
         y[a->along] = a->points[i].at;
-        JLT_TRY(density_at(&a->closed[i], instance, which, y));
+        JLT_PASS(density_at(&a->closed[i], instance, which, y));
         a->closed[i] /= middle;
         a->difference = fmax(a->difference, fabs(a->points[i].density / a->closed[i] - 1.0));
         a->difference_bound = fmax(a->difference_bound, a->points[i].error + 1e-12);
     }
     a->closed_form = instance->descriptor->measures[which].name;
-done:
-    return st;
+    return JLT_OK;
 }
 
 /* The factor by which the density changes over its state's proved period, 1 within the quadrature's error; 1 without a period. */
@@ -106,14 +104,12 @@ static jlt_status turn_of(double *turn, const jlt_instance *instance, size_t alo
 {
     const jlt_quantity *q = &instance->descriptor->states[along];
     jlt_density_point ends[2];
-    jlt_status st = JLT_OK;
 
     *turn = 1.0;
     if (q->period == 0.0 || !jlt_descriptor_proves(instance->descriptor, "periodic", q->name)) return JLT_OK;
-    JLT_TRY(jlt_density_tabulate(ends, 2, instance, along, low, low + q->period, x));
+    JLT_PASS(jlt_density_tabulate(ends, 2, instance, along, low, low + q->period, x));
     if (fabs(ends[0].density - 1.0) > JLT_DENSITY_TOLERANCE + ends[0].error) *turn = 1.0 / ends[0].density;
-done:
-    return st;
+    return JLT_OK;
 }
 
 /* Tabulate the density on the part of the range within the domain, with random other states x; the first tries accept only an x
@@ -271,15 +267,12 @@ jlt_status jlt_measure_find(jlt_measure_finding *finding, const jlt_descriptor *
                             jlt_random *random)
 {
     const jlt_descriptor *special = jlt_descriptor_choose(general, NULL, NULL, params);
-    jlt_status st = JLT_ERR_UNSUPPORTED;
 
-    if (special == NULL || special->measure_count > JLT_MEASURE_CLAIMS_MAX) goto done;
-    JLT_TRY(jlt_instance_create(&finding->instance, special, params));
-    JLT_TRY(jlt_measure_try(&finding->attempt, finding->instance, count, random));
-    JLT_TRY(jlt_density_residual(finding->residual, finding->instance, JLT_MEASURE_SAMPLES, random));
-    JLT_TRY(jlt_measure_obstruct(finding, general, params, random));
-done:
-    return st;
+    if (special == NULL || special->measure_count > JLT_MEASURE_CLAIMS_MAX) return JLT_ERR_UNSUPPORTED;
+    JLT_PASS(jlt_instance_create(&finding->instance, special, params));
+    JLT_PASS(jlt_measure_try(&finding->attempt, finding->instance, count, random));
+    JLT_PASS(jlt_density_residual(finding->residual, finding->instance, JLT_MEASURE_SAMPLES, random));
+    return jlt_measure_obstruct(finding, general, params, random);
 }
 
 void jlt_measure_forget(jlt_measure_finding *finding)

@@ -254,8 +254,7 @@ static jlt_status add_boxes(builder *b)
     for (size_t i = 0; i < b->arrival_count; i++)
         if (i == 0 || b->arrivals[i].box != b->arrivals[i - 1].box) b->first[b->groups++] = i;
     b->first[b->groups] = b->arrival_count;
-    const jlt_status st = reserve(b, b->count + b->groups);
-    if (st != JLT_OK) return st;
+    JLT_PASS(reserve(b, b->count + b->groups));
     for (size_t g = 0; g < b->groups; g++) {
         const uint32_t box = b->arrivals[b->first[g]].box;
         b->kept[box] = (uint32_t)b->count;

@@ -70,11 +70,9 @@ static jlt_status compare_matrix(jlt_verify_family *f, const jlt_sample *s, cons
     static const char name[] = "generated Jacobian against the table's matrix";
     const size_t n = d->state_count;
     double formula[SIZE * SIZE];
-    jlt_status st;
 
     if (f->family->matrix == NULL) return JLT_OK;
-    st = jlt_kernel_eval_function(formula, f->family->matrix, n * n, s->x, n, s->params, d->param_count);
-    if (st != JLT_OK) return st;
+    JLT_PASS(jlt_kernel_eval_function(formula, f->family->matrix, n * n, s->x, n, s->params, d->param_count));
     against_enclosures(check_named(f, "table's matrix in ball enclosures of 256 bits", running_error), formula, s->jacobian,
                        n * n);
     for (size_t i = 0; i < n * n; i++)
@@ -110,12 +108,10 @@ static jlt_status compare_charpoly(jlt_verify_family *f, const jlt_sample *s, co
     const size_t n = d->state_count;
     double computed[SIZE + 1], scale[SIZE + 1], formula[SIZE + 1], re[SIZE], im[SIZE], roots[SIZE + 1], sizes[SIZE + 1];
     double errors = 0.0;
-    jlt_status st = jlt_charpoly_faddeev_leverrier(computed, scale, jacobian, s->majorant, n);
 
-    if (st != JLT_OK) return st;
+    JLT_PASS(jlt_charpoly_faddeev_leverrier(computed, scale, jacobian, s->majorant, n));
     if (f->family->charpoly != NULL) {
-        st = jlt_kernel_eval_function(formula, f->family->charpoly, n + 1, s->x, n, s->params, d->param_count);
-        if (st != JLT_OK) return st;
+        JLT_PASS(jlt_kernel_eval_function(formula, f->family->charpoly, n + 1, s->x, n, s->params, d->param_count));
         for (size_t k = 1; k <= n; k++)
             record(check_named(f, "characteristic polynomial, Faddeev-LeVerrier against the table's", charpoly_error),
                    fabs(computed[k] - formula[k] / formula[0]), formula[k] / formula[0], scale[k],
@@ -126,8 +122,7 @@ static jlt_status compare_charpoly(jlt_verify_family *f, const jlt_sample *s, co
         im[i] = eigen->values[i].im;
         errors += eigen->values[i].error;
     }
-    st = jlt_charpoly_from_roots(roots, sizes, re, im, n);
-    if (st != JLT_OK) return st;
+    JLT_PASS(jlt_charpoly_from_roots(roots, sizes, re, im, n));
     for (size_t k = 1; k <= n; k++)
         record(check_named(f, "eigenvalues against the characteristic polynomial", root_error),
                fabs(roots[k] - computed[k]), 0.0, scale[k] + sizes[k],
@@ -140,11 +135,9 @@ static jlt_status compare_left_null(jlt_verify_family *f, const jlt_sample *s, c
     jlt_verify_check *check;
     const size_t n = d->state_count, count = f->family->left_null_count;
     double w[SIZE * SIZE];
-    jlt_status st;
 
     if (count == 0 || f->family->left_null_gradients == NULL) return JLT_OK;
-    st = jlt_kernel_eval_function(w, f->family->left_null_gradients, count * n, s->x, n, s->params, d->param_count);
-    if (st != JLT_OK) return st;
+    JLT_PASS(jlt_kernel_eval_function(w, f->family->left_null_gradients, count * n, s->x, n, s->params, d->param_count));
     against_enclosures(check_named(f, "integrals' gradients in ball enclosures of 256 bits", running_error), w, s->gradient,
                        count * n);
     check = check_named(f, "integrals' gradients as left null vectors", null_error);
@@ -171,17 +164,14 @@ static jlt_status compare_eigen(jlt_verify_family *f, jlt_deflation *eigen, cons
     const size_t n = d->state_count;
     double gradients[SIZE * SIZE], errors[SIZE * SIZE], gradient_errors[SIZE * SIZE];
     size_t count = 0;
-    jlt_status st;
 
     if (d->integral_gradients.call != NULL && d->integral_count <= SIZE) {
         count = d->integral_count;
-        st = jlt_instance_gradients(special, gradients, s->x);
-        if (st == JLT_OK) st = jlt_oracle_gradient_errors(oracle, gradient_errors, gradients, d->integrals, count);
-        if (st != JLT_OK) return st;
+        JLT_PASS(jlt_instance_gradients(special, gradients, s->x));
+        JLT_PASS(jlt_oracle_gradient_errors(oracle, gradient_errors, gradients, d->integrals, count));
     }
     for (size_t i = 0; i < n * n; i++) errors[i] = jlt_oracle_error(jacobian[i], &s->jacobian[i]);
-    st = jlt_deflation_compute(eigen, jacobian, errors, n, gradients, gradient_errors, count);
-    if (st != JLT_OK) return st;
+    JLT_PASS(jlt_deflation_compute(eigen, jacobian, errors, n, gradients, gradient_errors, count));
     f->gsl_worst = fmax(f->gsl_worst, eigen->plain_difference);
     if (!isnan(eigen->arpack_difference)) {
         f->arpack_worst = fmax(f->arpack_worst, eigen->arpack_difference);

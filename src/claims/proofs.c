@@ -34,15 +34,10 @@ static ttc_model *resolve(void *context, const ttc_model *model, const char *tar
 
 jlt_status jlt_verify_prove(jlt_verify_run *run)
 {
-    jlt_status st;
-
-    JLT_TRY(jlt_oracle_create(&run->oracle, run->descriptor));
+    JLT_PASS(jlt_oracle_create(&run->oracle, run->descriptor));
     jlt_random_seed(&run->random, run->seed);
-    st = JLT_ERR_NOMEM;
-    if (!ttc_prove(run->oracle->model, resolve, run, TTC_PROVE_ALL, &run->proofs)) goto done;
+    if (!ttc_prove(run->oracle->model, resolve, run, TTC_PROVE_ALL, &run->proofs)) return JLT_ERR_NOMEM;
     run->held += run->proofs->proved;
     run->failed += run->proofs->proof_count - run->proofs->proved;
-    st = JLT_OK;
-done:
-    return st;
+    return JLT_OK;
 }

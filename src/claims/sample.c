@@ -104,17 +104,15 @@ jlt_status jlt_sample_enclose(jlt_sample *sample, jlt_verify_run *run, const jlt
 {
     const size_t n = run->descriptor->state_count;
     jlt_oracle *o = run->oracle;
-    jlt_status st;
 
     place(run, subject->claim, sample->params, sample->x);
-    JLT_TRY(jlt_oracle_estimate(o, sample->jacobian, o->jacobian, n * n));
-    JLT_TRY(jlt_oracle_estimate(o, &sample->trace, &o->trace, 1));
-    JLT_TRY(jlt_oracle_estimate(o, sample->gradient, subject->gradients, subject->family->left_null_count * n));
-    JLT_TRY(jlt_oracle_estimate(o, sample->field, o->field, n));
+    JLT_PASS(jlt_oracle_estimate(o, sample->jacobian, o->jacobian, n * n));
+    JLT_PASS(jlt_oracle_estimate(o, &sample->trace, &o->trace, 1));
+    JLT_PASS(jlt_oracle_estimate(o, sample->gradient, subject->gradients, subject->family->left_null_count * n));
+    JLT_PASS(jlt_oracle_estimate(o, sample->field, o->field, n));
     for (size_t i = 0; i < n * n; i++)
         sample->majorant[i] = fmax(fabs(sample->jacobian[i].value), sample->jacobian[i].rounding / (DBL_EPSILON / 2));
-done:
-    return st;
+    return JLT_OK;
 }
 
 jlt_status jlt_sample_subject_init(jlt_sample_subject *subject, const jlt_verify_run *run, const jlt_equilibria *family)

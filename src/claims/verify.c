@@ -4,14 +4,10 @@
 
 jlt_status jlt_verify_measure(jlt_verify_run *run, const volatile sig_atomic_t *interrupt)
 {
-    jlt_status st;
-
     run->interrupt = interrupt;
-    JLT_TRY(jlt_verify_families(run));
-    JLT_TRY(jlt_verify_certify(run));
-    JLT_TRY(jlt_verify_densities(run));
-done:
-    return st;
+    JLT_PASS(jlt_verify_families(run));
+    JLT_PASS(jlt_verify_certify(run));
+    return jlt_verify_densities(run);
 }
 
 void jlt_verify_clear(jlt_verify_run *run)

@@ -43,13 +43,11 @@ jlt_exit jlt_assign_parse(jlt_assign_list *list, const char *text, const char *o
         const size_t length = strcspn(text, ",");
         const char *equals = memchr(text, '=', length);
         const size_t name_length = equals == NULL ? 0 : (size_t)(equals - text);
-        jlt_exit code;
 
         if (name_length == 0 || name_length + 1 == length)
             return jlt_command_fail(JLT_EXIT_USAGE, "%s: '%.*s' is no assignment (write NAME=VALUE,NAME=VALUE)", option,
                                     (int)length, text);
-        code = add(list, text, name_length, equals + 1, length - name_length - 1, option);
-        if (code != JLT_EXIT_DONE) return code;
+        JLT_PASS(add(list, text, name_length, equals + 1, length - name_length - 1, option));
         text += length;
         if (*text == ',') text++;
     }

@@ -18,10 +18,9 @@ typedef struct {
 static jlt_status aim(chase *self)
 {
     jlt_image image;
-    const jlt_status st = jlt_map_apply(self->whole, &image, self->search->saddle, 1, 1);
     double half, root, b, a;
 
-    if (st != JLT_OK) return st;
+    JLT_PASS(jlt_map_apply(self->whole, &image, self->search->saddle, 1, 1));
     half = (image.slope[0] + image.slope[3]) / 2;
     root = sqrt(half * half - image.determinant);
     if (!(root > 0)) return JLT_ERR_NO_CONVERGENCE;
@@ -43,9 +42,8 @@ static void start_at(double q[2], const chase *self, double away)
 static jlt_status cross(double *value, double *T, const chase *self, const double q[2])
 {
     jlt_image image;
-    const jlt_status st = jlt_map_point(self->half, &image, q, 1, 1);
 
-    if (st != JLT_OK) return st;
+    JLT_PASS(jlt_map_point(self->half, &image, q, 1, 1));
     *value = image.x[self->flipped];
     *T = image.T;
     return JLT_OK;
@@ -58,22 +56,19 @@ static jlt_status follow(double *value, double *x, double *T, const chase *self,
     const unsigned states = self->search->states;
     double q[2], lifted[JLT_CHART_STATES_MAX], last;
     jlt_image image;
-    jlt_status st;
 
     start_at(q, self, away);
     for (unsigned i = 0; i <= returns; i++) {
         if (x != NULL) {
-            JLT_TRY(self->chart->lift(self->chart, lifted, NULL, q));
+            JLT_PASS(self->chart->lift(self->chart, lifted, NULL, q));
             for (unsigned s = 0; s < states; s++) x[i * states + s] = ldexp(lifted[s], jlt_map_flow(self->whole)->units.state[s]);
         }
         if (i == returns) break;
-        JLT_TRY(jlt_map_point(self->whole, &image, q, 1, 1));
+        JLT_PASS(jlt_map_point(self->whole, &image, q, 1, 1));
         memcpy(q, image.q, sizeof q);
         if (T != NULL) T[i] = image.T;
     }
-    st = cross(value, T != NULL ? T + returns : &last, self, q);
-done:
-    return st;
+    return cross(value, T != NULL ? T + returns : &last, self, q);
 }
 
 /* Find the wanted pair of neighbouring starts, numbered from 1 in the order in which the signs of their flipped states first
@@ -94,9 +89,8 @@ static jlt_status scan(const chase *self, unsigned *returns, double *from, doubl
         for (unsigned j = 0; j <= SAMPLES; j++) {
             jlt_image image;
             double value, T;
-            jlt_status st = cross(&value, &T, self, q[j]);
-            if (st == JLT_OK) st = jlt_map_point(self->whole, &image, q[j], 1, 1);
-            if (st != JLT_OK) return st;
+            JLT_PASS(cross(&value, &T, self, q[j]));
+            JLT_PASS(jlt_map_point(self->whole, &image, q[j], 1, 1));
             memcpy(q[j], image.q, sizeof q[j]);
             if (before * value < 0 && !seen[j]) {
                 seen[j] = true;
@@ -114,22 +108,20 @@ static jlt_status find(chase *self, double *x, double *T, unsigned *legs)
 {
     unsigned returns;
     double from, to, low;
-    jlt_status st;
 
-    JLT_TRY(aim(self));
-    JLT_TRY(scan(self, &returns, &from, &to));
-    JLT_TRY(follow(&low, NULL, NULL, self, from, returns));
+    JLT_PASS(aim(self));
+    JLT_PASS(scan(self, &returns, &from, &to));
+    JLT_PASS(follow(&low, NULL, NULL, self, from, returns));
     for (unsigned i = 0; i < BISECTIONS; i++) {
         const double middle = (from + to) / 2;
         double value;
-        JLT_TRY(follow(&value, NULL, NULL, self, middle, returns));
+        JLT_PASS(follow(&value, NULL, NULL, self, middle, returns));
         if (value * low > 0) from = middle;
         else to = middle;
     }
-    JLT_TRY(follow(&low, x, T, self, (from + to) / 2, returns));
+    JLT_PASS(follow(&low, x, T, self, (from + to) / 2, returns));
     *legs = returns + 1;
-done:
-    return st;
+    return JLT_OK;
 }
 
 jlt_status jlt_certify_homoclinic_find(double *x, double *T, unsigned *legs, const jlt_flow *flow, const jlt_certify_search *search)

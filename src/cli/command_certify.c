@@ -199,11 +199,9 @@ static jlt_status find_homoclinic(json_t *given, double *x, const jlt_given *que
 {
     double T[JLT_CERTIFY_RETURNS_MAX];
     unsigned legs = 0;
-    jlt_status st;
 
     search->signs = reversor->signs;
-    st = jlt_certify_homoclinic_find(x, T, &legs, &system->flow, search);
-    if (st != JLT_OK) return st;
+    JLT_PASS(jlt_certify_homoclinic_find(x, T, &legs, &system->flow, search));
     return jlt_given_homoclinic_make(question, given, reversor, legs, x, T, system->flow.direction == JLT_FALLING ? 1 : -1);
 }
 
@@ -283,11 +281,10 @@ static jlt_exit find_question(json_t **given, const jlt_descriptor **d, jlt_syst
     const jlt_certify_pole_options pole = { o->motion.starts[0], &o->spread, o->digits };
     jlt_common *common = &o->motion.common;
     const bool is_orbit = has_section(o->kind);
-    jlt_exit code = is_orbit ? jlt_motion_system(system, &o->motion) : jlt_common_model(common, d);
 
-    if (code == JLT_EXIT_DONE && !is_orbit && common->plan) code = jlt_common_still();
-    if (code == JLT_EXIT_DONE) code = jlt_common_write(common);
-    if (code != JLT_EXIT_DONE) return code;
+    JLT_PASS(is_orbit ? jlt_motion_system(system, &o->motion) : jlt_common_model(common, d));
+    if (!is_orbit && common->plan) JLT_PASS(jlt_common_still());
+    JLT_PASS(jlt_common_write(common));
     if (is_orbit) return ask(given, d, o, *system);
     return strcmp(o->kind, "pole") == 0 ? jlt_certify_pole(given, &pole, &common->set, *d)
                                         : jlt_certify_family(given, &family, &common->set, *d);

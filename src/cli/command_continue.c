@@ -257,10 +257,9 @@ static jlt_exit find_first(jlt_continuation_point *first, jlt_motion_family *fam
     double q[JLT_CHART_DIM_MAX];
     jlt_map *map;
     jlt_status st;
-    jlt_exit code = jlt_motion_start(q, system, o->motion.starts[0]);
 
-    if (code == JLT_EXIT_DONE) code = jlt_motion_scale(system, q, NULL);
-    if (code != JLT_EXIT_DONE) return code;
+    JLT_PASS(jlt_motion_start(q, system, o->motion.starts[0]));
+    JLT_PASS(jlt_motion_scale(system, q, NULL));
     *first = (jlt_continuation_point){ .value = *family->entries[0] };
     if (!(first->value >= axis->low && first->value <= axis->high))
         return jlt_command_fail(JLT_EXIT_INPUT, "--along: the run begins at %s=%.10g, outside of the range", axis->name,

@@ -284,11 +284,9 @@ static jlt_exit watch_proved(report *r)
 static jlt_exit open_integrals(report *r, options *o)
 {
     const jlt_surface *surface = r->drift.system->surface;
-    jlt_exit code = JLT_EXIT_DONE;
 
-    code = jlt_motion_default_start(&o->motion, r->drift.system, JLT_START_REGULAR, "say where to start: --start");
-    if (code == JLT_EXIT_DONE) code = jlt_motion_start(r->drift.q, r->drift.system, o->motion.starts[0]);
-    if (code != JLT_EXIT_DONE) return code;
+    JLT_PASS(jlt_motion_default_start(&o->motion, r->drift.system, JLT_START_REGULAR, "say where to start: --start"));
+    JLT_PASS(jlt_motion_start(r->drift.q, r->drift.system, o->motion.starts[0]));
     const jlt_status st = surface != NULL ? jlt_drift_whole_open(&r->whole, r->drift.system, r->drift.q) : JLT_ERR_UNSUPPORTED;
     if (st == JLT_ERR_UNSUPPORTED) return watch_proved(r);
     r->drift.count = surface->count - surface->params;

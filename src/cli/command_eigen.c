@@ -150,16 +150,14 @@ static jlt_exit prepare(jlt_eigen_request *r)
 {
     jlt_equilibrium_question *q = &r->question;
     const jlt_descriptor *d;
-    jlt_exit code = jlt_common_open(&r->common, &q->descriptor, &r->params);
 
-    if (code == JLT_EXIT_DONE && r->common.plan) code = jlt_common_still();
-    if (code != JLT_EXIT_DONE) return code;
+    JLT_PASS(jlt_common_open(&r->common, &q->descriptor, &r->params));
+    if (r->common.plan) JLT_PASS(jlt_common_still());
     d = q->descriptor;
     if (d->state_count > JLT_LINEARIZATION_SIZE_MAX)
         return jlt_command_fail(JLT_EXIT_INPUT, "%s has %u states; eigen serves up to %d", d->model, d->state_count,
                                 JLT_LINEARIZATION_SIZE_MAX);
-    code = jlt_assign_apply(r->x, q->given, &r->at, d->states, d->state_count, "state", d->model);
-    if (code != JLT_EXIT_DONE) return code;
+    JLT_PASS(jlt_assign_apply(r->x, q->given, &r->at, d->states, d->state_count, "state", d->model));
     for (size_t i = 0; i < r->at.count; i++) {
         size_t index = 0, known = 0;
         (void)jlt_descriptor_state(d, r->at.items[i].name, &index);

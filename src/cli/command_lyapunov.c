@@ -268,8 +268,7 @@ static jlt_exit open_maps(exponents *self, bool has_method)
         jlt_map_batch_destroy(self->maps);
         self->maps = NULL;
     }
-    const jlt_exit code = jlt_motion_start(self->q, self->system, o->motion.starts[0]);
-    if (code != JLT_EXIT_DONE) return code;
+    JLT_PASS(jlt_motion_start(self->q, self->system, o->motion.starts[0]));
     for (unsigned k = 0; k < self->system->flow.chart->dim; k++) extents[k] = fabs(self->q[k]);
     st = jlt_scale_find(self->system, self->q, 1, extents);
     return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, self->system, "the map");
@@ -313,16 +312,14 @@ static jlt_exit finish(void *run)
     exponents *self = run;
     options *o = &self->o;
     jlt_common *common = &o->motion.common;
-    jlt_exit code = jlt_common_write(common);
 
-    if (code != JLT_EXIT_DONE) return code;
+    JLT_PASS(jlt_common_write(common));
     jlt_motion_header(common->table.file, &o->motion, self->system);
-    code = o->motion.grid != NULL ? jlt_lyapunov_chart_write(&self->picture, self->map, self->maps, o, self->axes)
-                                  : write_history(self);
-    if (code == JLT_EXIT_DONE) code = jlt_common_save(common);
-    if (code == JLT_EXIT_DONE && common->plot != NULL)
-        code = o->motion.grid != NULL ? jlt_lyapunov_chart_draw(o, self->system, &self->picture) : draw_history(o, self->system);
-    return code;
+    JLT_PASS(o->motion.grid != NULL ? jlt_lyapunov_chart_write(&self->picture, self->map, self->maps, o, self->axes)
+                                    : write_history(self));
+    JLT_PASS(jlt_common_save(common));
+    if (common->plot == NULL) return JLT_EXIT_DONE;
+    return o->motion.grid != NULL ? jlt_lyapunov_chart_draw(o, self->system, &self->picture) : draw_history(o, self->system);
 }
 
 static bool are_enough(void *const *runs, size_t count)

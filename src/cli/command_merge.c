@@ -302,14 +302,11 @@ static jlt_exit write_all(merge *self)
 
 static jlt_exit merge_files(merge *self, const file_list *files)
 {
-    jlt_exit code = open_gather(self, files);
-
-    if (code == JLT_EXIT_DONE) code = read_study(self);
-    if (code == JLT_EXIT_DONE) code = pass(self, false);
-    if (code == JLT_EXIT_DONE && self->names == NULL)
-        code = jlt_command_fail(JLT_EXIT_INPUT, "no piece has rows: jellett sweep says why");
-    if (code == JLT_EXIT_DONE) code = write_all(self);
-    if (code != JLT_EXIT_DONE) return code;
+    JLT_PASS(open_gather(self, files));
+    JLT_PASS(read_study(self));
+    JLT_PASS(pass(self, false));
+    if (self->names == NULL) return jlt_command_fail(JLT_EXIT_INPUT, "no piece has rows: jellett sweep says why");
+    JLT_PASS(write_all(self));
     if (self->failed > 0)
         fprintf(stderr, "jellett: %zu of %zu pieces ended with another status than 0, the first of them number %zu: their rows "
                         "tell, and table "

@@ -169,19 +169,17 @@ static jlt_exit from_start(jlt_orbits *list, jlt_map *map, const options *o, jlt
     jlt_periodic orbit;
     jlt_grid_axis axis;
     jlt_status st;
-    jlt_exit code = jlt_motion_start(line.base, system, o->motion.starts[0]);
 
-    if (code == JLT_EXIT_DONE) code = held_mask(held, o, chart);
-    if (code == JLT_EXIT_DONE) code = jlt_motion_scale(system, line.base, NULL);
-    if (code != JLT_EXIT_DONE) return code;
+    JLT_PASS(jlt_motion_start(line.base, system, o->motion.starts[0]));
+    JLT_PASS(held_mask(held, o, chart));
+    JLT_PASS(jlt_motion_scale(system, line.base, NULL));
     if (o->line == NULL) {
         st = jlt_periodic_find(map, &orbit, line.base, o->period_max, held);
         if (st == JLT_ERR_NO_CONVERGENCE) st = find_attracting(&orbit, map, o, line.base);
         if (st == JLT_OK) st = jlt_orbits_add(list, chart, &orbit);
         return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_no_orbit(st, system, o->motion.starts[0]);
     }
-    code = jlt_grid_axis_parse(&axis, o->line, strlen(o->line), "--line");
-    if (code != JLT_EXIT_DONE) return code;
+    JLT_PASS(jlt_grid_axis_parse(&axis, o->line, strlen(o->line), "--line"));
     while (line.free < chart->dim && strcmp(chart->names[line.free], axis.name) != 0) line.free++;
     if (line.free == chart->dim)
         return jlt_command_fail(JLT_EXIT_INPUT, "--line: the section has no coordinate '%s'", axis.name);
@@ -245,16 +243,14 @@ static jlt_exit search_all(jlt_orbits *list, jlt_map *map, const options *o, jlt
     jlt_grid_axis axes[JLT_CHART_DIM_MAX];
     jlt_progress progress;
     jlt_status st;
-    jlt_exit code;
 
     jlt_interrupt_spare(o->threads);
     if (system->surface == NULL && o->grid == NULL)
         return jlt_command_fail(JLT_EXIT_USAGE, "say where to search: --start or --grid");
-    code = jlt_motion_axes(axes, system, no_grid ? NULL : o->grid != NULL ? o->grid : default_grid, "--grid");
-    if (code == JLT_EXIT_DONE) code = jlt_grid_whole(axes, "--grid");
-    if (code == JLT_EXIT_DONE && !no_grid) code = jlt_motion_check_grid(axes, system);
-    if (code == JLT_EXIT_DONE && !no_grid) code = jlt_motion_scale(system, NULL, axes);
-    if (code != JLT_EXIT_DONE) return code;
+    JLT_PASS(jlt_motion_axes(axes, system, no_grid ? NULL : o->grid != NULL ? o->grid : default_grid, "--grid"));
+    JLT_PASS(jlt_grid_whole(axes, "--grid"));
+    if (!no_grid) JLT_PASS(jlt_motion_check_grid(axes, system));
+    if (!no_grid) JLT_PASS(jlt_motion_scale(system, NULL, axes));
     for (unsigned k = 0; k < chart->dim; k++) {
         search.low[k] = axes[k].low;
         search.high[k] = axes[k].high;

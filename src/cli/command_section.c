@@ -148,15 +148,14 @@ static jlt_exit finish(void *run)
     section *self = run;
     jlt_section_run_options *o = &self->options;
     jlt_common *common = &o->motion.common;
-    jlt_exit code = jlt_common_write(common);
 
-    if (code == JLT_EXIT_DONE) code = jlt_section_run_write(&self->run);
-    if (code == JLT_EXIT_DONE) code = jlt_common_save(common);
-    if (code != JLT_EXIT_DONE) return code;
+    JLT_PASS(jlt_common_write(common));
+    JLT_PASS(jlt_section_run_write(&self->run));
+    JLT_PASS(jlt_common_save(common));
     const jlt_exit verdict = jlt_section_run_verdict(&self->run);
     if (common->plot != NULL)
-        code = jlt_section_picture_draw(&self->picture, common, self->system, o->motion.grid, o->axes, o->returns);
-    return code == JLT_EXIT_DONE ? verdict : code;
+        JLT_PASS(jlt_section_picture_draw(&self->picture, common, self->system, o->motion.grid, o->axes, o->returns));
+    return verdict;
 }
 
 /* Out: the section runs of `runs`, shape (count,); `out` has room for JLT_SHELF_RUNS. */

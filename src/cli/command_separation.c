@@ -79,7 +79,6 @@ static jlt_exit measure(jlt_separation *table, size_t *rows, const options *o, c
     double *starts = NULL;
     size_t all;
     jlt_status st = JLT_ERR_NOMEM;
-    jlt_exit code;
 
     if (system->flow.chart->dim != 2)
         return jlt_command_fail(JLT_EXIT_INPUT,
@@ -90,9 +89,8 @@ static jlt_exit measure(jlt_separation *table, size_t *rows, const options *o, c
         return jlt_command_fail(JLT_EXIT_INPUT,
                                 "the comparison needs a reversor that takes the section to itself, crossed as it is: "
                                 "write 'reversor STATE -> -STATE' in the table, or --mirror STATE,...");
-    code = jlt_motion_axes(axes, system, o->motion.grid, "--grid");
-    if (code == JLT_EXIT_DONE) code = jlt_motion_cells(cells, system, o->cells, "--cells");
-    if (code != JLT_EXIT_DONE) return code;
+    JLT_PASS(jlt_motion_axes(axes, system, o->motion.grid, "--grid"));
+    JLT_PASS(jlt_motion_cells(cells, system, o->cells, "--cells"));
     for (int k = 0; k < 2; k++) {
         wanted.low[k] = cells[k].low;
         wanted.high[k] = cells[k].high;

@@ -99,9 +99,7 @@ static jlt_exit open_course(jlt_simulate_request *r, const char *tier)
     if (st == JLT_OK && options.project) {
         const jlt_descriptor *field = plan->candidates[plan->chosen].descriptor;
         if (field == NULL) return jlt_command_fail(JLT_EXIT_USAGE, "--project: by quadratures there are no steps to go back after");
-        const jlt_exit code = plan->candidates[plan->chosen].tier.way_count > 0 ? jlt_common_proved(field)
-                                                                                : jlt_common_project(field);
-        if (code != JLT_EXIT_DONE) return code;
+        JLT_PASS(plan->candidates[plan->chosen].tier.way_count > 0 ? jlt_common_proved(field) : jlt_common_project(field));
     }
     if (st == JLT_OK) st = jlt_course_create(&r->courses[r->course_count], plan, &question, &options);
     if (st == JLT_ERR_UNSUPPORTED && options.project && s->method->multistep)

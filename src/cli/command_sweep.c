@@ -226,7 +226,7 @@ static jlt_exit compute(sweep *self, size_t position)
     jlt_worker *worker = &self->worker;
     jlt_exit status;
     int by;
-    jlt_exit code = jlt_worker_run(worker, &status, &by, position);
+    const jlt_exit code = jlt_worker_run(worker, &status, &by, position);
 
     if (code != JLT_EXIT_DONE || *worker->interrupt != 0) return code; /* drop an unfinished piece */
     jlt_study_place(at, &self->study, number);
@@ -241,8 +241,7 @@ static jlt_exit compute(sweep *self, size_t position)
     note(self, status);
     const size_t size = jlt_sweep_rows_of(worker->rows);
     const jlt_shard_record record = { number, (int)status, worker->rows, size, worker->words, worker->words_size };
-    if (record.rows_size > 0) code = jlt_sweep_rows_check(&self->names, &self->study, worker->rows);
-    if (code != JLT_EXIT_DONE) return code;
+    if (record.rows_size > 0) JLT_PASS(jlt_sweep_rows_check(&self->names, &self->study, worker->rows));
     jlt_interrupt_hold();
     const jlt_status st = jlt_shard_add(&self->shard, &record);
     jlt_interrupt_release();

@@ -177,14 +177,12 @@ static jlt_exit choose_boxes(study *s, jlt_grid_axis *axes)
                        : s->system->surface != NULL && chart->dim == 2 ? default_boxes
                                                                        : NULL;
     size_t all;
-    jlt_exit code;
 
     if (text == NULL) return jlt_command_fail(JLT_EXIT_USAGE, "say which boxes: --boxes NAME=LOW:HIGH:COUNT,...");
     if (chart->dim > JLT_BOXES_DIM_MAX)
         return jlt_command_fail(JLT_EXIT_INPUT, "--boxes: the section has %u coordinates, and boxes have %d at most", chart->dim,
                                 JLT_BOXES_DIM_MAX);
-    code = jlt_motion_cells(axes, s->system, text, "--boxes");
-    if (code != JLT_EXIT_DONE) return code;
+    JLT_PASS(jlt_motion_cells(axes, s->system, text, "--boxes"));
     s->boxes.dim = chart->dim;
     for (unsigned k = 0; k < chart->dim; k++) {
         s->boxes.low[k] = axes[k].low;
@@ -219,11 +217,9 @@ static jlt_exit build(study *s)
     const jlt_transfer_options how = { .strata = o->strata, .seed = o->seed, .noise = o->noise, .noise_count = o->noise_count,
                                        .block = BLOCK * o->motion.threads, .progress = show, .progress_context = &s->progress };
     jlt_transfer *built[LIST_MAX] = { NULL };
-    jlt_exit code = jlt_motion_many_open(&s->batch, &batch, &o->motion, s->system);
-    jlt_status st;
 
-    if (code != JLT_EXIT_DONE) return code;
-    st = jlt_transfer_section_create(&s->section, s->system, s->batch);
+    JLT_PASS(jlt_motion_many_open(&s->batch, &batch, &o->motion, s->system));
+    jlt_status st = jlt_transfer_section_create(&s->section, s->system, s->batch);
     if (st != JLT_OK) return jlt_motion_fail(st, s->system, "section");
     const jlt_transfer_map map = jlt_transfer_section_map(s->section);
     jlt_progress_start(&s->progress, "points");
@@ -313,7 +309,6 @@ static jlt_exit write_all(study *s, jlt_motion_map *map)
         .wanted = o->eigenvalues, .points = s->points, .strata = o->strata, .seed = o->seed, .backwards = o->backwards,
         .known = jlt_transfer_section_density(s->section), .candidates = s->candidates, .candidate_count = s->candidate_count,
     };
-    jlt_exit code;
 
     if (o->json) {
         if (jlt_transfer_report_json(common->table.file, &report) != JLT_OK) return jlt_command_no_memory();
@@ -321,11 +316,10 @@ static jlt_exit write_all(study *s, jlt_motion_map *map)
         jlt_motion_header(common->table.file, &o->motion, s->system);
         jlt_transfer_report_rows(common->table.file, &report);
     }
-    code = jlt_common_save(common);
-    if (code != JLT_EXIT_DONE) return code;
+    JLT_PASS(jlt_common_save(common));
     jlt_transfer_report_text(stderr, &report);
-    if (common->plot != NULL) code = draw(s, map);
-    return code == JLT_EXIT_DONE ? jlt_motion_failures(s->system, jlt_transfer_section_failures(s->section), s->points) : code;
+    if (common->plot != NULL) JLT_PASS(draw(s, map));
+    return jlt_motion_failures(s->system, jlt_transfer_section_failures(s->section), s->points);
 }
 
 /* Set the axes to the grid of the boxes' centres, for the picture. */

@@ -60,8 +60,7 @@ static jlt_exit run(int argc, char **argv)
 
     argp_parse(&parser, argc, argv, 0, NULL, &r);
     bool has_said;
-    jlt_exit code = jlt_table_open(&v->descriptor, &has_said, r.model, false);
-    if (code != JLT_EXIT_DONE) return code;
+    JLT_PASS(jlt_table_open(&v->descriptor, &has_said, r.model, false));
     v->file = jlt_table_is_file(r.model) ? r.model : NULL;
     if (v->descriptor->equilibria_count > 0 && v->descriptor->state_count > JLT_SAMPLE_STATES_MAX)
         return jlt_command_fail(JLT_EXIT_INPUT, "%s has %u states; verify serves up to %d where there are equilibria "
@@ -77,8 +76,8 @@ static jlt_exit run(int argc, char **argv)
     if (st == JLT_OK) st = jlt_command_open(&output);
     if (st == JLT_OK && r.json) st = jlt_verify_report_json(output.stream, v);
     else if (st == JLT_OK) jlt_verify_report_text(output.stream, v);
-    if (st == JLT_OK) code = jlt_command_deliver(&output, NULL);
-    else code = jlt_command_fail(jlt_command_exit(st), "verify %s: %s", r.model, jlt_status_text(st));
+    jlt_exit code = st == JLT_OK ? jlt_command_deliver(&output, NULL)
+                                 : jlt_command_fail(jlt_command_exit(st), "verify %s: %s", r.model, jlt_status_text(st));
     if (code == JLT_EXIT_DONE && v->failed > 0)
         code = jlt_command_fail(JLT_EXIT_FAILED, "%s: %zu checks fail", r.model, v->failed);
     jlt_command_discard(&output);

@@ -84,12 +84,10 @@ jlt_exit jlt_merged_open(jlt_merged *self, const char *path, const jlt_table_for
                          const char *header)
 {
     char *message = NULL;
-    jlt_exit code;
 
     *self = (jlt_merged){ .path = path };
     (void)jlt_merged_known(&self->kind, path);
-    code = begin_file(self);
-    if (code != JLT_EXIT_DONE) return code;
+    JLT_PASS(begin_file(self));
     if (self->kind == JLT_MERGED_CSV) {
         write_names(self->stream, form, header);
         return JLT_EXIT_DONE;

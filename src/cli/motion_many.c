@@ -70,9 +70,7 @@ static jlt_exit set_projection(jlt_section_batch_options *batch_options, const j
 jlt_exit jlt_motion_many_open(jlt_section_batch **batch, jlt_section_batch_options *batch_options,
                               const jlt_motion_options *options, jlt_system *system)
 {
-    const jlt_exit code = options->project ? set_projection(batch_options, options, system) : JLT_EXIT_DONE;
-
-    if (code != JLT_EXIT_DONE) return code;
+    JLT_PASS(options->project ? set_projection(batch_options, options, system) : JLT_EXIT_DONE);
     batch_options->threads = (unsigned)options->threads;
     jlt_interrupt_spare(options->threads);
     const jlt_kernel_batch *kernels = options->in_lanes ? jlt_batch_isa_best(system->instance->descriptor, 0) : NULL;

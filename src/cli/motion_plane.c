@@ -147,17 +147,15 @@ static jlt_exit read_levels(jlt_motion_plane *out, const jlt_motion_options *opt
     const jlt_assign_list *list = &options->level;
     size_t states[JLT_CHART_STATES_MAX], count;
     double guesses[JLT_CHART_STATES_MAX];
-    jlt_exit code = JLT_EXIT_DONE;
 
     out->level_count = (unsigned)list->count;
-    for (size_t i = 0; code == JLT_EXIT_DONE && i < list->count; i++) {
+    for (size_t i = 0; i < list->count; i++) {
         if (i == JLT_INVARIANTS_MAX)
             return jlt_command_fail(JLT_EXIT_INPUT, "--level: at most %d levels at once", JLT_INVARIANTS_MAX);
-        code = find_integral(&out->levels[i].integral, list->items[i].name, d);
+        JLT_PASS(find_integral(&out->levels[i].integral, list->items[i].name, d));
         out->levels[i].value = list->items[i].value;
     }
-    if (code == JLT_EXIT_DONE) code = read_states(states, guesses, &count, options->solve, d, "--solve");
-    if (code != JLT_EXIT_DONE) return code;
+    JLT_PASS(read_states(states, guesses, &count, options->solve, d, "--solve"));
     if (count != list->count)
         return jlt_command_fail(JLT_EXIT_USAGE,
                                 "levels determine as many states: --level names %zu, and --solve %zu (write --solve "
@@ -226,25 +224,23 @@ static jlt_exit choose(jlt_motion_plane *out, const jlt_descriptor *d, const jlt
 jlt_exit jlt_motion_plane_read(jlt_motion_plane *out, const jlt_motion_options *options, const jlt_descriptor *descriptor,
                                const jlt_grid_axis *running, size_t count)
 {
-    jlt_exit code = jlt_assign_params(&out->params, descriptor, &options->common.set);
-
     out->descriptor = descriptor;
     out->flow = options->flow;
-    if (code != JLT_EXIT_DONE) return code;
+    JLT_PASS(jlt_assign_params(&out->params, descriptor, &options->common.set));
     /* Take the most special variant: integrals and densities that hold only for these parameters belong to it. */
-    code = choose(out, descriptor, running, count);
-    if (code == JLT_EXIT_DONE && strcmp(options->contact, "ignore") != 0 && descriptor->family[0]->valid_count == 0)
-        code = jlt_command_fail(JLT_EXIT_USAGE, "--contact %s: %s has no condition to lose; its table says none by 'valid'",
+    JLT_PASS(choose(out, descriptor, running, count));
+    if (strcmp(options->contact, "ignore") != 0 && descriptor->family[0]->valid_count == 0)
+        return jlt_command_fail(JLT_EXIT_USAGE, "--contact %s: %s has no condition to lose; its table says none by 'valid'",
                                 options->contact, descriptor->model);
-    if (code == JLT_EXIT_DONE) code = read_section(out, options, out->descriptor);
-    if (code == JLT_EXIT_DONE && descriptor->state_count > JLT_CHART_STATES_MAX)
-        code = jlt_command_fail(JLT_EXIT_INPUT, "%s has %u states; sections serve up to %d", descriptor->model,
+    JLT_PASS(read_section(out, options, out->descriptor));
+    if (descriptor->state_count > JLT_CHART_STATES_MAX)
+        return jlt_command_fail(JLT_EXIT_INPUT, "%s has %u states; sections serve up to %d", descriptor->model,
                                 descriptor->state_count, JLT_CHART_STATES_MAX);
-    if (code == JLT_EXIT_DONE) code = read_mirror(out, options->mirror, out->descriptor);
-    if (code == JLT_EXIT_DONE) code = read_levels(out, options, out->descriptor);
-    if (code == JLT_EXIT_DONE) code = read_modulo(out, options->modulo, out->descriptor);
-    if (code == JLT_EXIT_DONE) note_sizes(out, options);
-    return code;
+    JLT_PASS(read_mirror(out, options->mirror, out->descriptor));
+    JLT_PASS(read_levels(out, options, out->descriptor));
+    JLT_PASS(read_modulo(out, options->modulo, out->descriptor));
+    note_sizes(out, options);
+    return JLT_EXIT_DONE;
 }
 
 void jlt_motion_plane_clear(jlt_motion_plane *plane)
@@ -324,9 +320,8 @@ jlt_exit jlt_motion_plane_system(jlt_system **system, const jlt_motion_options *
 jlt_exit jlt_motion_project(jlt_system *system)
 {
     const jlt_descriptor *d = system->instance->descriptor;
-    const jlt_exit code = jlt_common_project(d);
 
-    if (code != JLT_EXIT_DONE) return code;
+    JLT_PASS(jlt_common_project(d));
     if (system->flow.method != NULL && system->flow.method->multistep)
         return jlt_command_fail(JLT_EXIT_USAGE, "--project: %s lives on past steps: take a one-step method",
                                 system->flow.method->name);

@@ -313,7 +313,6 @@ jlt_exit jlt_motion_surface_system(jlt_system **system, const jlt_motion_options
 {
     double values[JLT_CHART_VALUES_MAX];
     char text[512];
-    jlt_exit code;
 
     if (options->mirror != NULL || options->solve != NULL || options->modulo != NULL) {
         list_names(text, sizeof text, surface, surface->params, surface->count, " and ");
@@ -324,8 +323,7 @@ jlt_exit jlt_motion_surface_system(jlt_system **system, const jlt_motion_options
                                                          : "modulo",
                                 text);
     }
-    code = read_values(values, options, surface);
-    if (code != JLT_EXIT_DONE) return code;
+    JLT_PASS(read_values(values, options, surface));
     jlt_status st = jlt_surface_system(system, surface, values, &options->flow);
     if (st == JLT_OK) st = count_from_starts(*system, options);
     return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_refuse(surface, values, st, st == JLT_ERR_DOMAIN ? "--set" : NULL);
@@ -337,18 +335,15 @@ jlt_exit jlt_motion_surface(jlt_surface *surface, bool *has, const jlt_motion_op
     const jlt_common *common = &options->common;
     const jlt_claim *broken = NULL;
     jlt_way_tables others = { .count = 0 };
-    jlt_exit code = JLT_EXIT_DONE;
 
     *has = false;
-    if (is_plane) return code;
+    if (is_plane) return JLT_EXIT_DONE;
     if (common->model != NULL) /* smaller tables beside it may have one */
-        code = jlt_table_others(&others, asked, common->model, "reduction", common->lanes);
-    if (code != JLT_EXIT_DONE) return code;
+        JLT_PASS(jlt_table_others(&others, asked, common->model, "reduction", common->lanes));
     *has = jlt_surface_find(surface, &broken, asked, &others, options->section) == JLT_OK;
     if (*has) return broken != NULL ? refuse_broken(surface, broken, asked) : refuse_unwatched(surface, asked);
     if (surface->table != NULL) return refuse_large(surface);
-    code = refuse_larger(asked, &others, options->section);
-    if (code != JLT_EXIT_DONE) return code;
+    JLT_PASS(refuse_larger(asked, &others, options->section));
     if (options->section == NULL) return refuse_lost(asked, &others);
     return jlt_command_fail(JLT_EXIT_USAGE,
                             "--section: '%s' is no section (write STATE=VALUE); no table describes one of this name of %s",

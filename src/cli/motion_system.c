@@ -8,15 +8,12 @@ jlt_exit jlt_motion_system(jlt_system **system, jlt_motion_options *options)
     const jlt_descriptor *descriptor;
     jlt_surface surface;
     bool has_surface;
-    jlt_exit code;
 
     *system = NULL;
-    code = jlt_common_model(&options->common, &descriptor);
-    if (code != JLT_EXIT_DONE) return code;
-    code = jlt_motion_surface(&surface, &has_surface, options, descriptor);
-    if (code != JLT_EXIT_DONE) return code;
-    code = has_surface ? jlt_motion_surface_system(system, options, &surface)
-                       : jlt_motion_plane_system(system, options, descriptor);
-    if (code == JLT_EXIT_DONE) jlt_motion_many_settle(options, *system);
-    return code == JLT_EXIT_DONE && options->common.plan ? jlt_planned_motion(*system, options, descriptor) : code;
+    JLT_PASS(jlt_common_model(&options->common, &descriptor));
+    JLT_PASS(jlt_motion_surface(&surface, &has_surface, options, descriptor));
+    JLT_PASS(has_surface ? jlt_motion_surface_system(system, options, &surface)
+                         : jlt_motion_plane_system(system, options, descriptor));
+    jlt_motion_many_settle(options, *system);
+    return options->common.plan ? jlt_planned_motion(*system, options, descriptor) : JLT_EXIT_DONE;
 }

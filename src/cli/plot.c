@@ -296,9 +296,7 @@ static void write_panels(FILE *stream, const jlt_plot *self)
 /* Make the whole script; names_output: with `set output`, for --keep. */
 static jlt_status write_script(jlt_command_output *whole, const jlt_plot *self, bool names_output)
 {
-    jlt_status st = jlt_command_open(whole);
-
-    if (st != JLT_OK) return st;
+    JLT_PASS(jlt_command_open(whole));
     jlt_picture_terminal(whole->stream, self->common->plot, self->look);
     if (names_output) {
         fputs("set output ", whole->stream);

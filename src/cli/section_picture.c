@@ -12,8 +12,7 @@ enum { POINTS = 400000, DOTS = 60000 };
 jlt_exit jlt_section_picture_open(jlt_section_picture *self, const jlt_motion_options *options, const jlt_system *system)
 {
     *self = (jlt_section_picture){ .extent = { JLT_EXTENT_NONE, JLT_EXTENT_NONE } };
-    const jlt_exit code = jlt_motion_shown(self->shown, options, system);
-    if (code != JLT_EXIT_DONE) return code;
+    JLT_PASS(jlt_motion_shown(self->shown, options, system));
     self->stream = open_memstream(&self->text, &self->size);
     return self->stream != NULL ? JLT_EXIT_DONE : jlt_command_no_memory();
 }

@@ -35,9 +35,7 @@ static jlt_status put(jlt_section_run *f, const jlt_return *at, const double *be
 {
     if (at->number < f->first && at->fate == JLT_FATE_ALIVE) return JLT_OK;
     jlt_section_row_fill(f->row, f->system->flow.chart, f->sum.orbits, at, before);
-    const jlt_status st = jlt_writer_put(&f->writer, f->row);
-
-    if (st != JLT_OK) return st;
+    JLT_PASS(jlt_writer_put(&f->writer, f->row));
     f->sum.rows++;
     if (at->number == 0 && f->o->motion.grid != NULL) return JLT_OK; /* the picture does not show the grid of starts */
     return jlt_section_picture_add(f->picture, at->q);
@@ -63,16 +61,15 @@ static jlt_status run_orbit(jlt_section_run *f, const double *q, size_t index)
     jlt_section_run_totals *sum = &f->sum;
     jlt_return at;
     double before[JLT_CHART_DIM_MAX];
-    jlt_status st = f->batch != NULL ? jlt_section_batch_start(f->batch, &at, f->begins + index)
-                                     : jlt_section_start(f->section, &at, q, f->o->time_direction);
 
-    if (st != JLT_OK) return st;
-    JLT_TRY(put(f, &at, NULL));
+    JLT_PASS(f->batch != NULL ? jlt_section_batch_start(f->batch, &at, f->begins + index)
+                              : jlt_section_start(f->section, &at, q, f->o->time_direction));
+    JLT_PASS(put(f, &at, NULL));
     while (at.fate == JLT_FATE_ALIVE && at.number < f->returns && !stopped(f)) {
         point_before(before, f, &at);
-        JLT_TRY(f->batch != NULL ? jlt_section_batch_next(f->batch, &at) : jlt_section_next(f->section, &at));
+        JLT_PASS(f->batch != NULL ? jlt_section_batch_next(f->batch, &at) : jlt_section_next(f->section, &at));
         if (at.interrupted) break;
-        JLT_TRY(put(f, &at, before));
+        JLT_PASS(put(f, &at, before));
         show_written(f, index, at.number);
     }
     jlt_section_picture_end(f->picture, at.fate);
@@ -80,8 +77,7 @@ static jlt_status run_orbit(jlt_section_run *f, const double *q, size_t index)
     if (isnan(at.least)) sum->unknown++;
     jlt_failures_add(&sum->failures, at.fate, at.unbounded, at.t);
     sum->orbits++;
-done:
-    return st;
+    return JLT_OK;
 }
 
 jlt_exit jlt_section_run_verdict(const jlt_section_run *f)
@@ -106,8 +102,7 @@ jlt_exit jlt_section_run_verdict(const jlt_section_run *f)
         fprintf(stderr,
                 "jellett: of %zu of %zu orbits it is not known whether the model holds: a condition of it has no value there\n",
                 sum->unknown, sum->orbits);
-    const jlt_exit code = jlt_motion_failures(f->system, &sum->failures, sum->orbits);
-    if (code != JLT_EXIT_DONE) return code;
+    JLT_PASS(jlt_motion_failures(f->system, &sum->failures, sum->orbits));
     return !o->check || jlt_section_table_verdict(&f->table) ? JLT_EXIT_DONE : JLT_EXIT_FAILED;
 }
 

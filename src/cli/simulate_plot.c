@@ -223,10 +223,9 @@ static jlt_exit check_shown(const jlt_simulate_request *r)
 
 jlt_exit jlt_simulate_draw(const jlt_simulate_request *request)
 {
-    const jlt_exit code = request->extents == NULL ? jlt_command_no_memory() : check_shown(request);
     jlt_plot plot;
 
-    if (code != JLT_EXIT_DONE) return code;
+    JLT_PASS(request->extents == NULL ? jlt_command_no_memory() : check_shown(request));
     if (jlt_plot_open(&plot, &request->session.common) != JLT_OK) return jlt_command_no_memory();
     fputs(JLT_LOOK_GRID, plot.stream);
     jlt_plot_block(&plot, "ROWS", request->session.common.drawn);

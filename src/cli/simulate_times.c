@@ -18,8 +18,7 @@ static jlt_exit listed_times(jlt_simulate_request *r)
     if (r->times == NULL) return jlt_session_fail(JLT_ERR_NOMEM, "--times");
     for (const char *at = r->times_text;; at++) {
         const size_t length = strcspn(at, ",");
-        const jlt_exit code = jlt_grid_number(&r->times[r->time_count++], at, length, "--times");
-        if (code != JLT_EXIT_DONE) return code;
+        JLT_PASS(jlt_grid_number(&r->times[r->time_count++], at, length, "--times"));
         at += length;
         if (*at == '\0') break;
     }

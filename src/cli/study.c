@@ -124,13 +124,11 @@ static jlt_exit count_inner(jlt_study *self)
 static jlt_exit count_pieces(jlt_study *self, size_t least)
 {
     const jlt_scene *scene = self->scene;
-    jlt_exit code = JLT_EXIT_DONE;
     size_t all;
 
-    if (scene->over != NULL) code = jlt_grid_parse(self->over, &self->over_count, JLT_STUDY_OVER_MAX, scene->over, "over");
-    if (code == JLT_EXIT_DONE) code = jlt_grid_size(&self->outer, self->over, self->over_count, scene->over, "over");
-    if (code == JLT_EXIT_DONE) code = count_inner(self);
-    if (code != JLT_EXIT_DONE) return code;
+    if (scene->over != NULL) JLT_PASS(jlt_grid_parse(self->over, &self->over_count, JLT_STUDY_OVER_MAX, scene->over, "over"));
+    JLT_PASS(jlt_grid_size(&self->outer, self->over, self->over_count, scene->over, "over"));
+    JLT_PASS(count_inner(self));
     if (__builtin_mul_overflow(self->outer, self->inner, &all))
         return refuse(self, self->job->line, "there are more points than can be counted");
     self->piece = scene->piece > 0 ? scene->piece : (all - 1) / PIECES_WANTED + 1;
@@ -184,21 +182,19 @@ static jlt_exit make_manifest(jlt_study *self)
 jlt_exit jlt_study_open(jlt_study *out, const char *path, const jlt_assign_list *set)
 {
     size_t least = 1;
-    jlt_exit code;
 
     *out = (jlt_study){ .outer = 1 };
-    code = jlt_job_open(&out->scene, path);
-    if (code == JLT_EXIT_DONE) code = jlt_job_set(out->scene, set);
-    if (code != JLT_EXIT_DONE) return code;
+    JLT_PASS(jlt_job_open(&out->scene, path));
+    JLT_PASS(jlt_job_set(out->scene, set));
     out->job = &out->scene->jobs[0];
     out->command = jlt_command_find(out->job->what);
     if (out->scene->count != 1)
         return refuse(out, out->scene->jobs[1].line, "a study is of one command: this is a second entry of 'compute'");
-    code = find_dealt(out, &least);
-    if (code == JLT_EXIT_DONE) code = check_options(out);
-    if (code == JLT_EXIT_DONE) code = count_pieces(out, least);
-    if (code == JLT_EXIT_DONE) code = check_over(out, set);
-    return code == JLT_EXIT_DONE ? make_manifest(out) : code;
+    JLT_PASS(find_dealt(out, &least));
+    JLT_PASS(check_options(out));
+    JLT_PASS(count_pieces(out, least));
+    JLT_PASS(check_over(out, set));
+    return make_manifest(out);
 }
 
 void jlt_study_clear(jlt_study *self)

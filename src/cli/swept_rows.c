@@ -243,8 +243,7 @@ jlt_exit jlt_swept_rows_take(jlt_swept_rows *self, size_t point, const char *tex
         if (common == NULL) return jlt_command_no_memory();
         free(self->header);
         self->header = common;
-        const jlt_exit code = jlt_swept_rows_finish(self);
-        if (code != JLT_EXIT_DONE) return code;
+        JLT_PASS(jlt_swept_rows_finish(self));
     }
     return write_rows(self, point, text, names);
 }

@@ -147,8 +147,7 @@ static jlt_exit load(const jlt_descriptor **descriptor, bool *has_said, const ch
     jlt_status st;
 
     if (*descriptor != NULL) return JLT_EXIT_DONE;
-    const jlt_exit code = build(path, sizeof path, has_said, table, lanes);
-    if (code != JLT_EXIT_DONE) return code;
+    JLT_PASS(build(path, sizeof path, has_said, table, lanes));
     st = jlt_load(descriptor, path);
     if (st != JLT_OK)
         return jlt_command_fail(JLT_EXIT_IO, "the kernels of %s cannot be loaded from %s: %s", table, path,
@@ -232,8 +231,7 @@ jlt_exit jlt_table_others(jlt_way_tables *others, const jlt_descriptor *of, cons
             if (may_stay(next, way, model)) continue;
             if (!beside(path, sizeof path, model, way->file))
                 return jlt_command_fail(JLT_EXIT_IO, "%s: the path is too long", way->file);
-            const jlt_exit code = load(&others->tables[others->count], &(bool){ false }, path, lanes);
-            if (code != JLT_EXIT_DONE) return code;
+            JLT_PASS(load(&others->tables[others->count], &(bool){ false }, path, lanes));
             others->count++;
         }
     return JLT_EXIT_DONE;

@@ -128,12 +128,10 @@ static bool take(char **text, size_t *size, int descriptor)
 static jlt_exit ask(jlt_worker *self, jlt_exit *status, int *by, const request *wanted)
 {
     int answer = 0;
-    jlt_exit code = JLT_EXIT_DONE;
 
     *by = 0;
     if (self->computed == PIECES_MAX) (void)end(self);
-    if (self->line < 0) code = begin(self);
-    if (code != JLT_EXIT_DONE) return code;
+    if (self->line < 0) JLT_PASS(begin(self));
     self->computed++;
     if (!send_all(self->line, wanted, sizeof *wanted) || !receive_all(self->line, &answer, sizeof answer)) {
         const int ending = end(self); /* it ended by a signal, or by exit(), as argp does on wrong options */

@@ -138,10 +138,7 @@ jlt_status jlt_spool_add(jlt_spool *self, size_t index, const double *record)
 {
     sequence *s = &self->of[index];
 
-    if (s->held == self->room) {
-        const jlt_status st = move_out(self, index);
-        if (st != JLT_OK) return st;
-    }
+    if (s->held == self->room) JLT_PASS(move_out(self, index));
     memcpy(recent_of(self, index) + s->held++ * self->width, record, self->width * sizeof *record);
     return JLT_OK;
 }

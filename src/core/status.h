@@ -1,4 +1,4 @@
-/** The status that every fallible function returns, and the macro that passes a failure on. */
+/** The status that every fallible function returns, and the macros that pass a failure on. */
 #ifndef JLT_CORE_STATUS_H
 #define JLT_CORE_STATUS_H
 
@@ -28,7 +28,14 @@ typedef enum { JLT_STATUS_LIST(JLT_STATUS_ENUM) } jlt_status;
 #define JLT_PRINTF(at, first)
 #endif
 
-/* If a call fails, leave its status in `st` and go to the label `done`. */
+/* If a call fails, return its status, or the exit status of a command: where there is nothing to clean up. */
+#define JLT_PASS(call)                              \
+    do {                                            \
+        const __typeof__(call) jlt_passed = (call); \
+        if (jlt_passed != 0) return jlt_passed;     \
+    } while (0)
+
+/* If a call fails, leave its status in `st` and go to the label `done`, where the function cleans up. */
 #define JLT_TRY(call)                            \
     do {                                         \
         if ((st = (call)) != JLT_OK) goto done;  \

@@ -55,7 +55,6 @@ jlt_status jlt_branch_point(const jlt_branch *self, double q[2], double sigma)
 {
     double start[2], rate;
     jlt_image image;
-    jlt_status st;
 
     if (!is_parameter(sigma)) return JLT_ERR_ARG;
     const size_t n = begin(self, start, &rate, sigma);
@@ -63,8 +62,7 @@ jlt_status jlt_branch_point(const jlt_branch *self, double q[2], double sigma)
         memcpy(q, start, sizeof start);
         return JLT_OK;
     }
-    st = jlt_map_point(self->map, &image, start, n * self->returns, self->time_direction);
-    if (st != JLT_OK) return st;
+    JLT_PASS(jlt_map_point(self->map, &image, start, n * self->returns, self->time_direction));
     if (!jlt_chart_follows(jlt_map_flow(self->map)->chart, image.x)) return JLT_ERR_DOMAIN;
     memcpy(q, image.q, sizeof start);
     return JLT_OK;

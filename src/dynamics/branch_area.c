@@ -245,13 +245,12 @@ static jlt_status find_ends(joint *list, size_t joint_count, const jlt_branch *b
 {
     samples s;
     size_t i = 0;
-    jlt_status st = make_samples(&s, joint_count, branch);
 
-    if (st != JLT_OK) return st;
+    JLT_PASS(make_samples(&s, joint_count, branch));
     for (size_t k = 0; k < joint_count; k++)
         if (list[k].ends || (k > 0 && list[k - 1].ends)) s.sigma[i++] = list[k].sigma;
     s.count = i;
-    st = take_samples(&s, maps);
+    const jlt_status st = take_samples(&s, maps);
     for (size_t k = 0, of = 0; st == JLT_OK && of < i; k++) {
         if (!list[k].ends && !(k > 0 && list[k - 1].ends)) continue;
         if (s.status[of] != JLT_OK) list[k].area = NAN;

@@ -154,16 +154,12 @@ bool jlt_chart_holds(const jlt_chart *self, const double *x)
 
 void jlt_chart_difference(const jlt_chart *self, double *out, const double *q, const double *p)
 {
-    unsigned k;
-
-    for (k = 0; k < self->dim; k++) out[k] = reduce(q[k] - p[k], self->period[k]);
+    for (unsigned k = 0; k < self->dim; k++) out[k] = reduce(q[k] - p[k], self->period[k]);
 }
 
 void jlt_chart_wrap(const jlt_chart *self, double *q)
 {
-    unsigned k;
-
-    for (k = 0; k < self->dim; k++) q[k] = reduce(q[k], self->period[k]);
+    for (unsigned k = 0; k < self->dim; k++) q[k] = reduce(q[k], self->period[k]);
 }
 
 void jlt_chart_scaled(const jlt_chart *self, double *out, const double *q)
@@ -202,18 +198,15 @@ double jlt_chart_speed(const jlt_chart *self, const double *x, const double *f)
 double jlt_chart_distance(const jlt_chart *self, const double *q, const double *p)
 {
     double difference[JLT_CHART_DIM_MAX], sum = 0;
-    unsigned k;
 
     jlt_chart_difference(self, difference, q, p);
     jlt_chart_scaled(self, difference, difference);
-    for (k = 0; k < self->dim; k++) sum += difference[k] * difference[k];
+    for (unsigned k = 0; k < self->dim; k++) sum += difference[k] * difference[k];
     return sqrt(sum);
 }
 
 void jlt_chart_mirror(const jlt_chart *self, double *out, const double *q)
 {
-    unsigned k;
-
-    for (k = 0; k < self->dim; k++) out[k] = self->mirror[k] * q[k];
+    for (unsigned k = 0; k < self->dim; k++) out[k] = self->mirror[k] * q[k];
     jlt_chart_wrap(self, out);
 }

@@ -14,16 +14,14 @@ jlt_status jlt_chart_crossing_find(const jlt_crossing_search *self, jlt_orbit *o
 {
     const size_t spent = steps_of(orbit);
     double x[JLT_VARIED_DIM_MAX];
-    jlt_status st;
 
     for (;;) {
-        st = jlt_orbit_next(orbit, t_end, self->events, self->count, out);
-        if (st != JLT_OK || out->end != JLT_END_EVENT || out->crossing.event >= self->crossings) return st;
-        if (jlt_chart_counts(self->chart, &out->crossing, self->direction)) return st;
+        JLT_PASS(jlt_orbit_next(orbit, t_end, self->events, self->count, out));
+        if (out->end != JLT_END_EVENT || out->crossing.event >= self->crossings) return JLT_OK;
+        if (jlt_chart_counts(self->chart, &out->crossing, self->direction)) return JLT_OK;
         if (steps_of(orbit) - spent >= self->max_steps) return JLT_ERR_BUDGET;
         memcpy(x, out->x, self->dim * sizeof *x);
         jlt_chart_turn_back(self->chart, x);
-        st = jlt_orbit_start(orbit, out->t, x, time_direction);
-        if (st != JLT_OK) return st;
+        JLT_PASS(jlt_orbit_start(orbit, out->t, x, time_direction));
     }
 }

@@ -68,18 +68,16 @@ static jlt_status tangent_of(const jlt_chart_level *self, double *tangent, const
 {
     const unsigned n = self->base.states, d = self->base.dim, count = unknowns(&self->base);
     double off[M], sizes[M], matrix[M * M], gradients[M * JLT_CHART_STATES_MAX], column[M], solution[M];
-    jlt_status st = JLT_OK;
 
     (void)look(self, off, sizes, matrix, gradients, x);
     memset(tangent, 0, (size_t)n * d * sizeof *tangent);
     for (unsigned k = 0; k < d; k++) {
         tangent[self->free[k] * d + k] = 1;
         for (unsigned i = 0; i < count; i++) column[i] = -gradients[i * n + self->free[k]];
-        JLT_TRY(jlt_eigen_least_squares(solution, matrix, column, count, count, singular));
+        JLT_PASS(jlt_eigen_least_squares(solution, matrix, column, count, count, singular));
         for (unsigned i = 0; i < count; i++) tangent[self->base.solved[i] * d + k] = solution[i];
     }
-done:
-    return st;
+    return JLT_OK;
 }
 
 /* Compute the lifted roots from the states before them. */
@@ -96,7 +94,6 @@ static void set_roots(const jlt_chart_level *self, double *x)
 static jlt_status lift(const jlt_chart *base, double *x, double *tangent, const double *q)
 {
     const jlt_chart_level *self = (const jlt_chart_level *)base;
-    jlt_status st = JLT_OK;
 
     x[base->column] = base->level;
     for (unsigned k = 0; k < base->dim; k++) {
@@ -105,11 +102,10 @@ static jlt_status lift(const jlt_chart *base, double *x, double *tangent, const 
     }
     for (unsigned i = 0; i < base->solved_count; i++) x[base->solved[i]] = self->levels[i].guess;
     set_roots(self, x);
-    if (base->solved_count > 0) JLT_TRY(solve(self, x));
+    if (base->solved_count > 0) JLT_PASS(solve(self, x));
     if (!jlt_chart_holds(base, x)) return JLT_ERR_DOMAIN;
-    if (tangent != NULL) JLT_TRY(tangent_of(self, tangent, x));
-done:
-    return st;
+    if (tangent != NULL) JLT_PASS(tangent_of(self, tangent, x));
+    return JLT_OK;
 }
 
 static void lower(const jlt_chart *base, double *q, double *slope, const double *x)

@@ -117,9 +117,8 @@ static jlt_status report(const runner *self, const place *from, const place *to,
                          bool *ends, jlt_continuation_sink sink, void *context)
 {
     jlt_continuation_point point;
-    jlt_status st;
 
-    JLT_TRY(jlt_continuation_step_measure(self, &point, to->u, to->tangent, to->arc, JLT_BIFURCATION_NONE));
+    JLT_PASS(jlt_continuation_step_measure(self, &point, to->u, to->tangent, to->arc, JLT_BIFURCATION_NONE));
     *ends = halves(self, last, &point);
     if (*ends) {
         const bracket tip = locate(self, from, to, step, 0); /* a fold */;
@@ -129,12 +128,10 @@ static jlt_status report(const runner *self, const place *from, const place *to,
         if (isnan(from->test[k]) || isnan(to->test[k]) || (from->test[k] > 0) == (to->test[k] > 0)) continue;
         if (k >= BRANCH_TEST && fmax(fabs(from->test[k]), fabs(to->test[k])) < noise_of_determinant) continue;
         const bracket b = locate(self, from, to, step, k);
-        JLT_TRY(deliver(self, &b, from, (jlt_bifurcation)(JLT_BIFURCATION_FOLD + k), sink, context));
+        JLT_PASS(deliver(self, &b, from, (jlt_bifurcation)(JLT_BIFURCATION_FOLD + k), sink, context));
     }
     *last = point;
-    JLT_TRY(sink(context, &point));
-done:
-    return st;
+    return sink(context, &point);
 }
 
 /* Whether the step from one place to the other stays on the branch, as far as angles show. The bordered determinant changes sign at
@@ -211,14 +208,12 @@ static jlt_status clip(const runner *self, place *next, double *step, const plac
     const unsigned d = self->d;
     const double limit = limit_ahead(self, next, here);
     double inside = 0, outside = *step, miss_inside = here->u[d] - limit, miss_outside = next->u[d] - limit;
-    jlt_status st = JLT_OK;
 
     for (int i = 0; i < LOCATE && fabs(miss_outside) > 1e-14 * fmax(1, fabs(limit)) && miss_inside != 0; i++) {
         const double secant = (inside * miss_outside - outside * miss_inside) / (miss_outside - miss_inside);
         const double s = i % 3 == 2 ? (inside + outside) / 2 : secant;
         place trial;
-        st = jlt_continuation_step_to(self, &trial, here, s, NULL);
-        if (st != JLT_OK) return st;
+        JLT_PASS(jlt_continuation_step_to(self, &trial, here, s, NULL));
         if ((trial.u[d] - limit > 0) == (miss_inside > 0)) {
             inside = s, miss_inside = trial.u[d] - limit;
         } else {
@@ -228,7 +223,7 @@ static jlt_status clip(const runner *self, place *next, double *step, const plac
         *step = s;
         if (fabs(trial.u[d] - limit) <= 1e-14 * fmax(1, fabs(limit))) break;
     }
-    return st;
+    return JLT_OK;
 }
 
 jlt_status jlt_continuation_run(jlt_continuation_end *end, const jlt_family *family,

@@ -14,9 +14,8 @@ static jlt_status image_at(const jlt_continuation_runner *self, jlt_image *image
 {
     double q[JLT_CHART_DIM_MAX];
     jlt_map *map;
-    jlt_status st = self->family->map_at(self->family->context, &map, u[self->d] * self->options.scale);
 
-    if (st != JLT_OK) return st;
+    JLT_PASS(self->family->map_at(self->family->context, &map, u[self->d] * self->options.scale));
     jlt_chart_unscaled(&self->chart, q, u);
     return with_slope ? jlt_map_apply(map, image, q, self->period, 1) : jlt_map_point(map, image, q, self->period, 1);
 }
@@ -42,32 +41,29 @@ jlt_status jlt_continuation_step_evaluate(const jlt_continuation_runner *self, j
     const double range = (self->options.high - self->options.low) / self->options.scale, value = u[d] * self->options.scale;
     double difference[JLT_CHART_DIM_MAX], q[JLT_CHART_DIM_MAX];
     jlt_image image, above, below;
-    jlt_status st = JLT_OK;
-    unsigned i, j;
 
-    JLT_TRY(image_at(self, &image, u, true));
+    JLT_PASS(image_at(self, &image, u, true));
     jlt_chart_scaled_slope(&self->chart, out->slope, image.slope);
     out->scale = 1;
-    for (i = 0; i < d * d; i++) out->scale = fmax(out->scale, fabs(out->slope[i]));
+    for (unsigned i = 0; i < d * d; i++) out->scale = fmax(out->scale, fabs(out->slope[i]));
     /* A central difference errs by up^2 times the third derivative, which grows as scale^3, the derivative itself as scale. */
     double up = 1e-5 * fmin(1, range > 0 ? range : 1) / cbrt(out->scale * out->scale);
     if (fmin(value - self->options.low, self->options.high - value) < up * self->options.scale)
         up /= 100; /* the model may end there: a one-sided difference errs by `up` times the second derivative */
     double down = -up;
-    JLT_TRY(image_beside(self, &above, u, &up));
-    JLT_TRY(image_beside(self, &below, u, &down));
+    JLT_PASS(image_beside(self, &above, u, &up));
+    JLT_PASS(image_beside(self, &below, u, &down));
     jlt_chart_unscaled(&self->chart, q, u);
     jlt_chart_difference(&self->chart, out->f, image.q, q);
     jlt_chart_scaled(&self->chart, out->f, out->f);
     jlt_chart_difference(&self->chart, difference, above.q, below.q);
     jlt_chart_scaled(&self->chart, difference, difference);
     out->noise = fmax(1e-10, self->tolerance);
-    for (i = 0; i < d; i++) {
-        for (j = 0; j < d; j++) out->jacobian[i * (d + 1) + j] = out->slope[i * d + j] - (i == j);
+    for (unsigned i = 0; i < d; i++) {
+        for (unsigned j = 0; j < d; j++) out->jacobian[i * (d + 1) + j] = out->slope[i * d + j] - (i == j);
         out->jacobian[i * (d + 1) + d] = difference[i] / (up - down);
     }
-done:
-    return st;
+    return JLT_OK;
 }
 
 /* Make the bordered matrix [J; t], and return its determinant. */
@@ -91,13 +87,11 @@ static jlt_status tangent_at(const jlt_continuation_runner *self, double *tangen
 {
     const unsigned d = self->d;
     double matrix[U * U], right[U] = { 0 };
-    jlt_status st;
 
     border(matrix, at, last, d);
     leave_out(self, matrix);
     right[d] = 1;
-    st = jlt_eigen_least_squares(tangent, matrix, right, d + 1, d + 1, 1e-14);
-    if (st != JLT_OK) return st;
+    JLT_PASS(jlt_eigen_least_squares(tangent, matrix, right, d + 1, d + 1, 1e-14));
     const double length = jlt_linear_length(tangent, d + 1);
     if (!(length > 0)) return JLT_ERR_NO_CONVERGENCE;
     for (unsigned i = 0; i <= d; i++) tangent[i] /= length;
@@ -109,14 +103,12 @@ jlt_status jlt_continuation_step_correct(const jlt_continuation_runner *self, do
 {
     const unsigned d = self->d;
     double matrix[U * U], right[U], delta[U], start[U], last = INFINITY;
-    jlt_status st = JLT_OK;
-    unsigned i, k;
 
     memcpy(start, u, sizeof *u * (d + 1));
-    for (k = 0; k < NEWTON; k++) {
+    for (unsigned k = 0; k < NEWTON; k++) {
         double residual = 0, moved = 0;
-        JLT_TRY(jlt_continuation_step_evaluate(self, at, u));
-        for (i = 0; i < d; i++) residual = fmax(residual, fabs(at->f[i]));
+        JLT_PASS(jlt_continuation_step_evaluate(self, at, u));
+        for (unsigned i = 0; i < d; i++) residual = fmax(residual, fabs(at->f[i]));
         if (iterations != NULL) *iterations = k;
         /* Iterate until the residual is rounding, or has ceased to fall and is no larger than the map's own error. */
         if (residual < 1e-15 * at->scale || (residual < at->noise * at->scale && residual > last / 8)) return JLT_OK;
@@ -124,18 +116,16 @@ jlt_status jlt_continuation_step_correct(const jlt_continuation_runner *self, do
         border(matrix, at, tangent, d);
         leave_out(self, matrix);
         right[d] = 0;
-        for (i = 0; i < d; i++) right[i] = -at->f[i];
-        for (i = 0; i <= d; i++) right[d] -= tangent[i] * (u[i] - start[i]);
-        JLT_TRY(jlt_eigen_least_squares(delta, matrix, right, d + 1, d + 1, 1e-14));
-        for (i = 0; i <= d; i++) {
+        for (unsigned i = 0; i < d; i++) right[i] = -at->f[i];
+        for (unsigned i = 0; i <= d; i++) right[d] -= tangent[i] * (u[i] - start[i]);
+        JLT_PASS(jlt_eigen_least_squares(delta, matrix, right, d + 1, d + 1, 1e-14));
+        for (unsigned i = 0; i <= d; i++) {
             u[i] += delta[i];
             moved = fmax(moved, fabs(delta[i]));
         }
         if (moved > 0.2) return JLT_ERR_NO_CONVERGENCE;
     }
-    st = JLT_ERR_NO_CONVERGENCE;
-done:
-    return st;
+    return JLT_ERR_NO_CONVERGENCE;
 }
 
 jlt_status jlt_continuation_step_measure(const jlt_continuation_runner *self, jlt_continuation_point *out, const double *u,
@@ -145,33 +135,29 @@ jlt_status jlt_continuation_step_measure(const jlt_continuation_runner *self, jl
     jlt_map *map;
     jlt_image image;
     jlt_continuation_point point = { .value = u[d] * self->options.scale, .arc = arc, .kind = kind };
-    jlt_status st = JLT_OK;
-    size_t k;
 
-    JLT_TRY(self->family->map_at(self->family->context, &map, point.value));
+    JLT_PASS(self->family->map_at(self->family->context, &map, point.value));
     point.orbit.period = self->period;
     jlt_chart_unscaled(&self->chart, point.orbit.points, u);
     jlt_chart_wrap(jlt_map_flow(map)->chart, point.orbit.points);
-    for (k = 0; k + 1 < self->period; k++) {
-        JLT_TRY(jlt_map_point(map, &image, point.orbit.points + k * d, 1, 1));
+    for (size_t k = 0; k + 1 < self->period; k++) {
+        JLT_PASS(jlt_map_point(map, &image, point.orbit.points + k * d, 1, 1));
         memcpy(point.orbit.points + (k + 1) * d, image.q, d * sizeof *u);
     }
-    JLT_TRY(jlt_periodic_measure(map, &point.orbit));
+    JLT_PASS(jlt_periodic_measure(map, &point.orbit));
     memcpy(point.tangent, tangent, sizeof *tangent * (d + 1));
     *out = point;
-done:
-    return st;
+    return JLT_OK;
 }
 
 /* Test functions at a point, in the order of jlt_bifurcation from FOLD. NaN: does not apply. */
 static void test_functions(double test[4], const jlt_continuation_equation *at, const double *tangent, bool symmetric, unsigned d)
 {
     double matrix[U * U], shifted[JLT_CHART_DIM_MAX * JLT_CHART_DIM_MAX];
-    unsigned i;
 
     test[0] = tangent[d];
     memcpy(shifted, at->slope, sizeof *shifted * d * d);
-    for (i = 0; i < d; i++) shifted[i * d + i] += 1;
+    for (unsigned i = 0; i < d; i++) shifted[i * d + i] += 1;
     test[1] = jlt_linear_determinant(shifted, d);
     test[2] = border(matrix, at, tangent, d);
     test[3] = NAN;
@@ -184,16 +170,13 @@ jlt_status jlt_continuation_step_to(const jlt_continuation_runner *self, jlt_con
 {
     const unsigned d = self->d;
     jlt_continuation_place next = { .arc = from->arc + fabs(step), .symmetric = from->symmetric };
-    jlt_status st = JLT_OK;
-    unsigned i;
 
-    for (i = 0; i <= d; i++) next.u[i] = from->u[i] + step * from->tangent[i];
-    JLT_TRY(jlt_continuation_step_correct(self, next.u, &next.at, from->tangent, iterations));
-    JLT_TRY(tangent_at(self, next.tangent, &next.at, from->tangent));
+    for (unsigned i = 0; i <= d; i++) next.u[i] = from->u[i] + step * from->tangent[i];
+    JLT_PASS(jlt_continuation_step_correct(self, next.u, &next.at, from->tangent, iterations));
+    JLT_PASS(tangent_at(self, next.tangent, &next.at, from->tangent));
     test_functions(next.test, &next.at, next.tangent, next.symmetric, d);
     *out = next;
-done:
-    return st;
+    return JLT_OK;
 }
 
 jlt_continuation_options jlt_continuation_step_defaults(const jlt_continuation_options *asked)
@@ -211,9 +194,8 @@ jlt_continuation_options jlt_continuation_step_defaults(const jlt_continuation_o
 jlt_status jlt_continuation_step_open(jlt_continuation_runner *self, double value)
 {
     jlt_map *map;
-    const jlt_status st = self->family->map_at(self->family->context, &map, value);
 
-    if (st != JLT_OK) return st;
+    JLT_PASS(self->family->map_at(self->family->context, &map, value));
     self->chart = *jlt_map_flow(map)->chart;
     self->d = self->chart.dim;
     self->tolerance = jlt_map_flow(map)->tolerance;
@@ -227,7 +209,6 @@ jlt_status jlt_continuation_step_begin(jlt_continuation_runner *self, jlt_contin
     jlt_continuation_place first = { .symmetric = start->orbit.symmetric };
     double guess[U], mirror[JLT_CHART_DIM_MAX];
     const jlt_chart *chart = &self->chart;
-    jlt_status st = JLT_OK;
 
     if (start->orbit.symmetric) {
         jlt_chart_mirror(chart, mirror, start->orbit.points);
@@ -236,14 +217,13 @@ jlt_status jlt_continuation_step_begin(jlt_continuation_runner *self, jlt_contin
     }
     jlt_chart_scaled(chart, first.u, start->orbit.points);
     first.u[d] = start->value / self->options.scale;
-    JLT_TRY(jlt_continuation_step_evaluate(self, &first.at, first.u));
+    JLT_PASS(jlt_continuation_step_evaluate(self, &first.at, first.u));
     memcpy(guess, start->tangent, sizeof guess);
     if (!(jlt_linear_length(guess, d + 1) > 0)) guess[d] = direction;
-    JLT_TRY(tangent_at(self, first.tangent, &first.at, guess));
+    JLT_PASS(tangent_at(self, first.tangent, &first.at, guess));
     test_functions(first.test, &first.at, first.tangent, first.symmetric, d);
     *out = first;
-done:
-    return st;
+    return JLT_OK;
 }
 
 static double dot(const double *a, const double *b, unsigned count)

@@ -37,26 +37,23 @@ jlt_status jlt_continuation_switch(jlt_continuation_point *out, const jlt_family
     double u[U] = { 0 }, origin[U], direction[U] = { 0 };
     jlt_continuation_equation here;
     jlt_status st = JLT_OK;
-    unsigned i;
 
     if ((side != 1 && side != -1) || !(offset > 0)) return JLT_ERR_ARG;
     if (at->kind != JLT_BIFURCATION_BRANCH && at->kind != JLT_BIFURCATION_DOUBLING) return JLT_ERR_ARG;
-    JLT_TRY(jlt_continuation_step_open(&self, at->value));
+    JLT_PASS(jlt_continuation_step_open(&self, at->value));
     if (self.d != 2) return JLT_ERR_ARG;
     jlt_chart_scaled(&self.chart, u, at->orbit.points);
     u[2] = at->value / self.options.scale;
-    JLT_TRY(jlt_continuation_step_evaluate(&self, &here, u));
+    JLT_PASS(jlt_continuation_step_evaluate(&self, &here, u));
     other_direction(direction, &here, at);
     if (at->kind == JLT_BIFURCATION_DOUBLING) self.period *= 2;
     memcpy(origin, u, sizeof origin);
-    for (i = 0; i < 3; i++) direction[i] *= side;
+    for (unsigned i = 0; i < 3; i++) direction[i] *= side;
     for (unsigned halving = 0; halving < HALVINGS; halving++, offset /= 2) {
-        for (i = 0; i < 3; i++) u[i] = origin[i] + offset * direction[i];
+        for (unsigned i = 0; i < 3; i++) u[i] = origin[i] + offset * direction[i];
         st = jlt_continuation_step_correct(&self, u, &here, direction, NULL);
         if (st == JLT_ERR_NOMEM || st == JLT_OK) break;
     }
-    JLT_TRY(st);
-    JLT_TRY(jlt_continuation_step_measure(&self, out, u, direction, 0, JLT_BIFURCATION_NONE));
-done:
-    return st;
+    JLT_PASS(st);
+    return jlt_continuation_step_measure(&self, out, u, direction, 0, JLT_BIFURCATION_NONE);
 }

@@ -6,13 +6,11 @@
 jlt_status jlt_fates_follow(jlt_section *section, jlt_fates_end *end, const double *q, size_t returns)
 {
     jlt_return row;
-    jlt_status st;
 
-    JLT_TRY(jlt_section_start(section, &row, q, 1));
-    while (row.fate == JLT_FATE_ALIVE && !row.interrupted && row.number < returns) JLT_TRY(jlt_section_next(section, &row));
+    JLT_PASS(jlt_section_start(section, &row, q, 1));
+    while (row.fate == JLT_FATE_ALIVE && !row.interrupted && row.number < returns) JLT_PASS(jlt_section_next(section, &row));
     *end = jlt_fates_of(&row);
-done:
-    return st;
+    return JLT_OK;
 }
 
 jlt_fates_end jlt_fates_of(const jlt_return *last)

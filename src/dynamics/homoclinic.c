@@ -159,11 +159,10 @@ static jlt_status angles_again(jlt_homoclinic *points, size_t count, const jlt_b
     jlt_branch u = *branches[0], s = *branches[1];
     const jlt_branch *const others[] = { &u, &s };
     double shift[2];
-    jlt_status st = JLT_OK;
 
     u.seed *= seeds;
     s.seed *= seeds;
-    for (unsigned k = 0; k < 2; k++) JLT_TRY(shift_of(&shift[k], branches[k], others[k], maps));
+    for (unsigned k = 0; k < 2; k++) JLT_PASS(shift_of(&shift[k], branches[k], others[k], maps));
     for (size_t i = 0; i < count; i++) {
         jlt_homoclinic other = points[i];
         other.sigma_unstable -= shift[0];
@@ -174,16 +173,15 @@ static jlt_status angles_again(jlt_homoclinic *points, size_t count, const jlt_b
         room[i].goes_on = false;
         room[i].status = JLT_ERR_ARG;
     }
-    JLT_TRY(refine(room, count, others, maps, 8));
-    for (size_t i = 0; st == JLT_OK && i < count; i++) {
+    JLT_PASS(refine(room, count, others, maps, 8));
+    for (size_t i = 0; i < count; i++) {
         const double change = room[i].status == JLT_OK ? fabs(remainder(room[i].best.angle - points[i].angle, pi)) : NAN;
         if (isnan(change) || change > points[i].angle_error) points[i].angle_error = change;
         memcpy(points[i].again.q, room[i].best.q, sizeof points[i].again.q);
         points[i].again.sigma[0] = room[i].best.sigma_unstable;
         points[i].again.sigma[1] = room[i].best.sigma_stable;
     }
-done:
-    return st;
+    return JLT_OK;
 }
 
 /* Set angle_error to twice the largest change of the angle by another tolerance, another seed, and both: where only rounding is

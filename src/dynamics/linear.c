@@ -10,12 +10,11 @@ enum { N = JLT_LINEAR_DIM_MAX };
 void jlt_linear_multiply(double *out, const double *a, const double *b, unsigned dim)
 {
     double product[N * N];
-    unsigned i, j, k;
 
-    for (i = 0; i < dim; i++)
-        for (j = 0; j < dim; j++) {
+    for (unsigned i = 0; i < dim; i++)
+        for (unsigned j = 0; j < dim; j++) {
             double sum = 0;
-            for (k = 0; k < dim; k++) sum += a[i * dim + k] * b[k * dim + j];
+            for (unsigned k = 0; k < dim; k++) sum += a[i * dim + k] * b[k * dim + j];
             product[i * dim + j] = sum;
         }
     memcpy(out, product, sizeof *out * dim * dim);
@@ -40,24 +39,23 @@ static double difference_of_products(double a, double d, double b, double c)
 double jlt_linear_determinant(const double *a, unsigned dim)
 {
     double u[N * N], determinant = 1;
-    unsigned i, j, k;
 
     if (dim == 2) return difference_of_products(a[0], a[3], a[1], a[2]);
     memcpy(u, a, sizeof *u * dim * dim);
-    for (k = 0; k < dim; k++) {
+    for (unsigned k = 0; k < dim; k++) {
         unsigned pivot = k;
-        for (i = k + 1; i < dim; i++)
+        for (unsigned i = k + 1; i < dim; i++)
             if (fabs(u[i * dim + k]) > fabs(u[pivot * dim + k])) pivot = i;
         if (u[pivot * dim + k] == 0) return 0;
-        for (j = k; pivot != k && j < dim; j++) {
+        for (unsigned j = k; pivot != k && j < dim; j++) {
             const double swap = u[k * dim + j];
             u[k * dim + j] = u[pivot * dim + j];
             u[pivot * dim + j] = swap;
         }
         determinant *= pivot == k ? u[k * dim + k] : -u[k * dim + k];
-        for (i = k + 1; i < dim; i++) {
+        for (unsigned i = k + 1; i < dim; i++) {
             const double factor = u[i * dim + k] / u[k * dim + k];
-            for (j = k; j < dim; j++) u[i * dim + j] -= factor * u[k * dim + j];
+            for (unsigned j = k; j < dim; j++) u[i * dim + j] -= factor * u[k * dim + j];
         }
     }
     return determinant;
@@ -82,17 +80,13 @@ static void eigenvalues_of_two(double *re, double *im, const double *a)
 
 jlt_status jlt_linear_eigenvalues(double *re, double *im, const double *a, unsigned dim)
 {
-    unsigned i, j;
-    jlt_status st;
-
     if (dim == 2) {
         eigenvalues_of_two(re, im, a);
         return JLT_OK;
     }
-    st = jlt_eigen_values(re, im, a, dim);
-    if (st != JLT_OK) return st;
-    for (i = 0; i < dim; i++)
-        for (j = i; j > 0 && hypot(re[j], im[j]) > hypot(re[j - 1], im[j - 1]); j--) {
+    JLT_PASS(jlt_eigen_values(re, im, a, dim));
+    for (unsigned i = 0; i < dim; i++)
+        for (unsigned j = i; j > 0 && hypot(re[j], im[j]) > hypot(re[j - 1], im[j - 1]); j--) {
             const double held_re = re[j], held_im = im[j];
             re[j] = re[j - 1], im[j] = im[j - 1];
             re[j - 1] = held_re, im[j - 1] = held_im;

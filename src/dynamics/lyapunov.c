@@ -21,24 +21,23 @@ static bool step_frame(double *frame, double *growth, const double *slope, doubl
     double next[JLT_CHART_DIM_MAX * JLT_CHART_DIM_MAX];
     double rest = log(size), longest = 1;
     bool is_lost = false;
-    unsigned i, j, k, pass;
 
-    for (i = 0; i < d; i++) longest = fmax(longest, jlt_linear_length(slope + i * d, d));
+    for (unsigned i = 0; i < d; i++) longest = fmax(longest, jlt_linear_length(slope + i * d, d));
 
     jlt_linear_multiply(next, slope, frame, d);
-    for (j = 0; j + 1 < d; j++) {
+    for (unsigned j = 0; j + 1 < d; j++) {
         double length = 0;
-        for (pass = 0; pass < 2; pass++)
-            for (k = 0; k < j; k++) {
+        for (unsigned pass = 0; pass < 2; pass++)
+            for (unsigned k = 0; k < j; k++) {
                 double inner = 0;
-                for (i = 0; i < d; i++) inner += frame[i * d + k] * next[i * d + j];
-                for (i = 0; i < d; i++) next[i * d + j] -= inner * frame[i * d + k];
+                for (unsigned i = 0; i < d; i++) inner += frame[i * d + k] * next[i * d + j];
+                for (unsigned i = 0; i < d; i++) next[i * d + j] -= inner * frame[i * d + k];
             }
-        for (i = 0; i < d; i++) length = hypot(length, next[i * d + j]);
+        for (unsigned i = 0; i < d; i++) length = hypot(length, next[i * d + j]);
         is_lost |= !(length > noise * longest);
         growth[j] += is_lost ? NAN : log(length);
         rest -= log(length);
-        for (i = 0; i < d; i++) frame[i * d + j] = next[i * d + j] /= length;
+        for (unsigned i = 0; i < d; i++) frame[i * d + j] = next[i * d + j] /= length;
     }
     is_lost |= !(size > 0); /* |det A| underflowed */
     growth[d - 1] += is_lost ? NAN : rest;
@@ -189,9 +188,8 @@ double jlt_lyapunov_finite_exponent(const double *slope, double t, size_t return
 jlt_status jlt_lyapunov_finite(jlt_map *map, double *exponent, double *t, const double *q, size_t returns)
 {
     jlt_image image;
-    const jlt_status st = jlt_map_apply(map, &image, q, returns, 1);
 
-    if (st != JLT_OK) return st;
+    JLT_PASS(jlt_map_apply(map, &image, q, returns, 1));
     *exponent = jlt_lyapunov_finite_exponent(image.slope, image.T, returns, jlt_map_flow(map));
     *t = image.T;
     return JLT_OK;

@@ -112,13 +112,12 @@ jlt_status jlt_manifold_reflect(jlt_manifold *out, const jlt_manifold *curve, co
 {
     jlt_manifold self = { .count = curve->count, .end = curve->end };
     const jlt_status st = reserve(&self, curve->count + 1);
-    size_t i;
 
     if (st != JLT_OK) {
         jlt_manifold_clear(&self);
         return st;
     }
-    for (i = 0; i < curve->count; i++) jlt_chart_mirror(chart, self.points + 2 * i, curve->points + 2 * i);
+    for (size_t i = 0; i < curve->count; i++) jlt_chart_mirror(chart, self.points + 2 * i, curve->points + 2 * i);
     memcpy(self.sigma, curve->sigma, curve->count * sizeof *self.sigma);
     memcpy(self.length, curve->length, curve->count * sizeof *self.length);
     *out = self;

@@ -100,13 +100,11 @@ static jlt_status to_section(jlt_map *self, jlt_outcome *outcome, int time_direc
     const jlt_crossing_search search = { self->flow.chart, self->flow.direction, events, count, count, self->varied.field.dim,
                                          self->flow.max_steps };
     const double t_max = self->flow.t_max == 0 ? INFINITY : ldexp(self->flow.t_max, -self->flow.units.time);
-    jlt_status st;
 
     self->is_slow = false;
     self->most = self->least = self->swing = 1;
     self->steps = jlt_orbit_stepper(self->orbit)->steps;
-    st = jlt_chart_crossing_find(&search, self->orbit, time_direction * t_max, time_direction, outcome);
-    if (st != JLT_OK) return st;
+    JLT_PASS(jlt_chart_crossing_find(&search, self->orbit, time_direction * t_max, time_direction, outcome));
     if (outcome->end == JLT_END_EVENT) return JLT_OK;
     if (outcome->end == JLT_END_TIME) return JLT_ERR_BUDGET;
     return outcome->end == JLT_END_OBSERVER ? JLT_ERR_DOMAIN : JLT_ERR_NO_CONVERGENCE;
@@ -151,12 +149,11 @@ static jlt_status advance(jlt_map *self, jlt_image *image, int time_direction)
     double start[JLT_VARIED_DIM_MAX], slope[JLT_CHART_DIM_MAX * JLT_CHART_DIM_MAX], flux;
     jlt_map_return arrival;
     jlt_outcome outcome;
-    jlt_status st = JLT_OK;
 
-    JLT_TRY(jlt_map_return_start(start, &flux, &self->flow, image->q));
-    JLT_TRY(jlt_orbit_start(self->orbit, 0, start, time_direction));
-    JLT_TRY(to_section(self, &outcome, time_direction));
-    JLT_TRY(jlt_map_return_end(&arrival, image->q, slope, &self->flow, outcome.x, flux));
+    JLT_PASS(jlt_map_return_start(start, &flux, &self->flow, image->q));
+    JLT_PASS(jlt_orbit_start(self->orbit, 0, start, time_direction));
+    JLT_PASS(to_section(self, &outcome, time_direction));
+    JLT_PASS(jlt_map_return_end(&arrival, image->q, slope, &self->flow, outcome.x, flux));
     const double size = arrival.size > 0 ? arrival.size : 1; /* a DP that is 0 in doubles has no defect */
     const double defect = (fabs(arrival.determinant) - arrival.flux_determinant) / size;
     const double part = fmax(fabs(arrival.determinant), arrival.flux_determinant) / size;
@@ -172,21 +169,18 @@ static jlt_status advance(jlt_map *self, jlt_image *image, int time_direction)
     image->determinant *= arrival.determinant;
     image->flux_determinant *= arrival.flux_determinant;
     for (unsigned i = 0; i < n; i++) image->x[i] = ldexp(outcome.x[i], self->flow.units.state[i]);
-done:
-    return st;
+    return JLT_OK;
 }
 
 jlt_status jlt_map_resume(jlt_map *self, double *x, double *t, int time_direction)
 {
     jlt_outcome outcome;
-    jlt_status st = JLT_OK;
 
-    JLT_TRY(jlt_orbit_start(self->orbit, 0, x, time_direction));
-    JLT_TRY(to_section(self, &outcome, time_direction));
+    JLT_PASS(jlt_orbit_start(self->orbit, 0, x, time_direction));
+    JLT_PASS(to_section(self, &outcome, time_direction));
     memcpy(x, outcome.x, self->varied.field.dim * sizeof *x);
     *t = outcome.t;
-done:
-    return st;
+    return JLT_OK;
 }
 
 /* Copy the part of an image that is in use: it has room for many coordinates. */
@@ -209,39 +203,33 @@ jlt_status jlt_map_apply(jlt_map *self, jlt_image *out, const double *q, size_t 
 {
     const unsigned d = self->flow.chart->dim;
     jlt_image *image = &self->image;
-    jlt_status st = JLT_OK;
-    size_t i;
 
     if (count == 0) return JLT_ERR_ARG;
     memcpy(image->q, q, d * sizeof *q);
-    for (i = 0; i < (size_t)d * d; i++) image->slope[i] = i % (d + 1) == 0;
+    for (size_t i = 0; i < (size_t)d * d; i++) image->slope[i] = i % (d + 1) == 0;
     image->T = image->expansion = image->defect = image->bound = 0;
     image->determinant = image->flux_determinant = 1;
-    for (i = 0; i < count; i++) JLT_TRY(advance(self, image, time_direction));
+    for (size_t i = 0; i < count; i++) JLT_PASS(advance(self, image, time_direction));
     copy_image(out, image, self->flow.chart);
-done:
-    return st;
+    return JLT_OK;
 }
 
 jlt_status jlt_map_point(jlt_map *self, jlt_image *out, const double *q, size_t count, int time_direction)
 {
     const unsigned d = self->flow.chart->dim;
-    jlt_status st = JLT_OK;
     jlt_return row;
-    size_t i;
 
     if (count == 0) return JLT_ERR_ARG;
-    JLT_TRY(jlt_section_start(self->section, &row, q, time_direction));
-    for (i = 0; i < count; i++) {
-        JLT_TRY(jlt_section_next(self->section, &row));
+    JLT_PASS(jlt_section_start(self->section, &row, q, time_direction));
+    for (size_t i = 0; i < count; i++) {
+        JLT_PASS(jlt_section_next(self->section, &row));
         if (row.interrupted) return JLT_ERR_NO_CONVERGENCE;
-        JLT_TRY(jlt_section_fate_status(row.fate));
+        JLT_PASS(jlt_section_fate_status(row.fate));
     }
     memcpy(out->q, row.q, d * sizeof *q);
     memcpy(out->x, row.x, self->flow.chart->states * sizeof *out->x);
     out->T = row.t;
-    for (i = 0; i < (size_t)d * d; i++) out->slope[i] = NAN;
+    for (size_t i = 0; i < (size_t)d * d; i++) out->slope[i] = NAN;
     out->determinant = out->flux_determinant = out->expansion = out->defect = out->bound = NAN;
-done:
-    return st;
+    return JLT_OK;
 }

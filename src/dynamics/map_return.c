@@ -10,31 +10,28 @@ jlt_status jlt_map_return_start(double *varied, double *flux, const jlt_flow *fl
     const jlt_chart *chart = flow->chart;
     const unsigned n = chart->states, d = chart->dim;
     double tangent[JLT_CHART_STATES_MAX * JLT_CHART_DIM_MAX], f[JLT_CHART_STATES_MAX];
-    jlt_status st = JLT_OK;
 
-    JLT_TRY(chart->lift(chart, varied, tangent, q));
+    JLT_PASS(chart->lift(chart, varied, tangent, q));
     for (unsigned k = 0; k < d; k++)
         for (unsigned i = 0; i < n; i++) varied[n * (1 + k) + i] = ldexp(tangent[i * d + k], chart->unit[k]);
     varied[n * (1 + d)] = 0;
     if (jlt_rest_is_still(flow->field, varied)) return JLT_ERR_DOMAIN;
     flow->field->call(varied, flow->field->p, f);
     *flux = chart->flux(chart, varied, f);
-done:
-    return st;
+    return JLT_OK;
 }
 
 static void project(const jlt_chart *chart, double *slope, double *q, const double *end, const double *f)
 {
     const unsigned n = chart->states, d = chart->dim, c = chart->column;
     double lowering[JLT_CHART_DIM_MAX * JLT_CHART_STATES_MAX];
-    unsigned i, j, k;
 
     chart->lower(chart, q, lowering, end);
-    for (k = 0; k < d; k++) {
+    for (unsigned k = 0; k < d; k++) {
         const double *y = end + n * (1 + k);
-        for (i = 0; i < d; i++) {
+        for (unsigned i = 0; i < d; i++) {
             double sum = 0;
-            for (j = 0; j < n; j++)
+            for (unsigned j = 0; j < n; j++)
                 if (j != c) sum += lowering[i * n + j] * (y[j] - f[j] / f[c] * y[c]);
             slope[i * d + k] = ldexp(sum, -chart->unit[i]);
         }

@@ -21,11 +21,9 @@ static jlt_status step(double *delta, const jlt_shooting *at, unsigned d, size_t
 {
     double product[D * D] = { 0 }, carried[D] = { 0 }, system[D * D], free_delta[D];
     unsigned columns[D], count = 0, i, j;
-    jlt_status st;
-    size_t k;
 
     for (i = 0; i < d; i++) product[i * d + i] = 1;
-    for (k = 0; k < period; k++) {
+    for (size_t k = 0; k < period; k++) {
         const double *slope = at->slopes + k * d * d;
         double next[D];
         for (i = 0; i < d; i++) {
@@ -40,12 +38,11 @@ static jlt_status step(double *delta, const jlt_shooting *at, unsigned d, size_t
     if (count == 0) return JLT_ERR_ARG;
     for (i = 0; i < d; i++)
         for (j = 0; j < count; j++) system[i * count + j] = (i == columns[j]) - product[i * d + columns[j]];
-    st = jlt_eigen_least_squares(free_delta, system, carried, d, count,
-                                 null_cutoff / fmin(1, jlt_linear_length(system, d * count)));
-    if (st != JLT_OK) return st;
+    JLT_PASS(jlt_eigen_least_squares(free_delta, system, carried, d, count,
+                                     null_cutoff / fmin(1, jlt_linear_length(system, d * count))));
     memset(delta, 0, d * sizeof *delta);
     for (j = 0; j < count; j++) delta[columns[j]] = free_delta[j];
-    for (k = 0; k + 1 < period; k++)
+    for (size_t k = 0; k + 1 < period; k++)
         for (i = 0; i < d; i++) {
             double *next = delta + (k + 1) * d + i;
             *next = at->miss[k * d + i];

@@ -58,11 +58,10 @@ void jlt_orbits_sort(jlt_orbits *self, const jlt_chart *chart)
 size_t jlt_orbits_mirror(const jlt_orbits *self, const jlt_chart *chart, size_t index)
 {
     jlt_periodic image;
-    size_t i;
 
     if (!chart->reversible) return self->count;
     jlt_periodic_mirror(chart, &image, &self->orbits[index]);
-    for (i = 0; i < self->count; i++)
+    for (size_t i = 0; i < self->count; i++)
         if (jlt_periodic_same(chart, &self->orbits[i], &image, same_point)) return i;
     return self->count;
 }

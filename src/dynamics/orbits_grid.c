@@ -84,8 +84,7 @@ static jlt_status one_trial(jlt_map_batch *maps, jlt_newton **going, size_t *cou
 
     for (size_t i = 0; i < *count; points += going[i++]->period)
         memcpy(images->q + points * d, going[i]->trial, going[i]->period * d * sizeof *images->q);
-    const jlt_status st = jlt_map_batch_apply(maps, images, images->q, points, 1, 1);
-    if (st != JLT_OK) return st;
+    JLT_PASS(jlt_map_batch_apply(maps, images, images->q, points, 1, 1));
     for (size_t i = 0; i < *count; i++) {
         const size_t first = at;
         at += going[i]->period;
@@ -145,21 +144,19 @@ static jlt_status begin_window(grid_search *self, const double *window, size_t f
 {
     const unsigned d = self->chart->dim;
     const double near = self->options->near > 0 ? self->options->near : 0.6;
-    jlt_status st = JLT_OK;
 
     for (size_t p = 1; p < filled; p++) {
         if (jlt_chart_distance(self->chart, window, window + p * d) > near) continue;
         jlt_newton *grown = jlt_memory_more(self->newton, self->count, sizeof *grown);
         if (grown == NULL) return JLT_ERR_NOMEM;
         self->newton = grown;
-        JLT_TRY(jlt_newton_create(&self->newton[self->count], &self->flow, window, p, NULL));
+        JLT_PASS(jlt_newton_create(&self->newton[self->count], &self->flow, window, p, NULL));
         self->count++;
         self->points += p;
         self->bytes += p * d * (6 + 3 * d) * sizeof *window;
-        if (self->bytes > BYTES) JLT_TRY(solve(self));
+        if (self->bytes > BYTES) JLT_PASS(solve(self));
     }
-done:
-    return st;
+    return JLT_OK;
 }
 
 /* Begin searches from start `index` of a block, and from the point its orbit reaches after `settle` returns. */
@@ -179,10 +176,8 @@ static jlt_status follow(grid_search *self, size_t index)
         st = jlt_section_batch_next(self->together, &row);
     }
     if (st != JLT_OK && !jlt_orbits_is_miss(st)) return st;
-    for (unsigned pass = 0; pass < 2; pass++) JLT_TRY(begin_window(self, windows[pass], filled[pass]));
-    st = JLT_OK;
-done:
-    return st;
+    for (unsigned pass = 0; pass < 2; pass++) JLT_PASS(begin_window(self, windows[pass], filled[pass]));
+    return JLT_OK;
 }
 
 static void grid_point(double *q, const jlt_orbits_options *options, const jlt_chart *chart, size_t index)
@@ -198,14 +193,11 @@ static void grid_point(double *q, const jlt_orbits_options *options, const jlt_c
 static jlt_status search_block(grid_search *self, double *q, size_t first, size_t count)
 {
     const unsigned d = self->chart->dim;
-    jlt_status st = JLT_OK;
 
     for (size_t i = 0; i < count; i++) grid_point(q + i * d, self->options, self->chart, first + i);
-    JLT_TRY(jlt_section_batch_run(self->together, q, count, self->options->settle + self->options->period_max));
-    for (size_t i = 0; i < count && !raised(self); i++) JLT_TRY(follow(self, i));
-    st = raised(self) ? JLT_ERR_NO_CONVERGENCE : solve(self);
-done:
-    return st;
+    JLT_PASS(jlt_section_batch_run(self->together, q, count, self->options->settle + self->options->period_max));
+    for (size_t i = 0; i < count && !raised(self); i++) JLT_PASS(follow(self, i));
+    return raised(self) ? JLT_ERR_NO_CONVERGENCE : solve(self);
 }
 
 static jlt_status open_search(grid_search *self)

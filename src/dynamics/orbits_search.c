@@ -6,16 +6,14 @@ static jlt_status add_mirrors(jlt_orbits *self, jlt_map *map)
     const jlt_chart *chart = jlt_map_flow(map)->chart;
     const size_t count = self->count;
     jlt_periodic image;
-    jlt_status st;
-    size_t i;
 
-    for (i = 0; i < count; i++) {
+    for (size_t i = 0; i < count; i++) {
         if (self->orbits[i].symmetric || jlt_orbits_mirror(self, chart, i) < self->count) continue;
         jlt_periodic_mirror(chart, &image, &self->orbits[i]);
-        st = jlt_periodic_find(map, &image, image.points, image.period, NULL);
+        const jlt_status st = jlt_periodic_find(map, &image, image.points, image.period, NULL);
         if (jlt_orbits_is_miss(st)) continue;
-        if (st == JLT_OK) st = jlt_orbits_add(self, chart, &image);
-        if (st != JLT_OK) return st;
+        JLT_PASS(st);
+        JLT_PASS(jlt_orbits_add(self, chart, &image));
     }
     return JLT_OK;
 }
@@ -37,10 +35,9 @@ jlt_status jlt_orbits_search(jlt_orbits *self, jlt_map *map, const jlt_orbits_op
     const jlt_chart *chart = jlt_map_flow(map)->chart;
     collector into = { self, chart };
     jlt_status st = JLT_OK;
-    size_t i;
 
     if (options->period_max == 0 || options->period_max > JLT_PERIODIC_MAX) return JLT_ERR_ARG;
-    for (i = 0; i < options->line_count; i++)
+    for (size_t i = 0; i < options->line_count; i++)
         JLT_TRY(jlt_symmetric_search(map, &options->lines[i], options->period_max, collect, &into));
     if (options->counts[0] > 0) JLT_TRY(jlt_orbits_grid(self, map, options));
     if (chart->reversible) JLT_TRY(add_mirrors(self, map));

@@ -28,21 +28,18 @@ static jlt_status iterate(jlt_map *map, double *points, size_t period, const uns
 {
     const jlt_chart *chart = jlt_map_flow(map)->chart;
     jlt_newton newton;
-    jlt_status st = jlt_newton_create(&newton, jlt_map_flow(map), points, period, held);
 
-    if (st != JLT_OK) return st;
+    JLT_PASS(jlt_newton_create(&newton, jlt_map_flow(map), points, period, held));
     while (jlt_newton_next(&newton, jlt_shooting_of(&newton.then, map, newton.trial, period))) { }
     memcpy(points, newton.points, period * chart->dim * sizeof *points);
-    st = newton.status;
+    const jlt_status st = newton.status;
     jlt_newton_clear(&newton);
     return st;
 }
 
 size_t jlt_periodic_primitive(const jlt_chart *chart, const double *points, size_t period)
 {
-    size_t p;
-
-    for (p = 1; p < period; p++)
+    for (size_t p = 1; p < period; p++)
         if (period % p == 0 && jlt_chart_distance(chart, points, points + p * chart->dim) < same_point) return p;
     return period;
 }
@@ -50,11 +47,10 @@ size_t jlt_periodic_primitive(const jlt_chart *chart, const double *points, size
 static bool is_symmetric(const jlt_chart *chart, const double *points, size_t period)
 {
     double image[D];
-    size_t k;
 
     if (!chart->reversible) return false;
     jlt_chart_mirror(chart, image, points);
-    for (k = 0; k < period; k++)
+    for (size_t k = 0; k < period; k++)
         if (jlt_chart_distance(chart, image, points + k * chart->dim) < same_point) return true;
     return false;
 }
@@ -100,14 +96,13 @@ jlt_status jlt_periodic_measure(jlt_map *map, jlt_periodic *io)
     jlt_shooting at = { 0 };
     double *slope;
     unsigned i;
-    size_t k;
     jlt_status st = JLT_OK;
 
     if (io->period == 0 || io->period > JLT_PERIODIC_MAX) return JLT_ERR_ARG;
     JLT_TRY(jlt_shooting_create(&at, d, orbit.period));
     JLT_TRY(jlt_shooting_of(&at, map, orbit.points, orbit.period));
     slope = at.slopes; /* of the whole orbit, in place of the first return's */
-    for (k = 1; k < orbit.period; k++) jlt_linear_multiply(slope, at.slopes + k * d * d, slope, d);
+    for (size_t k = 1; k < orbit.period; k++) jlt_linear_multiply(slope, at.slopes + k * d * d, slope, d);
     for (i = 0; d == 2 && i < 4; i++) orbit.slope[i] = ldexp(slope[i], chart->scale[i / 2] - chart->scale[i % 2]);
     for (orbit.trace = 0, i = 0; i < d; i++) orbit.trace += slope[i * d + i];
     orbit.T = at.T;
@@ -152,17 +147,15 @@ jlt_status jlt_periodic_polish(jlt_map *map, jlt_periodic *out, const double *po
 {
     const jlt_chart *chart = jlt_map_flow(map)->chart;
     jlt_periodic orbit = { .period = period };
-    jlt_status st = JLT_OK;
 
     if (period == 0 || period > JLT_PERIODIC_MAX) return JLT_ERR_ARG;
     memcpy(orbit.points, points, period * chart->dim * sizeof *points);
-    JLT_TRY(iterate(map, orbit.points, period, held));
+    JLT_PASS(iterate(map, orbit.points, period, held));
     orbit.period = jlt_periodic_primitive(chart, orbit.points, period);
-    JLT_TRY(jlt_periodic_measure(map, &orbit));
-    st = jlt_periodic_moves(jlt_map_flow(map), &orbit) ? JLT_OK : JLT_ERR_NO_CONVERGENCE;
-    if (st == JLT_OK) *out = orbit;
-done:
-    return st;
+    JLT_PASS(jlt_periodic_measure(map, &orbit));
+    if (!jlt_periodic_moves(jlt_map_flow(map), &orbit)) return JLT_ERR_NO_CONVERGENCE;
+    *out = orbit;
+    return JLT_OK;
 }
 
 jlt_status jlt_periodic_find(jlt_map *map, jlt_periodic *out, const double *q, size_t period,
@@ -171,17 +164,14 @@ jlt_status jlt_periodic_find(jlt_map *map, jlt_periodic *out, const double *q, s
     const unsigned d = jlt_map_flow(map)->chart->dim;
     double points[JLT_PERIODIC_MAX * D];
     jlt_image image;
-    jlt_status st = JLT_OK;
 
     if (period == 0 || period > JLT_PERIODIC_MAX) return JLT_ERR_ARG;
     memcpy(points, q, d * sizeof *q);
     for (size_t k = 0; k + 1 < period; k++) {
-        JLT_TRY(jlt_map_point(map, &image, points + k * d, 1, 1));
+        JLT_PASS(jlt_map_point(map, &image, points + k * d, 1, 1));
         memcpy(points + (k + 1) * d, image.q, d * sizeof *q);
     }
-    st = jlt_periodic_polish(map, out, points, period, held);
-done:
-    return st;
+    return jlt_periodic_polish(map, out, points, period, held);
 }
 
 jlt_status jlt_periodic_rotate(jlt_map *map, jlt_periodic *io, size_t first)
@@ -189,10 +179,9 @@ jlt_status jlt_periodic_rotate(jlt_map *map, jlt_periodic *io, size_t first)
     const unsigned d = jlt_map_flow(map)->chart->dim;
     jlt_periodic orbit = *io;
     jlt_status st;
-    size_t k;
 
     if (first >= io->period) return JLT_ERR_ARG;
-    for (k = 0; k < io->period; k++)
+    for (size_t k = 0; k < io->period; k++)
         memcpy(orbit.points + k * d, io->points + (k + first) % io->period * d, d * sizeof *orbit.points);
     st = jlt_periodic_measure(map, &orbit);
     if (st == JLT_OK) *io = orbit;
@@ -208,10 +197,8 @@ void jlt_periodic_mirror(const jlt_chart *chart, jlt_periodic *out, const jlt_pe
 
 bool jlt_periodic_same(const jlt_chart *chart, const jlt_periodic *a, const jlt_periodic *b, double distance)
 {
-    size_t k;
-
     if (a->period != b->period) return false;
-    for (k = 0; k < a->period; k++)
+    for (size_t k = 0; k < a->period; k++)
         if (jlt_chart_distance(chart, a->points + k * chart->dim, b->points) < distance) return true;
     return false;
 }

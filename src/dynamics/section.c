@@ -158,7 +158,6 @@ static void arrive(jlt_section *self, double theta, const double *x)
 static void fill(jlt_return *row, const jlt_section *self, double t, const double *x, bool on_section)
 {
     const jlt_chart *chart = self->flow.chart;
-    unsigned k;
 
     row->number = self->number;
     row->direction = 0;
@@ -167,7 +166,7 @@ static void fill(jlt_return *row, const jlt_section *self, double t, const doubl
     row->unbounded = JLT_CHART_STATES_MAX;
     row->interrupted = false;
     row->t = ldexp(t, self->flow.units.time);
-    for (k = 0; k < chart->states; k++) row->x[k] = ldexp(x[k], self->flow.units.state[k]);
+    for (unsigned k = 0; k < chart->states; k++) row->x[k] = ldexp(x[k], self->flow.units.state[k]);
     row->residual = ldexp(x[chart->column] - chart->level, self->flow.units.state[chart->column]);
     row->least = self->watched.so_far.value;
     row->q[1] = 0; /* pictures of a section of one coordinate show this as the second */
@@ -175,7 +174,7 @@ static void fill(jlt_return *row, const jlt_section *self, double t, const doubl
         chart->lower(chart, row->q, NULL, x);
         return;
     }
-    for (k = 0; k < chart->dim; k++) row->q[k] = NAN;
+    for (unsigned k = 0; k < chart->dim; k++) row->q[k] = NAN;
 }
 
 static void set_fate(jlt_return *row, const jlt_section *self, const double *x, jlt_fate fate)

@@ -226,17 +226,16 @@ static jlt_status finish(jlt_section_batch *self, unsigned thread, size_t lane)
     double kept[COLUMNS_MAX];
     jlt_section *section;
     jlt_return row;
-    jlt_status st = JLT_OK;
 
     if (at->has_lane_end && at->lane_end == JLT_LANE_DONE && !at->is_slow) return JLT_OK;
-    JLT_TRY(jlt_section_flows_section(&self->flows, &section, thread, self->flow_of[lane]));
-    JLT_TRY(begin(self, section, &row, lane));
+    JLT_PASS(jlt_section_flows_section(&self->flows, &section, thread, self->flow_of[lane]));
+    JLT_PASS(begin(self, section, &row, lane));
     if (row.fate != JLT_FATE_ALIVE) return JLT_OK; /* readers see that it has ended at its start */
     resume(self, section, lane);
     while (row.fate == JLT_FATE_ALIVE && !row.interrupted && at->rows < self->returns) {
-        JLT_TRY(jlt_section_next(section, &row));
+        JLT_PASS(jlt_section_next(section, &row));
         from_section(self, kept, &row, lane);
-        if (row.fate == JLT_FATE_ALIVE && !row.interrupted) JLT_TRY(keep(self, lane, kept));
+        if (row.fate == JLT_FATE_ALIVE && !row.interrupted) JLT_PASS(keep(self, lane, kept));
     }
     at->has_end = row.fate != JLT_FATE_ALIVE || row.interrupted;
     if (!at->has_end) return JLT_OK;
@@ -244,8 +243,7 @@ static jlt_status finish(jlt_section_batch *self, unsigned thread, size_t lane)
     at->lost = row.lost;
     at->is_interrupted = row.interrupted;
     memcpy(self->end + lane * self->width, kept, self->width * sizeof *kept);
-done:
-    return st;
+    return JLT_OK;
 }
 
 static jlt_status finish_all(jlt_section_batch *self)

@@ -29,9 +29,8 @@ static size_t cell_of(const cells *self, const double *q)
 {
     const jlt_separation_options *o = self->options;
     size_t index[2];
-    unsigned k;
 
-    for (k = 0; k < 2; k++) {
+    for (unsigned k = 0; k < 2; k++) {
         const double period = self->chart->period[k], above = q[k] - o->low[k];
         const double off = period != 0 ? above - period * floor(above / period) : above;
         const double at = off / (o->high[k] - o->low[k]) * (double)o->cells[k];

@@ -44,12 +44,10 @@ static void reflect_branch(jlt_separatrices *self, int k)
 static jlt_status grow(jlt_manifold *curve, const jlt_branch *branch, const jlt_manifold_options *options)
 {
     jlt_branch own = *branch;
-    jlt_status st = JLT_OK;
 
-    JLT_TRY(jlt_map_create(&own.map, jlt_map_flow(branch->map)));
-    st = jlt_manifold_grow(curve, &own, options);
+    JLT_PASS(jlt_map_create(&own.map, jlt_map_flow(branch->map)));
+    const jlt_status st = jlt_manifold_grow(curve, &own, options);
     jlt_map_destroy(own.map);
-done:
     return st;
 }
 
@@ -77,18 +75,14 @@ static jlt_status grow_all(jlt_separatrices *self, unsigned threads)
 jlt_status jlt_separatrices_grow(jlt_separatrices *self, jlt_map *map, const jlt_periodic *saddle, double seed,
                                  const jlt_manifold_options *options, unsigned threads)
 {
-    jlt_status st = JLT_OK;
-
     self->chart = jlt_map_flow(map)->chart;
     if (options != NULL) self->growth = *options;
     for (int k = 0; k < JLT_SEPARATRICES; k++) {
-        JLT_TRY(jlt_branch_init(&self->branch[k], map, saddle, k >= 2, k % 2 == 0 ? 1 : -1, seed));
+        JLT_PASS(jlt_branch_init(&self->branch[k], map, saddle, k >= 2, k % 2 == 0 ? 1 : -1, seed));
         self->original[k] = original_of(self, k);
         if (self->original[k] < JLT_SEPARATRICES) reflect_branch(self, k);
     }
-    st = grow_all(self, threads);
-done:
-    return st;
+    return grow_all(self, threads);
 }
 
 /* Find the crossings of unstable branch u and stable branch 2 + s; by reflection if those of their mirror images are known. */

@@ -47,8 +47,7 @@ jlt_status jlt_shooting_of(jlt_shooting *out, jlt_map *map, const double *points
 
     jlt_shooting_reset(out);
     for (size_t i = 0; i < period; i++) {
-        const jlt_status st = jlt_map_apply(map, &image, points + i * chart->dim, 1, 1);
-        if (st != JLT_OK) return st;
+        JLT_PASS(jlt_map_apply(map, &image, points + i * chart->dim, 1, 1));
         const double measured[4] = { image.T, image.expansion, image.determinant, image.defect };
         jlt_shooting_add(out, chart, points, period, i, image.q, image.slope, measured);
     }

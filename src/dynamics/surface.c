@@ -55,35 +55,30 @@ static jlt_source source_of(const jlt_surface *surface, const char *name)
 static jlt_status add_params(jlt_surface *out, jlt_source source)
 {
     const jlt_descriptor *table = out->table;
-    jlt_status st = JLT_OK;
     size_t index;
 
     for (unsigned i = 0; i < table->param_count; i++) {
         const jlt_quantity *q = &table->params[i];
         if (source_of(out, q->name) != source) continue;
         const bool own = source == JLT_SOURCE_OWN && jlt_descriptor_param(out->asked, q->name, &index);
-        JLT_TRY(add(out, q, own ? out->asked->params[index].value : q->value, i));
+        JLT_PASS(add(out, q, own ? out->asked->params[index].value : q->value, i));
     }
-done:
-    return st;
+    return JLT_OK;
 }
 
 static jlt_status list_values(jlt_surface *out)
 {
     const jlt_descriptor *asked = out->asked, *table = out->table;
-    jlt_status st = table->param_count + out->section->level_count <= JLT_CHART_VALUES_MAX ? JLT_OK : JLT_ERR_UNSUPPORTED;
 
-    JLT_TRY(st);
-    JLT_TRY(add_params(out, JLT_SOURCE_OWN));
+    if (table->param_count + out->section->level_count > JLT_CHART_VALUES_MAX) return JLT_ERR_UNSUPPORTED;
+    JLT_PASS(add_params(out, JLT_SOURCE_OWN));
     for (unsigned i = 0; jlt_link_computes(&out->link) && i < asked->param_count; i++)
         if (jlt_surface_value(out, asked->params[i].name) == out->count)
-            JLT_TRY(add(out, &asked->params[i], asked->params[i].value, JLT_SURFACE_COMPUTED));
+            JLT_PASS(add(out, &asked->params[i], asked->params[i].value, JLT_SURFACE_COMPUTED));
     out->params = out->count;
     for (unsigned i = 0; i < out->section->level_count; i++)
-        JLT_TRY(add(out, &out->section->levels[i], out->section->levels[i].value, table->param_count + i));
-    JLT_TRY(add_params(out, JLT_SOURCE_LEVEL));
-done:
-    return st;
+        JLT_PASS(add(out, &out->section->levels[i], out->section->levels[i].value, table->param_count + i));
+    return add_params(out, JLT_SOURCE_LEVEL);
 }
 
 /* Whether proved claims lead from the asked table to this section of `table`; if not, *claim is one that is not proved, or NULL. */
@@ -173,15 +168,12 @@ static jlt_status check_params(const jlt_surface *surface, const double *values,
 {
     double params[JLT_WAY_VALUES_MAX];
     size_t index;
-    jlt_status st = JLT_OK;
 
     if (jlt_link_computes(&surface->link)) {
         ask(params, surface, values);
-        JLT_TRY(jlt_descriptor_check_params(surface->asked, params, &index));
+        JLT_PASS(jlt_descriptor_check_params(surface->asked, params, &index));
     }
-    JLT_TRY(jlt_descriptor_check_params(surface->table, arranged, &index));
-done:
-    return st;
+    return jlt_descriptor_check_params(surface->table, arranged, &index);
 }
 
 /* Make the flow's chart, in the flow's units, from the one in the table's. */
@@ -205,22 +197,19 @@ static jlt_status open_system(surface_system *self, const jlt_flow *options)
     const jlt_section_chart *section = self->surface.section;
     const jlt_descriptor *descriptor;
     double values[JLT_CHART_VALUES_MAX] = { 0 };
-    jlt_status st = JLT_OK;
 
     jlt_surface_arrange(values, &self->surface, self->values);
-    JLT_TRY(check_params(&self->surface, self->values, values));
-    JLT_TRY(jlt_chart_section_init(&self->rows, self->surface.table, section, values));
+    JLT_PASS(check_params(&self->surface, self->values, values));
+    JLT_PASS(jlt_chart_section_init(&self->rows, self->surface.table, section, values));
     descriptor = jlt_descriptor_choose(self->surface.table, self->surface.table->time, NULL, values);
-    JLT_TRY(jlt_system_bind(&self->base, descriptor, values, &(jlt_units){ 0 }, options));
+    JLT_PASS(jlt_system_bind(&self->base, descriptor, values, &(jlt_units){ 0 }, options));
     if (descriptor->scales && !jlt_surface_units_named(section)) {
         const jlt_units units = jlt_surface_units_of(&self->rows);
-        JLT_TRY(jlt_system_count_in(&self->base, &units));
+        JLT_PASS(jlt_system_count_in(&self->base, &units));
     }
     set_chart(self);
-    if (jlt_section_points_none(&self->rows)) st = JLT_ERR_EMPTY;
-    else if (!jlt_surface_crossing_met(&self->base, &self->rows)) st = JLT_ERR_ARG;
-done:
-    return st;
+    if (jlt_section_points_none(&self->rows)) return JLT_ERR_EMPTY;
+    return jlt_surface_crossing_met(&self->base, &self->rows) ? JLT_OK : JLT_ERR_ARG;
 }
 
 jlt_status jlt_surface_system(jlt_system **out, const jlt_surface *surface, const double *values, const jlt_flow *options)
@@ -263,16 +252,14 @@ jlt_status jlt_surface_count_in(jlt_system *system, const jlt_units *units)
 jlt_status jlt_surface_family_init(jlt_surface_family *out, const jlt_descriptor *asked, const char *runs)
 {
     const jlt_claim *broken;
-    jlt_status st = JLT_OK;
 
     *out = (jlt_surface_family){ .options = { .direction = JLT_RISING } };
-    JLT_TRY(jlt_surface_find(&out->surface, &broken, asked, NULL, NULL));
+    JLT_PASS(jlt_surface_find(&out->surface, &broken, asked, NULL, NULL));
     if (broken != NULL) return JLT_ERR_UNSUPPORTED;
     memcpy(out->values, out->surface.defaults, sizeof out->values);
     out->runs = jlt_surface_value(&out->surface, runs);
     if (out->runs == out->surface.count) return JLT_ERR_ARG;
-done:
-    return st;
+    return JLT_OK;
 }
 
 jlt_status jlt_surface_at(void *context, jlt_system **out, double value)

@@ -21,14 +21,13 @@ static jlt_status halves(const search *self, double *h, double u, size_t count)
     double q[JLT_CHART_DIM_MAX];
     jlt_return row = { .fate = JLT_FATE_ALIVE };
     jlt_status st;
-    size_t j;
 
-    for (j = 0; j < count; j++) h[j] = NAN;
+    for (size_t j = 0; j < count; j++) h[j] = NAN;
     memcpy(q, self->line->base, sizeof q);
     q[self->line->free] = u;
     st = jlt_section_start(self->both, NULL, q, 1);
     if (st == JLT_ERR_EMPTY || st == JLT_ERR_DOMAIN) return JLT_OK;
-    for (j = 0; st == JLT_OK && j < count; j++) {
+    for (size_t j = 0; st == JLT_OK && j < count; j++) {
         st = jlt_section_next(self->both, &row);
         if (st != JLT_OK || row.interrupted || row.fate != JLT_FATE_ALIVE) break;
         h[j] = ldexp(row.q[self->mirrored], -chart->scale[self->mirrored]);
@@ -42,7 +41,6 @@ static jlt_status halves(const search *self, double *h, double u, size_t count)
 static jlt_status bisect(const search *self, double *root, bool *found, double *work, double a, double ha, double b,
                          double hb, size_t j)
 {
-    jlt_status st = JLT_OK;
     const double unit = ldexp(1, jlt_map_flow(self->map)->chart->scale[self->line->free]);
     double last = fmin(fabs(ha), fabs(hb)), previous = fabs(b - a);
     int side = 0, iteration;
@@ -54,8 +52,7 @@ static jlt_status bisect(const search *self, double *root, bool *found, double *
             if (fabs(b - a) > previous / 4 || !(u > fmin(a, b) && u < fmax(a, b))) u = (a + b) / 2;
             previous = fabs(b - a);
         }
-        st = halves(self, work, u, j);
-        if (st != JLT_OK) return st;
+        JLT_PASS(halves(self, work, u, j));
         h = work[j - 1];
         if (isnan(h)) return JLT_OK;
         *root = u;
@@ -86,21 +83,18 @@ static jlt_status deliver(const search *self, double u, size_t period, jlt_symme
     const unsigned char *held = self->held;
     jlt_periodic orbit;
     jlt_image image;
-    jlt_status st;
     size_t k, first = 0;
 
     memcpy(q, self->line->base, sizeof q);
     q[self->line->free] = u;
-    st = chart->lift(chart, x, NULL, q);
-    if (st != JLT_OK) return st;
+    JLT_PASS(chart->lift(chart, x, NULL, q));
     flow->field->call(x, flow->field->p, f);
     if (flow->direction != JLT_BOTH && (int)flow->direction * f[chart->column] < 0) {
-        st = jlt_map_point(self->map, &image, q, 1, 1);
-        if (st != JLT_OK) return JLT_OK;
+        if (jlt_map_point(self->map, &image, q, 1, 1) != JLT_OK) return JLT_OK;
         memcpy(q, image.q, sizeof q);
         if (d == 2) held = NULL;
     }
-    st = jlt_periodic_find(self->map, &orbit, q, period, held);
+    const jlt_status st = jlt_periodic_find(self->map, &orbit, q, period, held);
     if (st != JLT_OK) return st == JLT_ERR_NOMEM ? st : JLT_OK;
     if (!orbit.symmetric && orbit.type != JLT_ORBIT_DEGENERATE) return JLT_OK; /* Newton's method went to another orbit */
     for (k = 0; k < orbit.period; k++) {
@@ -109,10 +103,7 @@ static jlt_status deliver(const search *self, double u, size_t period, jlt_symme
         distance = jlt_chart_distance(chart, mirror, orbit.points + k * d);
         if (distance < nearest - 1e-9) nearest = distance, first = k;
     }
-    if (first != 0) {
-        st = jlt_periodic_rotate(self->map, &orbit, first);
-        if (st != JLT_OK) return st;
-    }
+    if (first != 0) JLT_PASS(jlt_periodic_rotate(self->map, &orbit, first));
     return sink(context, &orbit);
 }
 
@@ -120,9 +111,8 @@ static jlt_status sample(const search *self, double *table, size_t crossings, do
 {
     const jlt_symmetric_line *line = self->line;
     jlt_status st = JLT_OK;
-    size_t i;
 
-    for (i = 0; st == JLT_OK && i < line->samples; i++) {
+    for (size_t i = 0; st == JLT_OK && i < line->samples; i++) {
         at[i] = line->low + (line->high - line->low) * (double)i / (double)(line->samples - 1);
         st = halves(self, table + i * crossings, at[i], crossings);
     }
@@ -139,12 +129,10 @@ jlt_status jlt_symmetric_search(jlt_map *map, const jlt_symmetric_line *line, si
     jlt_status st = JLT_OK;
     double *table = NULL, *at = NULL, *work = NULL;
     const size_t crossings = flow->direction == JLT_BOTH ? period_max / 2 : period_max;
-    size_t i, j;
-    unsigned k;
 
     if (line->samples < 2 || line->free >= chart->dim || !(line->low < line->high)) return JLT_ERR_ARG;
     if (!chart->reversible) return JLT_ERR_UNSUPPORTED;
-    for (k = 0; k < chart->dim; k++) {
+    for (unsigned k = 0; k < chart->dim; k++) {
         if (chart->mirror[k] > 0) {
             self.held[k] = k != line->free;
             continue;
@@ -163,8 +151,8 @@ jlt_status jlt_symmetric_search(jlt_map *map, const jlt_symmetric_line *line, si
     st = JLT_ERR_NOMEM;
     if (table == NULL || at == NULL || work == NULL) goto done;
     JLT_TRY(sample(&self, table, crossings, at));
-    for (j = 1; j <= crossings; j++)
-        for (i = 0; i + 1 < line->samples; i++) {
+    for (size_t j = 1; j <= crossings; j++)
+        for (size_t i = 0; i + 1 < line->samples; i++) {
             const double ha = table[i * crossings + j - 1], hb = table[(i + 1) * crossings + j - 1];
             double root = 0;
             bool found;

@@ -20,21 +20,18 @@ static void set_units(jlt_system *self, const jlt_units *units)
 jlt_status jlt_system_bind(jlt_system *self, const jlt_descriptor *descriptor, const double *params, const jlt_units *units,
                            const jlt_flow *options)
 {
-    jlt_status st = JLT_OK;
-
     if (descriptor == NULL || descriptor->jacobian.call == NULL) return JLT_ERR_UNSUPPORTED;
-    JLT_TRY(jlt_instance_create_in(&self->instance, descriptor, params, units));
+    JLT_PASS(jlt_instance_create_in(&self->instance, descriptor, params, units));
     self->told = self->instance;
-    JLT_TRY(jlt_field_of(&self->field, self->instance));
+    JLT_PASS(jlt_field_of(&self->field, self->instance));
     if (options != NULL) self->flow = *options;
     else self->flow.direction = JLT_RISING;
     self->flow.field = &self->field;
     self->flow.rhs_jacobian = descriptor->rhs_jacobian.call;
     set_units(self, units);
-    JLT_TRY(jlt_observed_create(&self->observed, descriptor, params, units));
+    JLT_PASS(jlt_observed_create(&self->observed, descriptor, params, units));
     self->flow.observed = self->observed;
-done:
-    return st;
+    return JLT_OK;
 }
 
 const jlt_descriptor *jlt_system_regular(const jlt_descriptor *descriptor)
@@ -99,13 +96,10 @@ static jlt_status add_roots(jlt_system *self)
     const jlt_instance *told = self->told;
     jlt_chart plane = self->chart.plane;
     jlt_invariants invariants;
-    jlt_status st = JLT_OK;
 
     plane.roots = told->descriptor->lifted_count;
-    JLT_TRY(invariants_of(&invariants, &plane_of(self)->told_conserved, told));
-    st = jlt_chart_level_init(&self->chart.level, &plane, &invariants, NULL, 0, told->descriptor, told->params);
-done:
-    return st;
+    JLT_PASS(invariants_of(&invariants, &plane_of(self)->told_conserved, told));
+    return jlt_chart_level_init(&self->chart.level, &plane, &invariants, NULL, 0, told->descriptor, told->params);
 }
 
 jlt_status jlt_system_plane(jlt_system **out, const jlt_descriptor *descriptor, const double *params, unsigned column,
@@ -115,13 +109,12 @@ jlt_status jlt_system_plane(jlt_system **out, const jlt_descriptor *descriptor, 
     int all_signs[JLT_CHART_STATES_MAX];
     jlt_system *self = NULL;
     jlt_status st = JLT_OK;
-    unsigned i;
 
     *out = NULL;
     if (descriptor->state_count > JLT_CHART_STATES_MAX) return JLT_ERR_ARG;
     self = calloc(1, sizeof(plane_system));
     if (self == NULL) return JLT_ERR_NOMEM;
-    for (i = 0; i < descriptor->state_count; i++) {
+    for (unsigned i = 0; i < descriptor->state_count; i++) {
         state_names[i] = descriptor->states[i].name;
         all_signs[i] = signs != NULL && i < descriptor->state_count - descriptor->lifted_count ? signs[i] : 1;
     }
@@ -292,14 +285,12 @@ done:
 jlt_status jlt_system_count(jlt_system *self, const double *sizes)
 {
     jlt_units units;
-    jlt_status st = JLT_OK;
 
-    if (!scales(self)) return st;
-    JLT_TRY(jlt_instance_units(&units, self->told->descriptor->family[0], self->told->params, sizes));
-    JLT_TRY(jlt_system_count_in(self, &units));
+    if (!scales(self)) return JLT_OK;
+    JLT_PASS(jlt_instance_units(&units, self->told->descriptor->family[0], self->told->params, sizes));
+    JLT_PASS(jlt_system_count_in(self, &units));
     set_chart(self);
-done:
-    return st;
+    return JLT_OK;
 }
 
 void jlt_system_destroy(jlt_system *self)

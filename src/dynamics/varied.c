@@ -27,20 +27,19 @@ static void call(const double *restrict x, const double *restrict p, double *res
     double both[JLT_CHART_STATES_MAX * (1 + JLT_CHART_STATES_MAX)];
     const double *jacobian = both + n;
     double trace = 0;
-    unsigned i, j, k;
 
     jlt_varied_linear(self, x, both);
     memcpy(out, both, n * sizeof *out);
-    for (k = 0; k < columns; k++) {
+    for (unsigned k = 0; k < columns; k++) {
         const double *y = x + n * (1 + k);
         double *dy = out + n * (1 + k);
-        for (i = 0; i < n; i++) {
+        for (unsigned i = 0; i < n; i++) {
             double sum = 0;
-            for (j = 0; j < n; j++) sum += jacobian[i * n + j] * y[j];
+            for (unsigned j = 0; j < n; j++) sum += jacobian[i * n + j] * y[j];
             dy[i] = sum;
         }
     }
-    for (i = 0; i < n; i++) trace += jacobian[i * n + i];
+    for (unsigned i = 0; i < n; i++) trace += jacobian[i * n + i];
     out[n * (1 + columns)] = trace;
 }
 

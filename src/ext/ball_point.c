@@ -1,10 +1,6 @@
 #include "ext/ball_point.h"
 
-#if __has_include(<flint/arb_mat.h>)
-#include <flint/arb_mat.h>
-#else
-#include <arb_mat.h>
-#endif
+#include "ext/scoped.h"
 
 #include <math.h>
 #include <string.h>
@@ -22,20 +18,18 @@ typedef struct {
 
 bool jlt_ball_point_set(arb_t out, const jlt_ball_value *value, slong precision)
 {
-    fmpq_t exact;
     bool good = true;
 
     if (value->fraction == NULL) {
         arb_set_d(out, value->value);
         return isfinite(value->value);
     }
-    fmpq_init(exact);
+    JLT_SCOPED(fmpq, exact);
     good = fmpq_set_str(exact, value->fraction, 10) == 0 && !fmpz_is_zero(fmpq_denref(exact));
     if (good) {
         fmpq_canonicalise(exact);
         arb_set_fmpq(out, exact, precision);
     }
-    fmpq_clear(exact);
     return good;
 }
 
@@ -55,7 +49,7 @@ slong jlt_ball_point_integral(const jlt_ball_table *table, const char *name)
 
 static jlt_ball_point vanishes(const system_of *s, arb_srcptr x)
 {
-    arb_ptr f = _arb_vec_init(s->n);
+    JLT_SCOPED_VECTOR(arb, f, s->n);
     bool zero = true, exactly = true;
 
     s->table->rhs(f, x, s->params, s->precision);
@@ -63,7 +57,6 @@ static jlt_ball_point vanishes(const system_of *s, arb_srcptr x)
         zero = zero && arb_is_finite(f + i) && arb_contains_zero(f + i);
         exactly = exactly && arb_is_zero(f + i);
     }
-    _arb_vec_clear(f, s->n);
     return exactly ? JLT_BALL_POINT_PROVED : zero ? JLT_BALL_POINT_NEAR : JLT_BALL_POINT_NONE;
 }
 
@@ -73,7 +66,7 @@ static jlt_ball_point vanishes(const system_of *s, arb_srcptr x)
 static unsigned order(system_of *s, arb_srcptr x, bool hold)
 {
     const unsigned n = s->n;
-    arb_ptr jacobian = _arb_vec_init((slong)n * n);
+    JLT_SCOPED_VECTOR(arb, jacobian, (slong)n * n);
     double m[SIZE * SIZE];
     unsigned rank = 0, *rows = s->rows, *columns = s->columns;
 
@@ -88,7 +81,6 @@ static unsigned order(system_of *s, arb_srcptr x, bool hold)
         }
         for (unsigned j = 0; j < n && largest > 0.0; j++) m[i * n + j] /= largest;
     }
-    _arb_vec_clear(jacobian, (slong)n * n);
     for (; rank < n; rank++) {
         unsigned row = rank, column = rank, held;
         for (unsigned i = rank; i < n; i++)
@@ -110,7 +102,8 @@ static unsigned order(system_of *s, arb_srcptr x, bool hold)
 static void evaluate(arb_mat_t f, arb_mat_t slopes, const system_of *s, arb_srcptr x)
 {
     const unsigned n = s->n;
-    arb_ptr all = _arb_vec_init(n), jacobian = _arb_vec_init((slong)n * n);
+    JLT_SCOPED_VECTOR(arb, all, n);
+    JLT_SCOPED_VECTOR(arb, jacobian, (slong)n * n);
 
     s->table->rhs(all, x, s->params, s->precision);
     s->table->jacobian(jacobian, x, s->params, s->precision);
@@ -118,85 +111,68 @@ static void evaluate(arb_mat_t f, arb_mat_t slopes, const system_of *s, arb_srcp
         arb_set(arb_mat_entry(f, i, 0), all + s->rows[i]);
         for (unsigned j = 0; j < s->rank; j++) arb_set(arb_mat_entry(slopes, i, j), jacobian + s->rows[i] * n + s->columns[j]);
     }
-    _arb_vec_clear(jacobian, (slong)n * n);
-    _arb_vec_clear(all, n);
 }
 
 /* One Newton step in place: x -= step, shape (rank, 1). Returns false if the Jacobian is not invertible. */
 static bool advance(arb_ptr x, arb_mat_t step, const system_of *s)
 {
-    arb_mat_t f, slopes;
     bool good;
+    JLT_SCOPED_MATRIX(arb, s->rank, 1, f);
+    JLT_SCOPED_MATRIX(arb, s->rank, s->rank, slopes);
 
-    arb_mat_init(f, s->rank, 1);
-    arb_mat_init(slopes, s->rank, s->rank);
     evaluate(f, slopes, s, x);
     good = arb_mat_solve(step, slopes, f, s->precision);
     for (unsigned i = 0; good && i < s->rank; i++) {
         arb_sub(x + s->columns[i], x + s->columns[i], arb_mat_entry(step, i, 0), s->precision);
         arb_get_mid_arb(x + s->columns[i], x + s->columns[i]);
     }
-    arb_mat_clear(slopes);
-    arb_mat_clear(f);
     return good;
 }
 
 static bool near(const system_of *s, arb_srcptr x, arb_srcptr start)
 {
-    arb_t distance, limit;
     bool good = true;
+    JLT_SCOPED(arb, distance, limit);
 
-    arb_init(distance);
-    arb_init(limit);
     for (unsigned j = 0; j < s->n; j++) {
         arb_sub(distance, x + j, start + j, s->precision);
         arb_abs(distance, distance);
         arb_set_d(limit, FARTHEST * s->question->reach[j]);
         good = good && (arb_contains_zero(distance) || arb_lt(distance, limit));
     }
-    arb_clear(limit);
-    arb_clear(distance);
     return good;
 }
 
 /* The largest modulus of the system's states. A state whose exact value is 0 has rounding errors of the size of the others. */
 static void size_of(mag_t size, arb_srcptr x, const system_of *s)
 {
-    mag_t one;
+    JLT_SCOPED(mag, one);
 
-    mag_init(one);
     mag_zero(size);
     for (unsigned i = 0; i < s->rank; i++) {
         arb_get_mag(one, x + s->columns[i]);
         mag_max(size, size, one);
     }
-    mag_clear(one);
 }
 
 /* Newton's method from x, doubling the digits each step; then widen x by error estimates: twice the last step, and roundoff. */
 static bool refine(arb_ptr x, const system_of *s)
 {
-    arb_mat_t step;
-    mag_t size;
     bool good = true;
+    JLT_SCOPED_MATRIX(arb, s->rank, 1, step);
 
-    arb_mat_init(step, s->rank, 1);
     for (slong digits = 16; good && digits < 8 * s->precision; digits *= 2) good = advance(x, step, s);
-    mag_init(size);
+    JLT_SCOPED(mag, size);
     size_of(size, x, s);
     mag_mul_2exp_si(size, size, 4 - s->precision);
     for (unsigned i = 0; good && i < s->rank; i++) {
         arb_ptr state = x + s->columns[i];
-        mag_t error;
-        mag_init(error);
+        JLT_SCOPED(mag, error);
         arb_get_mag(error, arb_mat_entry(step, i, 0));
         mag_mul_2exp_si(error, error, 1);
         arb_add_error_mag(state, error);
         arb_add_error_mag(state, size);
-        mag_clear(error);
     }
-    mag_clear(size);
-    arb_mat_clear(step);
     return good;
 }
 
@@ -205,16 +181,11 @@ static bool refine(arb_ptr x, const system_of *s)
 static bool contract(arb_ptr x, const system_of *s)
 {
     const slong rank = s->rank;
-    arb_ptr middle = _arb_vec_init(s->n);
-    arb_mat_t f, slopes, inverse, image, off, moved;
+    JLT_SCOPED_VECTOR(arb, middle, s->n);
     bool inside;
+    JLT_SCOPED_MATRIX(arb, rank, 1, f, off, moved);
+    JLT_SCOPED_MATRIX(arb, rank, rank, slopes, inverse, image);
 
-    arb_mat_init(f, rank, 1);
-    arb_mat_init(slopes, rank, rank);
-    arb_mat_init(inverse, rank, rank);
-    arb_mat_init(image, rank, rank);
-    arb_mat_init(off, rank, 1);
-    arb_mat_init(moved, rank, 1);
     _arb_vec_set(middle, x, s->n);
     for (slong i = 0; i < rank; i++) {
         arb_get_mid_arb(middle + s->columns[i], x + s->columns[i]);
@@ -237,40 +208,30 @@ static bool contract(arb_ptr x, const system_of *s)
         inside = inside && arb_is_finite(value) && arb_contains_interior(x + s->columns[i], value);
     }
     if (inside) _arb_vec_set(x, middle, s->n);
-    arb_mat_clear(moved);
-    arb_mat_clear(off);
-    arb_mat_clear(image);
-    arb_mat_clear(inverse);
-    arb_mat_clear(slopes);
-    arb_mat_clear(f);
-    _arb_vec_clear(middle, s->n);
     return inside;
 }
 
 /* Apply Krawczyk's test to a ball with a relative radius of half the precision; if it succeeds, contract the ball further. */
 static bool contains_solution(arb_ptr x, const system_of *s)
 {
-    arb_ptr wide = _arb_vec_init(s->n);
-    mag_t room;
+    JLT_SCOPED_VECTOR(arb, wide, s->n);
     bool proved;
 
     _arb_vec_set(wide, x, s->n);
-    mag_init(room);
+    JLT_SCOPED(mag, room);
     size_of(room, x, s);
     mag_mul_2exp_si(room, room, -s->precision / 2);
     for (unsigned i = 0; i < s->rank; i++) arb_add_error_mag(wide + s->columns[i], room);
-    mag_clear(room);
     proved = contract(wide, s);
     for (int k = 1; proved && k < THINNINGS; k++) (void)contract(wide, s);
     if (proved) _arb_vec_set(x, wide, s->n);
-    _arb_vec_clear(wide, s->n);
     return proved;
 }
 
 /* List the equations outside the system that neither hold identically nor follow from a reversor; returns their number. */
 static unsigned leftover(unsigned *left, const system_of *s, arb_srcptr x)
 {
-    arb_ptr f = _arb_vec_init(s->n);
+    JLT_SCOPED_VECTOR(arb, f, s->n);
     unsigned count = 0;
 
     s->table->rhs(f, x, s->params, s->precision);
@@ -282,7 +243,6 @@ static unsigned leftover(unsigned *left, const system_of *s, arb_srcptr x)
         }
         if (!holds) left[count++] = s->rows[i];
     }
-    _arb_vec_clear(f, s->n);
     return count;
 }
 
@@ -293,19 +253,15 @@ static bool others_follow(const system_of *s, arb_srcptr x)
     const slong integrals = (slong)q->integral_count;
     unsigned left[SIZE];
     const slong count = leftover(left, s, x);
-    arb_ptr gradients;
-    arb_mat_t w, transposed, gram;
-    arb_t determinant;
-    bool independent;
 
     if (count == 0) return true;
     if (integrals < count || s->table->integral_gradients == NULL) return false;
-    gradients = _arb_vec_init((slong)s->table->integral_count * s->n);
+    JLT_SCOPED_VECTOR(arb, gradients, (slong)s->table->integral_count * s->n);
     s->table->integral_gradients(gradients, x, s->params, s->precision);
-    arb_mat_init(w, integrals, count);
-    arb_mat_init(transposed, count, integrals);
-    arb_mat_init(gram, count, count);
-    arb_init(determinant);
+    JLT_SCOPED_MATRIX(arb, integrals, count, w);
+    JLT_SCOPED_MATRIX(arb, count, integrals, transposed);
+    JLT_SCOPED_MATRIX(arb, count, count, gram);
+    JLT_SCOPED(arb, determinant);
     for (slong i = 0; i < integrals; i++) {
         const slong index = jlt_ball_point_integral(s->table, q->integrals[i]);
         for (slong j = 0; index >= 0 && j < count; j++) arb_set(arb_mat_entry(w, i, j), gradients + index * s->n + left[j]);
@@ -313,13 +269,7 @@ static bool others_follow(const system_of *s, arb_srcptr x)
     arb_mat_transpose(transposed, w);
     arb_mat_mul(gram, transposed, w, s->precision);
     arb_mat_det(determinant, gram, s->precision);
-    independent = arb_is_finite(determinant) && !arb_contains_zero(determinant);
-    arb_clear(determinant);
-    arb_mat_clear(gram);
-    arb_mat_clear(transposed);
-    arb_mat_clear(w);
-    _arb_vec_clear(gradients, (slong)s->table->integral_count * s->n);
-    return independent;
+    return arb_is_finite(determinant) && !arb_contains_zero(determinant);
 }
 
 /* Newton's method with 1, 2, ... equations until an equilibrium is proved. Returns the better of `found` and the best result here;
@@ -327,7 +277,7 @@ static bool others_follow(const system_of *s, arb_srcptr x)
 static jlt_ball_point search(arb_ptr x, jlt_ball_point found, system_of *s, arb_srcptr start, bool hold)
 {
     const unsigned most = order(s, start, hold);
-    arb_ptr trial = _arb_vec_init(s->n);
+    JLT_SCOPED_VECTOR(arb, trial, s->n);
     jlt_ball_point here;
 
     for (s->rank = 1; found != JLT_BALL_POINT_PROVED && s->rank <= most; s->rank++) {
@@ -339,7 +289,6 @@ static jlt_ball_point search(arb_ptr x, jlt_ball_point found, system_of *s, arb_
         _arb_vec_set(x, trial, s->n);
         found = here;
     }
-    _arb_vec_clear(trial, s->n);
     return found;
 }
 
@@ -347,7 +296,7 @@ jlt_ball_point jlt_ball_point_find(arb_ptr x, const jlt_ball_table *table, arb_s
                                    slong precision)
 {
     system_of s = { .table = table, .question = question, .params = params, .precision = precision, .n = table->state_count };
-    arb_ptr start = _arb_vec_init(s.n);
+    JLT_SCOPED_VECTOR(arb, start, s.n);
     jlt_ball_point found = JLT_BALL_POINT_NONE;
     bool good = true;
 
@@ -356,6 +305,5 @@ jlt_ball_point jlt_ball_point_find(arb_ptr x, const jlt_ball_table *table, arb_s
     if (found != JLT_BALL_POINT_NONE) _arb_vec_set(x, start, s.n);
     if (good && found != JLT_BALL_POINT_PROVED) found = search(x, found, &s, start, true);
     if (good && found != JLT_BALL_POINT_PROVED) found = search(x, found, &s, start, false);
-    _arb_vec_clear(start, s.n);
     return found;
 }

@@ -5,16 +5,6 @@
 #include "ext/ball_point.h"
 #include "ext/exact_matrix.h"
 
-#if __has_include(<flint/acb_poly.h>)
-#include <flint/acb_mat.h>
-#include <flint/acb_poly.h>
-#include <flint/arb_poly.h>
-#else
-#include <acb_mat.h>
-#include <acb_poly.h>
-#include <arb_poly.h>
-#endif
-
 typedef struct {
     size_t multiplicity;
     bool semisimple;

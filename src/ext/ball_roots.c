@@ -25,10 +25,9 @@ static slong size_of(const arb_poly_t poly)
 static bool separate(acb_ptr roots, const arb_poly_t poly, slong precision)
 {
     const slong degree = arb_poly_degree(poly), size = size_of(poly);
-    acb_poly_t scaled;
     bool good;
+    JLT_SCOPED(acb_poly, scaled);
 
-    acb_poly_init(scaled);
     acb_poly_set_arb_poly(scaled, poly);
     for (slong k = 0; k < degree; k++)
         acb_mul_2exp_si(acb_poly_get_coeff_ptr(scaled, k), acb_poly_get_coeff_ptr(scaled, k), size * (k - degree));
@@ -39,7 +38,6 @@ static bool separate(acb_ptr roots, const arb_poly_t poly, slong precision)
         good = !acb_contains_zero(roots + i);
         acb_mul_2exp_si(roots + i, roots + i, size);
     }
-    acb_poly_clear(scaled);
     return good;
 }
 
@@ -67,18 +65,14 @@ static bool is_even(const arb_poly_t poly)
 static bool find(acb_ptr roots, const arb_poly_t poly, slong precision)
 {
     const slong half = arb_poly_degree(poly) / 2;
-    arb_poly_t squares;
-    acb_ptr found;
     bool good;
 
     if (!is_even(poly)) return separate(roots, poly, precision);
-    found = _acb_vec_init(half);
-    arb_poly_init(squares);
+    JLT_SCOPED_VECTOR(acb, found, half);
+    JLT_SCOPED(arb_poly, squares);
     for (slong k = half; k >= 0; k--) arb_poly_set_coeff_arb(squares, k, arb_poly_get_coeff_ptr(poly, 2 * k));
     good = separate(found, squares, precision);
     for (slong i = 0; good && i < half; i++) set_pair(roots + 2 * i, found + i, precision);
-    arb_poly_clear(squares);
-    _acb_vec_clear(found, half);
     return good;
 }
 
@@ -126,13 +120,11 @@ static bool overlaps_another(acb_srcptr values, slong count, slong which)
 
 static void widen(acb_t value, const mag_t error, ulong times)
 {
-    mag_t more;
+    JLT_SCOPED(mag, more);
 
-    mag_init(more);
     mag_mul_ui(more, error, times);
     arb_add_error_mag(acb_realref(value), more);
     arb_add_error_mag(acb_imagref(value), more);
-    mag_clear(more);
 }
 
 /* Disks of one radius about n approximate eigenvalues contain all eigenvalues, and every connected component of their union
@@ -142,15 +134,13 @@ static void widen(acb_t value, const mag_t error, ulong times)
  * whether they are simple or real. Returns false if the number of disks that contain zero is not s->zeros. */
 static bool find_clusters(jlt_ball_spectrum *s, jlt_ball_problem *p)
 {
-    acb_ptr values = _acb_vec_init(p->n), narrow = _acb_vec_init(p->n);
-    acb_mat_t a, vectors;
-    mag_t radius;
+    JLT_SCOPED_VECTOR(acb, values, p->n);
+    JLT_SCOPED_VECTOR(acb, narrow, p->n);
     size_t zeros = 0;
     bool good;
+    JLT_SCOPED_MATRIX(acb, p->n, p->n, a, vectors);
+    JLT_SCOPED(mag, radius);
 
-    acb_mat_init(a, p->n, p->n);
-    acb_mat_init(vectors, p->n, p->n);
-    mag_init(radius);
     acb_mat_set_arb_mat(a, p->a);
     acb_mat_approx_eig_qr(values, NULL, vectors, a, NULL, 0, p->precision);
     acb_mat_eig_global_enclosure(radius, a, values, vectors, p->precision);
@@ -173,11 +163,6 @@ static bool find_clusters(jlt_ball_spectrum *s, jlt_ball_problem *p)
         take(s, p, values + i, 1, (jlt_ball_root){ 1, true });
         p->kinds[p->count - 1].multiplicity += shared;
     }
-    mag_clear(radius);
-    acb_mat_clear(vectors);
-    acb_mat_clear(a);
-    _acb_vec_clear(narrow, p->n);
-    _acb_vec_clear(values, p->n);
     return good && zeros == s->zeros;
 }
 
@@ -185,15 +170,14 @@ bool jlt_ball_problem_roots(jlt_ball_spectrum *s, jlt_ball_problem *p)
 {
     jlt_exact_matrix *exact = p->question->exact;
     const size_t factors = exact == NULL ? p->n > (slong)s->zeros : exact->factor_count;
-    acb_ptr roots = _acb_vec_init(p->n);
-    arb_poly_t poly;
+    JLT_SCOPED_VECTOR(acb, roots, p->n);
     bool good = s->counted; /* dropping low coefficients that may differ from zero would change the roots */
 
     s->decaying = p->n > (slong)s->zeros;
     s->growing = 0;
     p->count = 0;
     p->settled = true;
-    arb_poly_init(poly);
+    JLT_SCOPED(arb_poly, poly);
     for (size_t i = 0; good && i < factors; i++) {
         jlt_ball_root kind = { 1, true };
         arb_poly_set(poly, p->rest);
@@ -206,7 +190,5 @@ bool jlt_ball_problem_roots(jlt_ball_spectrum *s, jlt_ball_problem *p)
     }
     if (!good && p->late && exact == NULL) good = p->clustered = find_clusters(s, p);
     sort(p);
-    arb_poly_clear(poly);
-    _acb_vec_clear(roots, p->n);
     return good;
 }

@@ -10,17 +10,11 @@ enum { CONDITION_BITS = 60 };
  * false if the ball has fewer than 60 accurate bits. A multiple eigenvalue gives NaN, or INFINITY if it is defective. */
 static double condition(bool *sure, const jlt_ball_problem *p, slong which)
 {
-    acb_mat_t product, factor;
-    acb_t trace;
-    arb_t size, ratio;
-    double value;
 
     if (p->kinds[which].multiplicity > 1) return p->kinds[which].semisimple ? NAN : INFINITY;
-    acb_mat_init(product, p->n, p->n);
-    acb_mat_init(factor, p->n, p->n);
-    acb_init(trace);
-    arb_init(size);
-    arb_init(ratio);
+    JLT_SCOPED_MATRIX(acb, p->n, p->n, product, factor);
+    JLT_SCOPED(acb, trace);
+    JLT_SCOPED(arb, size, ratio);
     acb_mat_one(product);
     for (slong i = 0; i < p->n; i++) {
         if (i == which) continue;
@@ -34,13 +28,7 @@ static double condition(bool *sure, const jlt_ball_problem *p, slong which)
     acb_mat_frobenius_norm(size, product, p->precision);
     arb_div(ratio, size, ratio, p->precision);
     *sure = *sure && arb_rel_accuracy_bits(ratio) >= CONDITION_BITS;
-    value = arb_is_finite(ratio) ? arf_get_d(arb_midref(ratio), ARF_RND_NEAR) : NAN;
-    arb_clear(ratio);
-    arb_clear(size);
-    acb_clear(trace);
-    acb_mat_clear(factor);
-    acb_mat_clear(product);
-    return value;
+    return arb_is_finite(ratio) ? arf_get_d(arb_midref(ratio), ARF_RND_NEAR) : NAN;
 }
 
 /* The nearest double, or zero if the ball contains zero; *error grows by the distance from it to the farthest point of the ball.
@@ -48,14 +36,10 @@ static double condition(bool *sure, const jlt_ball_problem *p, slong which)
 static double rounded(double *error, bool *sure, arb_srcptr ball, slong precision)
 {
     const double value = arb_contains_zero(ball) ? 0.0 : arf_get_d(arb_midref(ball), ARF_RND_NEAR);
-    arb_t distance;
-    arf_t low, high;
-    mag_t bound;
+    JLT_SCOPED(arb, distance);
+    JLT_SCOPED(arf, low, high);
+    JLT_SCOPED(mag, bound);
 
-    arb_init(distance);
-    arf_init(low);
-    arf_init(high);
-    mag_init(bound);
     arb_get_interval_arf(low, high, ball, precision + 2 * MAG_BITS);
     if (arb_contains_zero(ball)) *sure = *sure && arb_is_zero(ball);
     else *sure = *sure && !(arf_get_d(low, ARF_RND_NEAR) < arf_get_d(high, ARF_RND_NEAR));
@@ -63,25 +47,19 @@ static double rounded(double *error, bool *sure, arb_srcptr ball, slong precisio
     arb_sub(distance, ball, distance, 64);
     arb_get_mag(bound, distance);
     *error += mag_get_d(bound);
-    mag_clear(bound);
-    arf_clear(high);
-    arf_clear(low);
-    arb_clear(distance);
     return value;
 }
 
 bool jlt_ball_problem_round(jlt_ball_spectrum *s, bool *sure, const jlt_ball_problem *p)
 {
-    arb_t trace;
     double unused = 0.0;
     bool finite = true;
 
     *sure = true;
-    arb_init(trace);
+    JLT_SCOPED(arb, trace);
     arb_neg(trace, arb_poly_get_coeff_ptr(p->charpoly, p->n - 1));
     s->trace_error = 0.0;
     s->trace = rounded(&s->trace_error, sure, trace, p->precision);
-    arb_clear(trace);
     for (slong i = 0; i < p->n * p->n; i++) {
         s->jacobian[i] = rounded(&unused, sure, arb_mat_entry(p->a, i / p->n, i % p->n), p->precision);
         finite = finite && isfinite(s->jacobian[i]);

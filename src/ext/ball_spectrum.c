@@ -62,26 +62,21 @@ static jlt_status place(jlt_ball_problem *p)
 /* Whether row `last` of w, the gradient of an integral, may be a left null vector of A, and is independent of the rows above. */
 static bool forces_zero(const jlt_ball_problem *p, const arb_mat_t w, slong last)
 {
-    arb_mat_t rows, row, transposed, gram, image;
-    arb_t determinant;
+    arb_mat_t rows, row;
     bool good;
 
     arb_mat_window_init(rows, w, 0, 0, last + 1, p->n);
     arb_mat_window_init(row, w, last, 0, last + 1, p->n);
-    arb_mat_init(transposed, p->n, last + 1);
-    arb_mat_init(gram, last + 1, last + 1);
-    arb_mat_init(image, 1, p->n);
-    arb_init(determinant);
+    JLT_SCOPED_MATRIX(arb, p->n, last + 1, transposed);
+    JLT_SCOPED_MATRIX(arb, last + 1, last + 1, gram);
+    JLT_SCOPED_MATRIX(arb, 1, p->n, image);
+    JLT_SCOPED(arb, determinant);
     arb_mat_mul(image, row, p->a, p->precision);
     arb_mat_transpose(transposed, rows);
     arb_mat_mul(gram, rows, transposed, p->precision);
     arb_mat_det(determinant, gram, p->precision);
     good = arb_is_finite(determinant) && !arb_contains_zero(determinant);
     for (slong j = 0; j < p->n; j++) good = good && arb_contains_zero(arb_mat_entry(image, 0, j));
-    arb_clear(determinant);
-    arb_mat_clear(image);
-    arb_mat_clear(gram);
-    arb_mat_clear(transposed);
     arb_mat_window_clear(row);
     arb_mat_window_clear(rows);
     return good;
@@ -91,12 +86,11 @@ static bool forces_zero(const jlt_ball_problem *p, const arb_mat_t w, slong last
 static void attribute(jlt_ball_spectrum *s, const jlt_ball_problem *p)
 {
     arb_ptr gradients;
-    arb_mat_t w;
 
     s->attributed = 0;
     if (p->table->integral_gradients == NULL || p->question->integral_count == 0) return;
     gradients = _arb_vec_init((slong)p->table->integral_count * p->n);
-    arb_mat_init(w, p->n, p->n);
+    JLT_SCOPED_MATRIX(arb, p->n, p->n, w);
     p->table->integral_gradients(gradients, p->x, p->params, p->precision);
     for (size_t i = 0; i < p->question->integral_count && s->attributed < s->n; i++) {
         const slong index = jlt_ball_point_integral(p->table, p->question->integrals[i]), row = (slong)s->attributed;
@@ -104,7 +98,6 @@ static void attribute(jlt_ball_spectrum *s, const jlt_ball_problem *p)
         for (slong j = 0; j < p->n; j++) arb_set(arb_mat_entry(w, row, j), gradients + index * p->n + j);
         if (forces_zero(p, w, row)) s->source[s->attributed++] = (int)i;
     }
-    arb_mat_clear(w);
     _arb_vec_clear(gradients, (slong)p->table->integral_count * p->n);
 }
 
@@ -137,11 +130,10 @@ static void expand(jlt_ball_problem *p, slong forced)
  * = 1) if A q(A) is certainly not zero, where q is p->rest. Returns false if neither is known. */
 static bool judge_zero(jlt_ball_spectrum *s, const jlt_ball_problem *p, slong forced)
 {
-    arb_mat_t value;
 
     s->defective = 0;
     if ((slong)s->zeros <= forced) return true;
-    arb_mat_init(value, p->n, p->n);
+    JLT_SCOPED_MATRIX(arb, p->n, p->n, value);
     for (slong k = arb_poly_degree(p->rest); k >= -1; k--) { /* Horner's scheme, then one more factor A */
         arb_mat_mul(value, value, p->a, p->precision);
         for (slong i = 0; k >= 0 && i < p->n; i++)
@@ -149,7 +141,6 @@ static bool judge_zero(jlt_ball_spectrum *s, const jlt_ball_problem *p, slong fo
     }
     for (slong i = 0; i < p->n * p->n; i++)
         if (!arb_contains_zero(arb_mat_entry(value, i / p->n, i % p->n))) s->defective = 1;
-    arb_mat_clear(value);
     return s->defective;
 }
 
@@ -185,9 +176,8 @@ static jlt_status attempt(jlt_ball_spectrum *s, bool *finished, jlt_ball_problem
 {
     const bool decimals = p->question->digits > 0;
     bool sure;
-    jlt_status st = place(p);
 
-    if (st != JLT_OK) return st;
+    JLT_PASS(place(p));
     s->precision = p->precision;
     s->n = (size_t)p->n;
     s->exists = p->proved;

@@ -10,28 +10,20 @@
 /* The decimal exponent of |x|, possibly off by one. */
 static slong exponent_of(const arb_t x)
 {
-    arf_t mantissa;
-    fmpz_t power;
-    slong exponent;
+    JLT_SCOPED(arf, mantissa);
+    JLT_SCOPED(fmpz, power);
 
-    arf_init(mantissa);
-    fmpz_init(power);
     arf_frexp(mantissa, power, arb_midref(x));
-    exponent = (slong)floor(fmpz_get_d(power) * log10(2.0) + log10(fabs(arf_get_d(mantissa, ARF_RND_NEAR))));
-    fmpz_clear(power);
-    arf_clear(mantissa);
-    return exponent;
+    return (slong)floor(fmpz_get_d(power) * log10(2.0) + log10(fabs(arf_get_d(mantissa, ARF_RND_NEAR))));
 }
 
 /* |x| 10^(digits - 1 - exponent), rounded to the nearest integer. Returns false if numbers in the ball round differently. */
 static bool scale(fmpz_t out, const arb_t x, slong digits, slong exponent)
 {
     const slong shift = digits - 1 - exponent, precision = arb_bits(x) + 4 * digits + 64;
-    arb_t value, power;
     bool sure;
+    JLT_SCOPED(arb, value, power);
 
-    arb_init(value);
-    arb_init(power);
     arb_set_ui(power, 10);
     arb_pow_ui(power, power, (ulong)labs(shift), precision);
     arb_abs(value, x);
@@ -42,8 +34,6 @@ static bool scale(fmpz_t out, const arb_t x, slong digits, slong exponent)
     arb_floor(power, value, precision);
     sure = arb_get_unique_fmpz(out, power);
     if (!sure) arf_get_fmpz(out, arb_midref(value), ARF_RND_FLOOR);
-    arb_clear(power);
-    arb_clear(value);
     return sure;
 }
 
@@ -80,15 +70,13 @@ static char *lay_out(const char *digits, bool negative, slong exponent, slong mo
 /* |x| as an integer of `digits` digits, and the decimal exponent of its first digit. Returns false as scale does. */
 static bool nearest(fmpz_t value, slong *exponent, const arb_t x, slong digits)
 {
-    fmpz_t limit;
     bool sure;
+    JLT_SCOPED(fmpz, limit);
 
-    fmpz_init(limit);
     fmpz_ui_pow_ui(limit, 10, (ulong)digits);
     *exponent = exponent_of(x) - 2;
     do sure = scale(value, x, digits, ++*exponent);
     while (fmpz_cmpabs(value, limit) >= 0);
-    fmpz_clear(limit);
     return sure;
 }
 
@@ -96,7 +84,6 @@ static bool nearest(fmpz_t value, slong *exponent, const arb_t x, slong digits)
  * text is that of the midpoint, with no more digits than the ball determines. Returns NULL if memory is out. */
 static char *decimal(bool *sure, const arb_t ball, slong digits)
 {
-    fmpz_t value;
     slong exponent;
     char *all, *text;
 
@@ -104,7 +91,7 @@ static char *decimal(bool *sure, const arb_t ball, slong digits)
         *sure = *sure && arb_is_zero(ball);
         return strdup("0");
     }
-    fmpz_init(value);
+    JLT_SCOPED(fmpz, value);
     if (!nearest(value, &exponent, ball, digits)) {
         const slong known = (slong)floor((double)arb_rel_accuracy_bits(ball) * log10(2.0));
         *sure = false;
@@ -114,7 +101,6 @@ static char *decimal(bool *sure, const arb_t ball, slong digits)
     for (size_t end = strlen(all); end > 1 && all[end - 1] == '0'; end--) all[end - 1] = '\0';
     text = lay_out(all, arb_is_negative(ball), exponent, digits);
     flint_free(all);
-    fmpz_clear(value);
     return text;
 }
 
@@ -138,10 +124,9 @@ jlt_ball_texts *jlt_ball_texts_create(bool *sure, const jlt_ball_problem *p)
     const slong digits = p->question->digits, zeros = p->n - p->count;
     jlt_ball_texts *t = calloc(1, sizeof *t);
     bool good = t != NULL;
-    arb_t other;
 
     if (!good) return NULL;
-    arb_init(other);
+    JLT_SCOPED(arb, other);
     t->digits = digits;
     t->params = p->table->param_count;
     t->n = (size_t)p->n;
@@ -164,7 +149,6 @@ jlt_ball_texts *jlt_ball_texts_create(bool *sure, const jlt_ball_problem *p)
         add(&t->re[i], sure, &good, i < zeros ? other : acb_realref(p->roots + i - zeros), digits);
         add(&t->im[i], sure, &good, i < zeros ? other : acb_imagref(p->roots + i - zeros), digits);
     }
-    arb_clear(other);
     if (good) return t;
     jlt_ball_texts_destroy(t);
     return NULL;

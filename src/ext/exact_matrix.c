@@ -54,23 +54,18 @@ void jlt_exact_matrix_destroy(jlt_exact_matrix *m)
 /* out -= a b */
 static void take(jlt_surd *out, const jlt_surd *a, const jlt_surd *b, const jlt_surd_field *field)
 {
-    jlt_surd product;
 
     if (jlt_surd_is_zero(a) || jlt_surd_is_zero(b)) return;
-    jlt_surd_init(&product);
-    jlt_surd_multiply(&product, a, b, field);
-    jlt_surd_subtract(out, out, &product);
-    jlt_surd_clear(&product);
+    JLT_SCOPED(jlt_surd, product);
+    jlt_surd_multiply(product, a, b, field);
+    jlt_surd_subtract(out, out, product);
 }
 
 /* Replace h by a similar upper Hessenberg matrix. */
 static void reduce(jlt_surd *h, size_t n, const jlt_surd_field *field)
 {
-    jlt_surd factor, minus, zero;
+    JLT_SCOPED(jlt_surd, factor, minus, zero);
 
-    jlt_surd_init(&factor);
-    jlt_surd_init(&minus);
-    jlt_surd_init(&zero);
     for (size_t m = 1; m + 1 < n; m++) {
         size_t pivot = m;
         while (pivot < n && jlt_surd_is_zero(&h[pivot * n + m - 1])) pivot++;
@@ -79,16 +74,13 @@ static void reduce(jlt_surd *h, size_t n, const jlt_surd_field *field)
         for (size_t j = 0; pivot != m && j < n; j++) jlt_surd_swap(&h[j * n + pivot], &h[j * n + m]);
         for (size_t i = m + 1; i < n; i++) {
             if (jlt_surd_is_zero(&h[i * n + m - 1])) continue;
-            (void)jlt_surd_invert(&factor, &h[m * n + m - 1], field);
-            jlt_surd_multiply(&factor, &factor, &h[i * n + m - 1], field);
-            for (size_t j = m - 1; j < n; j++) take(&h[i * n + j], &factor, &h[m * n + j], field);
-            jlt_surd_subtract(&minus, &zero, &factor);
-            for (size_t j = 0; j < n; j++) take(&h[j * n + m], &minus, &h[j * n + i], field);
+            (void)jlt_surd_invert(factor, &h[m * n + m - 1], field);
+            jlt_surd_multiply(factor, factor, &h[i * n + m - 1], field);
+            for (size_t j = m - 1; j < n; j++) take(&h[i * n + j], factor, &h[m * n + j], field);
+            jlt_surd_subtract(minus, zero, factor);
+            for (size_t j = 0; j < n; j++) take(&h[j * n + m], minus, &h[j * n + i], field);
         }
     }
-    jlt_surd_clear(&zero);
-    jlt_surd_clear(&minus);
-    jlt_surd_clear(&factor);
 }
 
 /* Characteristic polynomial of a Hessenberg matrix: p_m = (x - h_mm) p_(m-1) - sum over i < m of h_(m-i,m) times the product of
@@ -96,28 +88,23 @@ static void reduce(jlt_surd *h, size_t n, const jlt_surd_field *field)
 static void expand(jlt_surd *coefficients, const jlt_surd *h, size_t n, const jlt_surd_field *field)
 {
     jlt_surd *p = create_numbers((n + 1) * (n + 1)); /* row m: the characteristic polynomial of the leading m x m block */
-    jlt_surd between, factor;
 
-    jlt_surd_init(&between);
-    jlt_surd_init(&factor);
+    JLT_SCOPED(jlt_surd, factor);
     fmpq_one(p[0].coordinates);
     for (size_t m = 1; m <= n; m++) {
         const jlt_surd *const before = p + (m - 1) * (n + 1);
         jlt_surd *const row = p + m * (n + 1);
         for (size_t k = 0; k < m; k++) jlt_surd_set(&row[k + 1], &before[k]);
         for (size_t k = 0; k < m; k++) take(&row[k], &h[(m - 1) * n + m - 1], &before[k], field);
-        jlt_surd_clear(&between);
-        jlt_surd_init(&between);
-        fmpq_one(between.coordinates);
+        JLT_SCOPED(jlt_surd, between);
+        fmpq_one(between->coordinates);
         for (size_t i = 1; i < m; i++) {
-            jlt_surd_multiply(&between, &between, &h[(m - i) * n + m - i - 1], field);
-            jlt_surd_multiply(&factor, &between, &h[(m - i - 1) * n + m - 1], field);
-            for (size_t k = 0; k + i < m; k++) take(&row[k], &factor, &p[(m - i - 1) * (n + 1) + k], field);
+            jlt_surd_multiply(between, between, &h[(m - i) * n + m - i - 1], field);
+            jlt_surd_multiply(factor, between, &h[(m - i - 1) * n + m - 1], field);
+            for (size_t k = 0; k + i < m; k++) take(&row[k], factor, &p[(m - i - 1) * (n + 1) + k], field);
         }
     }
     for (size_t k = 0; k <= n; k++) jlt_surd_set(&coefficients[k], &p[n * (n + 1) + k]);
-    jlt_surd_clear(&factor);
-    jlt_surd_clear(&between);
     destroy_numbers(p, (n + 1) * (n + 1));
 }
 
@@ -125,9 +112,8 @@ static void expand(jlt_surd *coefficients, const jlt_surd *h, size_t n, const jl
 static size_t rank_of(jlt_surd *a, size_t n, const jlt_surd_field *field)
 {
     size_t rank = 0;
-    jlt_surd factor;
+    JLT_SCOPED(jlt_surd, factor);
 
-    jlt_surd_init(&factor);
     for (size_t column = 0; column < n; column++) {
         size_t pivot = rank;
         while (pivot < n && jlt_surd_is_zero(&a[pivot * n + column])) pivot++;
@@ -135,13 +121,12 @@ static size_t rank_of(jlt_surd *a, size_t n, const jlt_surd_field *field)
         for (size_t j = 0; pivot != rank && j < n; j++) jlt_surd_swap(&a[pivot * n + j], &a[rank * n + j]);
         for (size_t i = rank + 1; i < n; i++) {
             if (jlt_surd_is_zero(&a[i * n + column])) continue;
-            (void)jlt_surd_invert(&factor, &a[rank * n + column], field);
-            jlt_surd_multiply(&factor, &factor, &a[i * n + column], field);
-            for (size_t j = column; j < n; j++) take(&a[i * n + j], &factor, &a[rank * n + j], field);
+            (void)jlt_surd_invert(factor, &a[rank * n + column], field);
+            jlt_surd_multiply(factor, factor, &a[i * n + column], field);
+            for (size_t j = column; j < n; j++) take(&a[i * n + j], factor, &a[rank * n + j], field);
         }
         rank++;
     }
-    jlt_surd_clear(&factor);
     return rank;
 }
 
@@ -149,27 +134,26 @@ static size_t rank_of(jlt_surd *a, size_t n, const jlt_surd_field *field)
 static bool is_semisimple(const jlt_exact_matrix *m, const jlt_exact_poly *poly, size_t multiplicity)
 {
     const size_t n = m->n;
-    jlt_surd *value, *next, product;
+    jlt_surd *value, *next;
     bool whole;
 
     if (multiplicity == 1) return true;
     value = create_numbers(n * n);
     next = create_numbers(n * n);
-    jlt_surd_init(&product);
+    JLT_SCOPED(jlt_surd, product);
     for (size_t k = poly->length; k-- > 0;) { /* Horner's scheme */
         for (size_t i = 0; i < n * n; i++) {
             jlt_surd_subtract(&next[i], &next[i], &next[i]);
             for (size_t j = 0; j < n; j++) {
                 if (jlt_surd_is_zero(&value[i / n * n + j]) || jlt_surd_is_zero(&m->entries[j * n + i % n])) continue;
-                jlt_surd_multiply(&product, &value[i / n * n + j], &m->entries[j * n + i % n], m->field);
-                jlt_surd_add(&next[i], &next[i], &product);
+                jlt_surd_multiply(product, &value[i / n * n + j], &m->entries[j * n + i % n], m->field);
+                jlt_surd_add(&next[i], &next[i], product);
             }
         }
         for (size_t i = 0; i < n * n; i++) jlt_surd_swap(&value[i], &next[i]);
         for (size_t i = 0; i < n; i++) jlt_surd_add(&value[i * n + i], &value[i * n + i], &poly->coefficients[k]);
     }
     whole = n - rank_of(value, n, m->field) == (poly->length - 1) * multiplicity;
-    jlt_surd_clear(&product);
     destroy_numbers(next, n * n);
     destroy_numbers(value, n * n);
     return whole;
@@ -193,7 +177,6 @@ void jlt_exact_matrix_analyse(jlt_exact_matrix *m)
 {
     const size_t n = m->n;
     jlt_surd *h = create_numbers(n * n), *coefficients = create_numbers(n + 1);
-    jlt_exact_poly rest;
 
     for (size_t i = 0; i < n * n; i++) jlt_surd_set(&h[i], &m->entries[i]);
     reduce(h, n, m->field);
@@ -202,10 +185,9 @@ void jlt_exact_matrix_analyse(jlt_exact_matrix *m)
     for (m->zeros = 0; jlt_surd_is_zero(&coefficients[m->zeros]); m->zeros++) continue;
     for (size_t i = 0; i < n * n; i++) jlt_surd_set(&h[i], &m->entries[i]);
     m->zero_semisimple = n - rank_of(h, n, m->field) == m->zeros;
-    jlt_exact_poly_init(&rest);
-    jlt_exact_poly_shift(&rest, &m->charpoly, m->zeros);
-    add_factor(m, &rest, 1);
-    jlt_exact_poly_clear(&rest);
+    JLT_SCOPED(jlt_exact_poly, rest);
+    jlt_exact_poly_shift(rest, &m->charpoly, m->zeros);
+    add_factor(m, rest, 1);
     destroy_numbers(coefficients, n + 1);
     destroy_numbers(h, n * n);
 }
@@ -213,40 +195,32 @@ void jlt_exact_matrix_analyse(jlt_exact_matrix *m)
 /* Split a polynomial without multiple roots into its roots z for which -z is a root too, and the others; append both factors. */
 static void add_parts(jlt_exact_matrix *m, const jlt_exact_poly *poly, size_t multiplicity)
 {
-    jlt_exact_poly even, other;
+    JLT_SCOPED(jlt_exact_poly, even, other);
 
-    jlt_exact_poly_init(&even);
-    jlt_exact_poly_init(&other);
-    jlt_exact_poly_reflect(&other, poly);
-    jlt_exact_poly_gcd(&even, poly, &other, m->field);
-    jlt_exact_poly_divide(&other, NULL, poly, &even, m->field);
-    add_factor(m, &even, multiplicity);
-    add_factor(m, &other, multiplicity);
-    jlt_exact_poly_clear(&other);
-    jlt_exact_poly_clear(&even);
+    jlt_exact_poly_reflect(other, poly);
+    jlt_exact_poly_gcd(even, poly, other, m->field);
+    jlt_exact_poly_divide(other, NULL, poly, even, m->field);
+    add_factor(m, even, multiplicity);
+    add_factor(m, other, multiplicity);
 }
 
 void jlt_exact_matrix_split(jlt_exact_matrix *m)
 {
-    jlt_exact_poly whole, slope, common, b, c, d;
-    jlt_exact_poly *const all[] = { &whole, &slope, &common, &b, &c, &d };
-
     if (m->split) return;
-    for (size_t i = 0; i < sizeof all / sizeof *all; i++) jlt_exact_poly_init(all[i]);
-    jlt_exact_poly_shift(&whole, &m->charpoly, m->zeros);
+    JLT_SCOPED(jlt_exact_poly, whole, slope, common, b, c, d);
+    jlt_exact_poly_shift(whole, &m->charpoly, m->zeros);
     drop_factors(m);
-    jlt_exact_poly_derive(&slope, &whole);
-    jlt_exact_poly_gcd(&common, &whole, &slope, m->field);
-    jlt_exact_poly_divide(&b, NULL, &whole, &common, m->field);
-    jlt_exact_poly_divide(&c, NULL, &slope, &common, m->field);
-    for (size_t multiplicity = 1; b.length > 1; multiplicity++) {
-        jlt_exact_poly_derive(&d, &b);
-        jlt_exact_poly_subtract(&d, &c, &d);
-        jlt_exact_poly_gcd(&common, &b, &d, m->field); /* its roots are those of this multiplicity */
-        add_parts(m, &common, multiplicity);
-        jlt_exact_poly_divide(&b, NULL, &b, &common, m->field);
-        jlt_exact_poly_divide(&c, NULL, &d, &common, m->field);
+    jlt_exact_poly_derive(slope, whole);
+    jlt_exact_poly_gcd(common, whole, slope, m->field);
+    jlt_exact_poly_divide(b, NULL, whole, common, m->field);
+    jlt_exact_poly_divide(c, NULL, slope, common, m->field);
+    for (size_t multiplicity = 1; b->length > 1; multiplicity++) {
+        jlt_exact_poly_derive(d, b);
+        jlt_exact_poly_subtract(d, c, d);
+        jlt_exact_poly_gcd(common, b, d, m->field); /* its roots are those of this multiplicity */
+        add_parts(m, common, multiplicity);
+        jlt_exact_poly_divide(b, NULL, b, common, m->field);
+        jlt_exact_poly_divide(c, NULL, d, common, m->field);
     }
     m->split = true;
-    for (size_t i = 0; i < sizeof all / sizeof *all; i++) jlt_exact_poly_clear(all[i]);
 }

@@ -54,14 +54,12 @@ void jlt_exact_poly_shift(jlt_exact_poly *out, const jlt_exact_poly *p, size_t p
 void jlt_exact_poly_reflect(jlt_exact_poly *out, const jlt_exact_poly *p)
 {
     jlt_exact_poly turned;
-    jlt_surd zero;
+    JLT_SCOPED(jlt_surd, zero);
 
-    jlt_surd_init(&zero);
     init_length(&turned, p->length);
     for (size_t i = 0; i < p->length; i++)
-        (i % 2 == 0 ? jlt_surd_add : jlt_surd_subtract)(&turned.coefficients[i], &zero, &p->coefficients[i]);
+        (i % 2 == 0 ? jlt_surd_add : jlt_surd_subtract)(&turned.coefficients[i], zero, &p->coefficients[i]);
     give(out, &turned);
-    jlt_surd_clear(&zero);
 }
 
 void jlt_exact_poly_derive(jlt_exact_poly *out, const jlt_exact_poly *p)
@@ -98,60 +96,48 @@ void jlt_exact_poly_divide(jlt_exact_poly *quotient, jlt_exact_poly *remainder, 
                            const jlt_surd_field *field)
 {
     jlt_exact_poly ratio, rest;
-    jlt_surd inverse, factor, term;
+    JLT_SCOPED(jlt_surd, inverse, factor, term);
 
-    jlt_surd_init(&inverse);
-    jlt_surd_init(&factor);
-    jlt_surd_init(&term);
     init_length(&rest, p->length);
     for (size_t i = 0; i < p->length; i++) jlt_surd_set(&rest.coefficients[i], &p->coefficients[i]);
     init_length(&ratio, p->length < q->length ? 0 : p->length - q->length + 1);
-    (void)jlt_surd_invert(&inverse, &q->coefficients[q->length - 1], field);
+    (void)jlt_surd_invert(inverse, &q->coefficients[q->length - 1], field);
     for (size_t at = ratio.length; at-- > 0;) {
-        jlt_surd_multiply(&factor, &rest.coefficients[at + q->length - 1], &inverse, field);
-        jlt_surd_set(&ratio.coefficients[at], &factor);
+        jlt_surd_multiply(factor, &rest.coefficients[at + q->length - 1], inverse, field);
+        jlt_surd_set(&ratio.coefficients[at], factor);
         for (size_t k = 0; k < q->length; k++) {
-            jlt_surd_multiply(&term, &factor, &q->coefficients[k], field);
-            jlt_surd_subtract(&rest.coefficients[at + k], &rest.coefficients[at + k], &term);
+            jlt_surd_multiply(term, factor, &q->coefficients[k], field);
+            jlt_surd_subtract(&rest.coefficients[at + k], &rest.coefficients[at + k], term);
         }
     }
     if (quotient != NULL) give(quotient, &ratio);
     else jlt_exact_poly_clear(&ratio);
     if (remainder != NULL) give(remainder, &rest);
     else jlt_exact_poly_clear(&rest);
-    jlt_surd_clear(&term);
-    jlt_surd_clear(&factor);
-    jlt_surd_clear(&inverse);
 }
 
 static void make_monic(jlt_exact_poly *p, const jlt_surd_field *field)
 {
-    jlt_surd inverse;
 
     if (p->length == 0) return;
-    jlt_surd_init(&inverse);
-    (void)jlt_surd_invert(&inverse, &p->coefficients[p->length - 1], field);
-    for (size_t i = 0; i < p->length; i++) jlt_surd_multiply(&p->coefficients[i], &p->coefficients[i], &inverse, field);
-    jlt_surd_clear(&inverse);
+    JLT_SCOPED(jlt_surd, inverse);
+    (void)jlt_surd_invert(inverse, &p->coefficients[p->length - 1], field);
+    for (size_t i = 0; i < p->length; i++) jlt_surd_multiply(&p->coefficients[i], &p->coefficients[i], inverse, field);
 }
 
 void jlt_exact_poly_gcd(jlt_exact_poly *out, const jlt_exact_poly *p, const jlt_exact_poly *q, const jlt_surd_field *field)
 {
-    jlt_exact_poly a, b;
+    JLT_SCOPED(jlt_exact_poly, a, b);
 
-    jlt_exact_poly_init(&a);
-    jlt_exact_poly_init(&b);
-    jlt_exact_poly_set(&a, p->coefficients, p->length);
-    jlt_exact_poly_set(&b, q->coefficients, q->length);
-    while (b.length > 0) {
-        make_monic(&b, field);
-        jlt_exact_poly_divide(NULL, &a, &a, &b, field);
-        swap(&a, &b);
+    jlt_exact_poly_set(a, p->coefficients, p->length);
+    jlt_exact_poly_set(b, q->coefficients, q->length);
+    while (b->length > 0) {
+        make_monic(b, field);
+        jlt_exact_poly_divide(NULL, a, a, b, field);
+        swap(a, b);
     }
-    make_monic(&a, field);
-    swap(out, &a);
-    jlt_exact_poly_clear(&b);
-    jlt_exact_poly_clear(&a);
+    make_monic(a, field);
+    swap(out, a);
 }
 
 bool jlt_exact_poly_is_even(const jlt_exact_poly *p)
@@ -163,13 +149,11 @@ bool jlt_exact_poly_is_even(const jlt_exact_poly *p)
 
 void jlt_exact_poly_enclose(arb_poly_t out, const jlt_exact_poly *p, const jlt_surd_field *field, slong precision)
 {
-    arb_t value;
+    JLT_SCOPED(arb, value);
 
-    arb_init(value);
     arb_poly_zero(out);
     for (size_t i = p->length; i-- > 0;) {
         jlt_surd_enclose(value, &p->coefficients[i], field, precision);
         arb_poly_set_coeff_arb(out, (slong)i, value);
     }
-    arb_clear(value);
 }

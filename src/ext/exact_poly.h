@@ -5,12 +5,6 @@
 
 #include "ext/surd.h"
 
-#if __has_include(<flint/arb_poly.h>)
-#include <flint/arb_poly.h>
-#else
-#include <arb_poly.h>
-#endif
-
 #include <stddef.h>
 
 typedef struct {
@@ -20,6 +14,9 @@ typedef struct {
 
 void jlt_exact_poly_init(jlt_exact_poly *p); /* zero */
 void jlt_exact_poly_clear(jlt_exact_poly *p);
+
+typedef jlt_exact_poly jlt_exact_poly_t[1];
+JLT_SCOPED_TYPE(jlt_exact_poly, jlt_exact_poly)
 
 /* The polynomial with these coefficients, shape (count,). */
 void jlt_exact_poly_set(jlt_exact_poly *p, const jlt_surd *coefficients, size_t count);

@@ -1,10 +1,7 @@
 #include "ext/number.h"
 
-#if __has_include(<flint/arf.h>)
-#include <flint/arf.h>
-#else
-#include <arf.h>
-#endif
+#include "ext/scoped.h"
+
 #include <flint/fmpq.h>
 
 #include <math.h>
@@ -52,13 +49,12 @@ static bool read_decimal(fmpz_t digits, long *exponent, const char **at, const c
 static bool read_plain(fmpq_t value, const char *text, size_t length)
 {
     const char *at = text, *const end = text + length;
-    fmpz_t denominator, power;
     long up = 0, down = 0;
     bool good = false, negative = false;
 
     if (length == 0 || length > JLT_NUMBER_LENGTH_MAX) return false;
-    fmpz_init_set_ui(denominator, 1);
-    fmpz_init(power);
+    JLT_SCOPED(fmpz, denominator, power);
+    fmpz_one(denominator);
     if (*at == '+' || *at == '-') negative = *at++ == '-';
     fmpz_set_ui(fmpq_denref(value), 1);
     good = read_decimal(fmpq_numref(value), &up, &at, end);
@@ -76,19 +72,15 @@ static bool read_plain(fmpq_t value, const char *text, size_t length)
         fmpz_set(fmpq_denref(value), denominator);
         fmpq_canonicalise(value);
     }
-    fmpz_clear(power);
-    fmpz_clear(denominator);
     return good;
 }
 
 static jlt_status round_nearest(double *result, const fmpq_t value)
 {
-    arf_t nearest;
+    JLT_SCOPED(arf, nearest);
 
-    arf_init(nearest);
     (void)arf_fmpz_div_fmpz(nearest, fmpq_numref(value), fmpq_denref(value), 53, ARF_RND_NEAR);
     const double rounded = arf_get_d(nearest, ARF_RND_NEAR);
-    arf_clear(nearest);
     if (!fmpq_is_zero(value) && !isnormal(rounded)) return JLT_ERR_NONFINITE;
     *result = rounded;
     return JLT_OK;
@@ -96,12 +88,10 @@ static jlt_status round_nearest(double *result, const fmpq_t value)
 
 static void set_double(fmpq_t out, double value)
 {
-    arf_t exact;
+    JLT_SCOPED(arf, exact);
 
-    arf_init(exact);
     arf_set_d(exact, value);
     arf_get_fmpq(out, exact);
-    arf_clear(exact);
 }
 
 /* Read pi, -pi, 2*pi, 2*pi/3, pi/2 and the like; out is the double that double arithmetic gives. */
@@ -141,26 +131,21 @@ static jlt_status read_fraction(fmpq_t value, const char *text, size_t length)
 
 jlt_status jlt_number_parse(double *value, const char *text, size_t length)
 {
-    fmpq_t exact;
     jlt_status st;
+    JLT_SCOPED(fmpq, exact);
 
-    fmpq_init(exact);
     st = read_fraction(exact, text, length);
     if (st == JLT_OK) st = round_nearest(value, exact);
-    fmpq_clear(exact);
     return st;
 }
 
 jlt_status jlt_number_between(double *value, const char *low, size_t low_length, const char *high, size_t high_length,
                               size_t index, size_t parts)
 {
-    fmpq_t first, last;
-    fmpz_t weight;
     jlt_status st = index <= parts && parts > 0 ? JLT_OK : JLT_ERR_ARG;
+    JLT_SCOPED(fmpq, first, last);
+    JLT_SCOPED(fmpz, weight);
 
-    fmpq_init(first);
-    fmpq_init(last);
-    fmpz_init(weight);
     if (st == JLT_OK) st = read_fraction(first, low, low_length);
     if (st == JLT_OK) st = read_fraction(last, high, high_length);
     if (st == JLT_OK) {
@@ -172,20 +157,16 @@ jlt_status jlt_number_between(double *value, const char *low, size_t low_length,
         fmpq_add(first, first, last);
         st = round_nearest(value, first);
     }
-    fmpz_clear(weight);
-    fmpq_clear(last);
-    fmpq_clear(first);
     return st;
 }
 
 jlt_status jlt_number_fraction(char **fraction, const char *text, size_t length)
 {
-    fmpq_t exact;
     char *written = NULL;
     jlt_status st;
 
     *fraction = NULL;
-    fmpq_init(exact);
+    JLT_SCOPED(fmpq, exact);
     st = read_fraction(exact, text, length);
     if (st == JLT_OK) {
         written = fmpq_get_str(NULL, 10, exact);
@@ -193,6 +174,5 @@ jlt_status jlt_number_fraction(char **fraction, const char *text, size_t length)
         st = *fraction == NULL ? JLT_ERR_NOMEM : JLT_OK;
         flint_free(written);
     }
-    fmpq_clear(exact);
     return st;
 }

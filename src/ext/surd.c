@@ -185,19 +185,16 @@ static void join(jlt_surd *out, const jlt_surd *low, const jlt_surd *high, unsig
 /* low^2 - high^2 t^2 with t the root number `root`; it is zero only if low + high t is zero. */
 static void norm(jlt_surd *out, const jlt_surd *low, const jlt_surd *high, unsigned root, const jlt_surd_field *field)
 {
-    jlt_surd square;
+    JLT_SCOPED(jlt_surd, square);
 
-    jlt_surd_init(&square);
-    jlt_surd_multiply(&square, high, high, field);
-    jlt_surd_multiply(&square, &square, &field->radicands[root], field);
+    jlt_surd_multiply(square, high, high, field);
+    jlt_surd_multiply(square, square, &field->radicands[root], field);
     jlt_surd_multiply(out, low, low, field);
-    jlt_surd_subtract(out, out, &square);
-    jlt_surd_clear(&square);
+    jlt_surd_subtract(out, out, square);
 }
 
 bool jlt_surd_invert(jlt_surd *out, const jlt_surd *a, const jlt_surd_field *field)
 {
-    jlt_surd low, high, scale, zero;
     const unsigned root = a->level - 1;
 
     if (jlt_surd_is_zero(a)) return false;
@@ -206,48 +203,33 @@ bool jlt_surd_invert(jlt_surd *out, const jlt_surd *a, const jlt_surd_field *fie
         fmpq_inv(out->coordinates, out->coordinates);
         return true;
     }
-    jlt_surd_init(&low);
-    jlt_surd_init(&high);
-    jlt_surd_init(&scale);
-    jlt_surd_init(&zero);
-    split(&low, &high, a);
-    norm(&scale, &low, &high, root, field);
-    (void)jlt_surd_invert(&scale, &scale, field);
-    jlt_surd_subtract(&high, &zero, &high);
-    jlt_surd_multiply(&low, &low, &scale, field);
-    jlt_surd_multiply(&high, &high, &scale, field);
-    join(out, &low, &high, root);
-    jlt_surd_clear(&zero);
-    jlt_surd_clear(&scale);
-    jlt_surd_clear(&high);
-    jlt_surd_clear(&low);
+    JLT_SCOPED(jlt_surd, low, high, scale, zero);
+    split(low, high, a);
+    norm(scale, low, high, root, field);
+    (void)jlt_surd_invert(scale, scale, field);
+    jlt_surd_subtract(high, zero, high);
+    jlt_surd_multiply(low, low, scale, field);
+    jlt_surd_multiply(high, high, scale, field);
+    join(out, low, high, root);
     return true;
 }
 
 void jlt_surd_enclose(arb_t out, const jlt_surd *a, const jlt_surd_field *field, slong precision)
 {
-    jlt_surd low, high;
-    arb_t root, rest;
 
     if (a->level == 0) {
         arb_set_fmpq(out, a->coordinates, precision);
         return;
     }
-    jlt_surd_init(&low);
-    jlt_surd_init(&high);
-    arb_init(root);
-    arb_init(rest);
-    split(&low, &high, a);
+    JLT_SCOPED(jlt_surd, low, high);
+    JLT_SCOPED(arb, root, rest);
+    split(low, high, a);
     jlt_surd_enclose(root, &field->radicands[a->level - 1], field, precision);
     arb_sqrt(root, root, precision);
-    jlt_surd_enclose(rest, &low, field, precision);
-    jlt_surd_enclose(out, &high, field, precision);
+    jlt_surd_enclose(rest, low, field, precision);
+    jlt_surd_enclose(out, high, field, precision);
     arb_mul(out, out, root, precision);
     arb_add(out, out, rest, precision);
-    arb_clear(rest);
-    arb_clear(root);
-    jlt_surd_clear(&high);
-    jlt_surd_clear(&low);
 }
 
 slong jlt_surd_height(const jlt_surd *a)
@@ -264,28 +246,24 @@ slong jlt_surd_height(const jlt_surd *a)
 /* The sign of a number that is not zero, from balls of increasing precision. */
 static int sign_of(const jlt_surd *a, const jlt_surd_field *field)
 {
-    arb_t ball;
     int sign = 0;
+    JLT_SCOPED(arb, ball);
 
-    arb_init(ball);
     for (slong precision = 64; sign == 0; precision *= 2) {
         jlt_surd_enclose(ball, a, field, precision);
         sign = arb_sgn_nonzero(ball);
     }
-    arb_clear(ball);
     return sign;
 }
 
 static bool rational_root(jlt_surd *out, const fmpq_t a)
 {
-    fmpq_t root;
 
     if (fmpq_sgn(a) < 0 || !fmpz_is_square(fmpq_numref(a)) || !fmpz_is_square(fmpq_denref(a))) return false;
-    fmpq_init(root);
+    JLT_SCOPED(fmpq, root);
     fmpz_sqrt(fmpq_numref(root), fmpq_numref(a));
     fmpz_sqrt(fmpq_denref(root), fmpq_denref(a));
     jlt_surd_set_rational(out, root);
-    fmpq_clear(root);
     return true;
 }
 
@@ -294,60 +272,48 @@ static bool find_root(jlt_surd *out, const jlt_surd *a, unsigned level, const jl
 /* A square root of a, which does not contain t, the root number `root`: either x without t, or y t with y^2 = a/t^2. */
 static bool find_plain(jlt_surd *out, const jlt_surd *a, unsigned root, const jlt_surd_field *field)
 {
-    jlt_surd y, none;
     bool found = find_root(out, a, root, field);
 
     if (found) return true;
-    jlt_surd_init(&y);
-    jlt_surd_init(&none);
-    (void)jlt_surd_invert(&y, &field->radicands[root], field);
-    jlt_surd_multiply(&y, &y, a, field);
-    found = find_root(&y, &y, root, field);
-    if (found) join(out, &none, &y, root);
-    jlt_surd_clear(&none);
-    jlt_surd_clear(&y);
+    JLT_SCOPED(jlt_surd, y, none);
+    (void)jlt_surd_invert(y, &field->radicands[root], field);
+    jlt_surd_multiply(y, y, a, field);
+    found = find_root(y, y, root, field);
+    if (found) join(out, none, y, root);
     return found;
 }
 
 /* A square root x + y t of low + high t: x^2 = (low +- n)/2, n^2 = low^2 - high^2 t^2, y = high/(2 x). */
 static bool find_mixed(jlt_surd *out, const jlt_surd *low, const jlt_surd *high, unsigned root, const jlt_surd_field *field)
 {
-    jlt_surd n, x, half;
     bool found;
+    JLT_SCOPED(jlt_surd, n, x, half);
 
-    jlt_surd_init(&n);
-    jlt_surd_init(&x);
-    jlt_surd_init(&half);
-    fmpq_set_si(half.coordinates, 1, 2);
-    norm(&n, low, high, root, field);
-    found = find_root(&n, &n, root, field);
+    fmpq_set_si(half->coordinates, 1, 2);
+    norm(n, low, high, root, field);
+    found = find_root(n, n, root, field);
     if (found) {
-        jlt_surd_add(&x, low, &n);
-        jlt_surd_multiply(&x, &x, &half, field);
-        found = find_root(&x, &x, root, field);
+        jlt_surd_add(x, low, n);
+        jlt_surd_multiply(x, x, half, field);
+        found = find_root(x, x, root, field);
         if (!found) {
-            jlt_surd_subtract(&x, low, &n);
-            jlt_surd_multiply(&x, &x, &half, field);
-            found = find_root(&x, &x, root, field);
+            jlt_surd_subtract(x, low, n);
+            jlt_surd_multiply(x, x, half, field);
+            found = find_root(x, x, root, field);
         }
     }
     if (found) {
-        (void)jlt_surd_invert(&n, &x, field);
-        jlt_surd_multiply(&n, &n, &half, field);
-        jlt_surd_multiply(&n, &n, high, field);
-        join(out, &x, &n, root);
+        (void)jlt_surd_invert(n, x, field);
+        jlt_surd_multiply(n, n, half, field);
+        jlt_surd_multiply(n, n, high, field);
+        join(out, x, n, root);
     }
-    jlt_surd_clear(&half);
-    jlt_surd_clear(&x);
-    jlt_surd_clear(&n);
     return found;
 }
 
 /* A square root of a, of either sign, in the field of the first `level` roots. Returns false if there is none. */
 static bool find_root(jlt_surd *out, const jlt_surd *a, unsigned level, const jlt_surd_field *field)
 {
-    jlt_surd low, high;
-    bool found;
 
     if (jlt_surd_is_zero(a)) {
         jlt_surd_set(out, a);
@@ -355,35 +321,27 @@ static bool find_root(jlt_surd *out, const jlt_surd *a, unsigned level, const jl
     }
     if (level == 0) return rational_root(out, a->coordinates);
     if (a->level < level) return find_plain(out, a, level - 1, field);
-    jlt_surd_init(&low);
-    jlt_surd_init(&high);
-    split(&low, &high, a);
-    found = find_mixed(out, &low, &high, level - 1, field);
-    jlt_surd_clear(&high);
-    jlt_surd_clear(&low);
-    return found;
+    JLT_SCOPED(jlt_surd, low, high);
+    split(low, high, a);
+    return find_mixed(out, low, high, level - 1, field);
 }
 
 bool jlt_surd_root(jlt_surd *out, const jlt_surd *a, jlt_surd_field *field)
 {
-    jlt_surd root, none;
     bool found;
 
     if (jlt_surd_is_zero(a) || sign_of(a, field) < 0) return false;
-    jlt_surd_init(&root);
-    jlt_surd_init(&none);
-    found = find_root(&root, a, field->count, field);
+    JLT_SCOPED(jlt_surd, root, none);
+    found = find_root(root, a, field->count, field);
     if (found) {
-        if (sign_of(&root, field) < 0) jlt_surd_subtract(&root, &none, &root);
+        if (sign_of(root, field) < 0) jlt_surd_subtract(root, none, root);
     } else if (field->count < JLT_SURD_ROOTS_MAX) {
         jlt_surd_init(&field->radicands[field->count]);
         jlt_surd_set(&field->radicands[field->count], a);
-        fmpq_one(root.coordinates);
-        join(&root, &none, &root, field->count++);
+        fmpq_one(root->coordinates);
+        join(root, none, root, field->count++);
         found = true;
     }
-    if (found) jlt_surd_swap(out, &root);
-    jlt_surd_clear(&none);
-    jlt_surd_clear(&root);
+    if (found) jlt_surd_swap(out, root);
     return found;
 }

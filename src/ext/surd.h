@@ -3,11 +3,8 @@
 #ifndef JLT_EXT_SURD_H
 #define JLT_EXT_SURD_H
 
-#if __has_include(<flint/arb.h>)
-#include <flint/arb.h>
-#else
-#include <arb.h>
-#endif
+#include "ext/scoped.h"
+
 #include <flint/fmpq.h>
 
 #include <stdbool.h>
@@ -30,6 +27,10 @@ void jlt_surd_field_destroy(jlt_surd_field *field); /* legal on NULL */
 
 void jlt_surd_init(jlt_surd *a); /* zero */
 void jlt_surd_clear(jlt_surd *a);
+
+typedef jlt_surd jlt_surd_t[1];
+JLT_SCOPED_TYPE(jlt_surd, jlt_surd)
+
 void jlt_surd_set(jlt_surd *out, const jlt_surd *a);
 void jlt_surd_set_rational(jlt_surd *out, const fmpq_t value);
 void jlt_surd_swap(jlt_surd *a, jlt_surd *b);

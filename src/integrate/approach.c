@@ -57,8 +57,7 @@ static unsigned moving_states(unsigned *moving, const double *a, const double *f
 static jlt_status rates(double *slowest, double *fastest, unsigned *count, const double *a, unsigned n, double direction)
 {
     double re[DIM_MAX], im[DIM_MAX];
-    const jlt_status st = jlt_eigen_values(re, im, a, n);
-    if (st != JLT_OK) return st;
+    JLT_PASS(jlt_eigen_values(re, im, a, n));
 
     *fastest = *count = 0;
     *slowest = INFINITY;
@@ -152,10 +151,9 @@ jlt_status jlt_approach_judge(jlt_approach *out, const jlt_stepper *stepper)
     }
     for (unsigned i = 0; i < n * n; i++)
         if (fabs(a[i]) < nothing * largest) a[i] = 0;
-    jlt_status st = rates(&out->slowest, &out->fastest, &count, a, n, stepper->direction);
-    if (st != JLT_OK || !(out->slowest > 0) || count == 0) return st;
-    st = way_left(y, a, f, n, count, out->fastest);
-    if (st != JLT_OK) return st;
+    JLT_PASS(rates(&out->slowest, &out->fastest, &count, a, n, stepper->direction));
+    if (!(out->slowest > 0) || count == 0) return JLT_OK;
+    JLT_PASS(way_left(y, a, f, n, count, out->fastest));
     multiply(image, a, y, n, 1);
     for (unsigned i = 0; i < n; i++) {
         out->left[moving[i]] = y[i];

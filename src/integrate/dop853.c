@@ -276,8 +276,7 @@ void jlt_dop853_dense(jlt_dop853 *self, jlt_stepper *stepper, const double *x, d
 /* A partial step overwrites the slopes of the whole step, so the polynomial that needs them is made before. */
 static jlt_status partial(jlt_stepper *stepper, double theta, double *out)
 {
-    jlt_status st = jlt_stepper_dense(stepper);
-    if (st != JLT_OK) return st;
+    JLT_PASS(jlt_stepper_dense(stepper));
     jlt_dop853 *self = stepper->state;
     jlt_dop853_single(self, stepper, stepper->x_start, stepper->f_start, theta * stepper->h, out);
     copy(self->k, stepper->f, stepper->stride);

@@ -270,7 +270,6 @@ static jlt_status leave_conditions(double *theta, jlt_stepper *stepper)
 jlt_status jlt_edge_left(double *theta, jlt_stepper *stepper)
 {
     const jlt_domain *domain = &stepper->field->domain;
-    jlt_status st = JLT_OK;
 
     *theta = INFINITY;
     if (!stepper->watches) return JLT_OK;
@@ -279,21 +278,18 @@ jlt_status jlt_edge_left(double *theta, jlt_stepper *stepper)
         return JLT_OK;
     }
     for (unsigned i = 0; domain->intervals != NULL && i < domain->states; i++) {
-        JLT_TRY(leave_interval(theta, stepper, i, domain->intervals[i].low, 1));
-        JLT_TRY(leave_interval(theta, stepper, i, domain->intervals[i].high, -1));
+        JLT_PASS(leave_interval(theta, stepper, i, domain->intervals[i].low, 1));
+        JLT_PASS(leave_interval(theta, stepper, i, domain->intervals[i].high, -1));
     }
-    st = leave_conditions(theta, stepper);
-done:
-    return st;
+    return leave_conditions(theta, stepper);
 }
 
 jlt_status jlt_edge_find(double *theta, jlt_stepper *stepper)
 {
     const double wanted = near(stepper) / 2, last = *theta;
     double inside = 0, outside = last;
-    const jlt_status st = jlt_stepper_dense(stepper);
 
-    if (st != JLT_OK) return st;
+    JLT_PASS(jlt_stepper_dense(stepper));
     for (int k = 1; k < SAMPLES; k++) {
         const double at = last * k / SAMPLES;
         if (!(distance_at(stepper, at) > 0)) {

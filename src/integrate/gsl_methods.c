@@ -66,9 +66,8 @@ static jlt_status step(jlt_stepper *stepper, double limit)
     double h = stepper->direction * asked, taken = 0;
 
     memcpy(self->trial, stepper->x, stepper->columns * sizeof *self->trial);
-    const jlt_status st = jlt_gsl_ode_step(self->ode, self->trial, &h, &taken, &stepper->rejected,
-                                           stepper->direction * jlt_smaller(reach, 1e300));
-    if (st != JLT_OK) return st;
+    JLT_PASS(jlt_gsl_ode_step(self->ode, self->trial, &h, &taken, &stepper->rejected,
+                              stepper->direction * jlt_smaller(reach, 1e300)));
     if (jlt_step_vanishes(stepper->tau, taken)) return JLT_ERR_NO_PROGRESS;
     stepper->h = taken;
     /* A step cut short by the limit alone says nothing against the longer one. */

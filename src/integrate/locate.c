@@ -37,8 +37,7 @@ double jlt_locate_unit(const jlt_event *event, const jlt_stepper *stepper)
 jlt_status jlt_locate_state(const jlt_event *event, jlt_stepper *stepper, double theta, double *x, double *f, double *value,
                             double *slope)
 {
-    const jlt_status st = stepper->method->partial(stepper, theta, x);
-    if (st != JLT_OK) return st;
+    JLT_PASS(stepper->method->partial(stepper, theta, x));
     jlt_field_rates(stepper->field, f, x);
     stepper->evaluations++;
     *value = jlt_locate_value(event, x);
@@ -64,7 +63,6 @@ static double nudge(jlt_stepper *stepper, const jlt_event *event, double *x, dou
 jlt_status jlt_locate_refine(jlt_crossing *crossing, double *x, double *slope_work, const jlt_event *event,
                                jlt_stepper *stepper)
 {
-    jlt_status st = JLT_OK;
     double *f = slope_work, *theta = &crossing->theta;
     double lo = fmax(*theta - 0.5, -0.01), hi = fmin(*theta + 0.5, 1.01); /* shrinks about the sign change */
     const double span = fabs(stepper->h), turn = crossing->direction * stepper->direction;
@@ -72,8 +70,8 @@ jlt_status jlt_locate_refine(jlt_crossing *crossing, double *x, double *slope_wo
     double best = *theta, least = INFINITY;
     unsigned nudged = 0;
 
-    JLT_TRY(jlt_locate_state(event, stepper, *theta, x, f, &crossing->residual, &crossing->slope));
-    if (crossing->direction == 0) goto done;
+    JLT_PASS(jlt_locate_state(event, stepper, *theta, x, f, &crossing->residual, &crossing->slope));
+    if (crossing->direction == 0) return JLT_OK;
     for (unsigned i = 0; i < 64; i++) {
         if (fabs(crossing->residual) < least) {
             least = fabs(crossing->residual);
@@ -81,8 +79,8 @@ jlt_status jlt_locate_refine(jlt_crossing *crossing, double *x, double *slope_wo
         }
         const double g = crossing->residual, move = -g / crossing->slope, near = fabs(move) / span;
         const bool downhill = crossing->slope * stepper->direction * turn > 0;
-        if (g == 0 || (downhill && fabs(move) <= DBL_EPSILON * span)) goto done;
-        if (nudged == 3) goto done; /* at the rounding level of g */
+        if (g == 0 || (downhill && fabs(move) <= DBL_EPSILON * span)) return JLT_OK;
+        if (nudged == 3) return JLT_OK; /* at the rounding level of g */
         /* On steps that gauss takes, nudge errs by less than a third of the cube of its move. */
         if (downhill && near * near * near <= jlt_larger(1e-3 * stepper->tolerance, 1e-18)) {
             *theta += nudge(stepper, event, x, f, g, move) / stepper->h;
@@ -98,15 +96,13 @@ jlt_status jlt_locate_refine(jlt_crossing *crossing, double *x, double *slope_wo
         /* A rounding-level tangency has no sign change; keep the point of smallest residual. */
         const bool closed = hi - lo <= DBL_EPSILON;
         if (closed) *theta = best;
-        JLT_TRY(jlt_locate_state(event, stepper, *theta, x, f, &crossing->residual, &crossing->slope));
-        if (closed) goto done;
+        JLT_PASS(jlt_locate_state(event, stepper, *theta, x, f, &crossing->residual, &crossing->slope));
+        if (closed) return JLT_OK;
     }
     /* Where errors of partial steps are larger than the orbit's motion, any point within them is as good as the zero. */
-    st = JLT_ERR_NO_CONVERGENCE;
     if (event->value == NULL && least <= jlt_locate_noise(stepper->asked) * jlt_locate_unit(event, stepper)) {
         *theta = best;
-        st = jlt_locate_state(event, stepper, best, x, f, &crossing->residual, &crossing->slope);
+        return jlt_locate_state(event, stepper, best, x, f, &crossing->residual, &crossing->slope);
     }
-done:
-    return st;
+    return JLT_ERR_NO_CONVERGENCE;
 }

@@ -85,8 +85,7 @@ jlt_status jlt_orbit_start(jlt_orbit *self, double t, const double *x, int direc
     self->watch_count = self->pending_count = self->next_pending = 0;
     self->cursor = 1;
     self->pole.ends = false;
-    const jlt_status st = jlt_stepper_start(self->stepper, t, x, direction, self->options.first_step);
-    if (st != JLT_OK) return st;
+    JLT_PASS(jlt_stepper_start(self->stepper, t, x, direction, self->options.first_step));
     jlt_invariant_begin(&self->invariants, &self->options.invariants, self->stepper->x);
     return look_for_pole(self);
 }
@@ -138,8 +137,7 @@ static jlt_status locate_step(jlt_orbit *self)
     self->pending_count = self->next_pending = 0;
     for (unsigned e = 0; e < self->watch_count; e++) {
         unsigned count;
-        const jlt_status st = jlt_watch_step(&self->watch[e], self->stepper, list, &count);
-        if (st != JLT_OK) return st;
+        JLT_PASS(jlt_watch_step(&self->watch[e], self->stepper, list, &count));
         for (unsigned i = 0; i < count; i++) {
             unsigned at = self->pending_count++;
             list[i].event = e;
@@ -205,33 +203,30 @@ static jlt_status hand_out_time(jlt_orbit *self, jlt_outcome *out, double t_end)
     jlt_stepper *stepper = self->stepper;
     const double now = jlt_stepper_time(stepper), from = time_at_start(stepper);
     jlt_crossing at = { .theta = now == from ? 1 : (t_end - from) / (now - from), .direction = 1 };
-    jlt_status st = JLT_OK;
 
     if (at_time(stepper, t_end)) {
         hand_out_point(self, out, JLT_END_TIME);
     } else if (stepper->columns == stepper->field->dim) {
-        JLT_TRY(stepper->method->partial(stepper, at.theta, self->at));
+        JLT_PASS(stepper->method->partial(stepper, at.theta, self->at));
         hand_out(self, out, JLT_END_TIME, at.theta);
     } else {
         const jlt_event clock = { .column = stepper->field->dim, .level = t_end };
-        JLT_TRY(jlt_locate_refine(&at, self->at, self->slope, &clock, stepper));
+        JLT_PASS(jlt_locate_refine(&at, self->at, self->slope, &clock, stepper));
         hand_out(self, out, JLT_END_TIME, at.theta);
     }
     out->t = t_end;
-done:
-    return st;
+    return JLT_OK;
 }
 
 /* Hand out what the last step still holds: a crossing, or t_end, whichever is first. *found: whether there was one. */
 static jlt_status rest_of_step(jlt_orbit *self, jlt_outcome *out, bool *found, double t_end)
 {
-    jlt_status st = JLT_OK;
     jlt_stepper *stepper = self->stepper;
     *found = false;
 
     if (self->next_pending < self->pending_count) {
         jlt_crossing crossing = self->pending[self->next_pending];
-        JLT_TRY(jlt_watch_refine(&self->watch[crossing.event], &crossing, self->at, self->slope, stepper));
+        JLT_PASS(jlt_watch_refine(&self->watch[crossing.event], &crossing, self->at, self->slope, stepper));
         const double theta = fmax(crossing.theta, self->cursor < 1 ? self->cursor : 0);
         const double t = stepper->columns > stepper->field->dim ? self->at[stepper->field->dim]
                                                                 : stepper->tau_start + theta * stepper->h;
@@ -244,11 +239,10 @@ static jlt_status rest_of_step(jlt_orbit *self, jlt_outcome *out, bool *found, d
         }
     }
     if ((jlt_stepper_time(stepper) - t_end) * stepper->direction >= 0 || at_time(stepper, t_end)) {
-        JLT_TRY(hand_out_time(self, out, t_end));
+        JLT_PASS(hand_out_time(self, out, t_end));
         *found = true;
     }
-done:
-    return st;
+    return JLT_OK;
 }
 
 static void hand_out_pole(jlt_orbit *self, jlt_outcome *out)
@@ -265,16 +259,13 @@ static void hand_out_pole(jlt_orbit *self, jlt_outcome *out)
 /* Make one step, then watch invariants, locate crossings, and look for a pole. */
 static jlt_status advance(jlt_orbit *self, double limit)
 {
-    jlt_status st = JLT_OK;
-    JLT_TRY(jlt_stepper_advance(self->stepper, limit));
+    JLT_PASS(jlt_stepper_advance(self->stepper, limit));
     self->cursor = 0;
     if (self->options.invariants.count > 0)
-        JLT_TRY(jlt_invariant_watch_step(&self->invariants, &self->options.invariants, self->stepper,
-                                         self->options.project));
-    JLT_TRY(locate_step(self));
-    JLT_TRY(look_for_pole(self));
-done:
-    return st;
+        JLT_PASS(jlt_invariant_watch_step(&self->invariants, &self->options.invariants, self->stepper,
+                                          self->options.project));
+    JLT_PASS(locate_step(self));
+    return look_for_pole(self);
 }
 
 /* The longest step that the events allow. */
@@ -347,8 +338,7 @@ jlt_status jlt_orbit_sample(jlt_orbit *self, double *states, size_t *done, const
     jlt_outcome out;
 
     for (*done = 0; *done < count; ++*done) {
-        const jlt_status st = jlt_orbit_next(self, times[*done], NULL, 0, &out);
-        if (st != JLT_OK) return st;
+        JLT_PASS(jlt_orbit_next(self, times[*done], NULL, 0, &out));
         if (out.end == JLT_END_POLE) return JLT_ERR_DOMAIN;
         if (out.end != JLT_END_TIME) return JLT_OK;
         memcpy(states + *done * dim, out.x, dim * sizeof *states);

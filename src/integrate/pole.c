@@ -21,8 +21,7 @@ jlt_status jlt_pole_judge(jlt_pole_verdict *out, const jlt_stepper *stepper)
     out->mu = s > 0 ? -rate / s * stepper->direction : INFINITY;
     if (!(out->mu > 0)) return JLT_OK;
 
-    const jlt_status st = jlt_approach_judge(&out->approach, stepper);
-    if (st != JLT_OK) return st;
+    JLT_PASS(jlt_approach_judge(&out->approach, stepper));
     out->ends = jlt_approach_is_known(&out->approach, stepper);
     /* A field with a root has a time of its own. */
     const double time_rate = stepper->columns > field->dim ? stepper->f[field->dim] : 1;

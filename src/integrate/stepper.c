@@ -146,26 +146,22 @@ static jlt_status step_back(jlt_stepper *self)
  * the longer step's polynomial was good enough. Returns DOMAIN, at the step's start, if that is so near that none can be made. */
 static jlt_status approach_edge(jlt_stepper *self, double theta)
 {
-    jlt_status st = JLT_OK;
-
     for (int attempt = 0; attempt < ATTEMPTS_MAX && self->approaches < APPROACHES_MAX; attempt++) {
         const double length = fabs(self->h);
-        JLT_TRY(jlt_edge_find(&theta, self));
-        JLT_TRY(step_back(self));
+        JLT_PASS(jlt_edge_find(&theta, self));
+        JLT_PASS(step_back(self));
         self->rejected++;
         if (!(theta > 0) || self->method->step(self, theta * length) != JLT_OK) return JLT_ERR_DOMAIN;
         self->dense_ready = false;
-        JLT_TRY(jlt_edge_left(&theta, self));
+        JLT_PASS(jlt_edge_left(&theta, self));
         if (theta > 1) {
             self->approaches++;
             self->at_edge = jlt_edge_reached(self);
             return JLT_OK;
         }
     }
-    JLT_TRY(step_back(self));
-    st = JLT_ERR_DOMAIN;
-done:
-    return st;
+    JLT_PASS(step_back(self));
+    return JLT_ERR_DOMAIN;
 }
 
 /* Keep the last step if it stays in the domain, else replace it by a shorter one. On failure no step is taken. */

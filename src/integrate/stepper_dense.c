@@ -26,8 +26,7 @@ jlt_status jlt_stepper_dense(jlt_stepper *self)
         self->dense_degree = 0;
         self->dense_error = 0;
     } else {
-        const jlt_status st = self->method->dense(self);
-        if (st != JLT_OK) return st;
+        JLT_PASS(self->method->dense(self));
         meet_end(self);
     }
     self->dense_ready = true;

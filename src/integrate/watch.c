@@ -125,8 +125,7 @@ static unsigned value_polynomial(double *b, const jlt_event *event, const jlt_st
 static jlt_status event_polynomial(double *b, unsigned *degree, const jlt_event *event, jlt_stepper *stepper)
 {
     if (event->value != NULL || stepper->method->bernstein == NULL) {
-        const jlt_status st = jlt_stepper_dense(stepper);
-        if (st != JLT_OK) return st;
+        JLT_PASS(jlt_stepper_dense(stepper));
     }
     if (event->value != NULL) *degree = value_polynomial(b, event, stepper);
     else column_polynomial(b, degree, event, stepper);
@@ -152,8 +151,7 @@ static jlt_status refine_extremum(extremum *e, const jlt_event *event, jlt_stepp
     double x[JLT_FIELD_DIM_MAX + 8], f[JLT_FIELD_DIM_MAX + 8], slope;
 
     for (unsigned i = 0; i < 3; i++) {
-        const jlt_status st = jlt_locate_state(event, stepper, e->theta, x, f, &e->value, &slope);
-        if (st != JLT_OK) return st;
+        JLT_PASS(jlt_locate_state(event, stepper, e->theta, x, f, &e->value, &slope));
         const double move = -slope * stepper->h / e->bend;
         if (!(fabs(move) < 0.25)) break;
         e->value += 0.5 * slope * stepper->h * move;
@@ -212,8 +210,7 @@ static jlt_status settle_touches(zeros *z, const jlt_watch *self, jlt_stepper *s
         e.bend = jlt_bernstein_value(bend, degree - 2, e.theta);
         if (e.bend == 0 || 0.5 * fabs(e.bend) < noise) continue;
         e.past = e.value * e.bend < 0;
-        const jlt_status st = refine_extremum(&e, &self->event, stepper);
-        if (st != JLT_OK) return st;
+        JLT_PASS(refine_extremum(&e, &self->event, stepper));
         if (e.theta > 0 && e.theta < 1) settle_pair(z, &e, noise);
     }
     return JLT_OK;
@@ -289,7 +286,6 @@ static jlt_status keep_zero(jlt_watch *self, jlt_stepper *stepper, double before
 
 jlt_status jlt_watch_step(jlt_watch *self, jlt_stepper *stepper, jlt_crossing *list, unsigned *count)
 {
-    jlt_status st = JLT_OK;
     double before = jlt_locate_value(&self->event, stepper->x_start), after = jlt_locate_value(&self->event, stepper->x);
     double b[SIZE], touch[SIZE], least, most;
     unsigned degree, touches = 0, divided = 0;
@@ -301,8 +297,8 @@ jlt_status jlt_watch_step(jlt_watch *self, jlt_stepper *stepper, jlt_crossing *l
     const double noise = self->event.value == NULL ? jlt_locate_noise(stepper->asked) * jlt_locate_unit(&self->event, stepper) : 0;
     if (fabs(before) > noise) self->has_zero = false;
     if (stays_away(self, stepper, before, after)) return JLT_OK;
-    if (self->side != 0 && fabs(after) <= noise) JLT_TRY(keep_zero(self, stepper, before, after, noise));
-    JLT_TRY(event_polynomial(b, &degree, &self->event, stepper));
+    if (self->side != 0 && fabs(after) <= noise) JLT_PASS(keep_zero(self, stepper, before, after, noise));
+    JLT_PASS(event_polynomial(b, &degree, &self->event, stepper));
     if (fabs(before) <= noise) before = 0;
     if (fabs(after) <= noise) after = 0;
     b[0] = before;
@@ -323,7 +319,7 @@ jlt_status jlt_watch_step(jlt_watch *self, jlt_stepper *stepper, jlt_crossing *l
     /* A single crossing in a direction that is not asked for need not be located. */
     if (touches == 0 && jlt_bernstein_variations(b, degree) == 1 && !asked_for(self, stepper, -side)) z.roots[z.count++] = 0.5;
     else z.count = jlt_bernstein_sign_changes(z.roots, b, degree);
-    if (touches > 0) JLT_TRY(settle_touches(&z, self, stepper, b, degree, touch, touches, terms));
+    if (touches > 0) JLT_PASS(settle_touches(&z, self, stepper, b, degree, touch, touches, terms));
     side = drop_noise(&z, b, degree, divided, starts_on, after == 0, side, noise);
 
     if (self->side != 0 && side == -self->side) note(list, count, self, stepper, 0, side);
@@ -334,8 +330,7 @@ jlt_status jlt_watch_step(jlt_watch *self, jlt_stepper *stepper, jlt_crossing *l
     for (unsigned i = 0; i < z.touches; i++) note(list, count, self, stepper, z.touch[i], 0);
     /* A value of exactly 0 at the end leaves the decision to the next step. */
     self->side = after != 0 ? sign(after) : side;
-done:
-    return st;
+    return JLT_OK;
 }
 
 jlt_status jlt_watch_refine(const jlt_watch *self, jlt_crossing *crossing, double *x, double *slope_work, jlt_stepper *stepper)

@@ -18,14 +18,12 @@ jlt_status jlt_kernel_eval_function(double *out, jlt_kernel_function function, s
 {
     double result[JLT_KERNEL_OUTPUTS_MAX];
     jlt_guard guard;
-    jlt_status st;
 
     if (function == NULL || outputs > JLT_KERNEL_OUTPUTS_MAX) return JLT_ERR_UNSUPPORTED;
     if ((x != NULL && !all_finite(x, count)) || !all_finite(params, param_count)) return JLT_ERR_NONFINITE;
     jlt_guard_enter(&guard);
     function(x, params, result);
-    st = jlt_guard_leave(&guard);
-    if (st != JLT_OK) return st;
+    JLT_PASS(jlt_guard_leave(&guard));
     if (!all_finite(result, outputs)) return JLT_ERR_NONFINITE;
     memcpy(out, result, outputs * sizeof *out);
     return JLT_OK;
@@ -41,14 +39,12 @@ jlt_status jlt_kernel_prepare_params(double *prepared, const jlt_descriptor *des
 {
     double result[JLT_KERNEL_OUTPUTS_MAX];
     jlt_guard guard;
-    jlt_status st;
 
     if (descriptor->prepare == NULL || descriptor->prepared_count > JLT_KERNEL_OUTPUTS_MAX) return JLT_ERR_UNSUPPORTED;
     if (!all_finite(params, descriptor->param_count)) return JLT_ERR_NONFINITE;
     jlt_guard_enter(&guard);
     descriptor->prepare(params, result);
-    st = jlt_guard_leave(&guard);
-    if (st != JLT_OK) return st;
+    JLT_PASS(jlt_guard_leave(&guard));
     if (!all_finite(result, descriptor->prepared_count)) return JLT_ERR_NONFINITE;
     memcpy(prepared, result, descriptor->prepared_count * sizeof *prepared);
     return JLT_OK;

@@ -200,10 +200,9 @@ static bool write_all(int descriptor, const char *data, size_t size)
 jlt_status jlt_file_write(const char *path, const char *data, size_t size)
 {
     jlt_file file;
-    jlt_status st = jlt_file_begin(&file, path);
 
-    if (st != JLT_OK) return st;
-    st = write_all(file.descriptor, data, size) ? jlt_file_commit(&file) : JLT_ERR_IO;
+    JLT_PASS(jlt_file_begin(&file, path));
+    const jlt_status st = write_all(file.descriptor, data, size) ? jlt_file_commit(&file) : JLT_ERR_IO;
     jlt_file_end(&file);
     return st;
 }

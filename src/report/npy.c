@@ -120,17 +120,14 @@ void jlt_npy_destroy(jlt_npy *self)
 /* Write the rows first, then the header, so that the header never counts a row that is not in the file. */
 jlt_status jlt_npy_flush(jlt_npy *self)
 {
-    jlt_status st = JLT_OK;
-
     if (self->form.count == 0) return JLT_ERR_ARG; /* there is no table */
     if (fflush(self->notes) != 0) return JLT_ERR_NOMEM;
-    JLT_TRY(jlt_file_put(self->place, self->block, self->held, self->head + self->form.rows * self->width));
+    JLT_PASS(jlt_file_put(self->place, self->block, self->held, self->head + self->form.rows * self->width));
     self->form.rows += self->held / self->width;
     self->held = 0;
-    JLT_TRY(write_head(self));
+    JLT_PASS(write_head(self));
     self->place->whole = self->head + self->form.rows * self->width;
-done:
-    return st;
+    return JLT_OK;
 }
 
 /* Write a field's old bytes, a text of another width or a number, as text of this width. */
@@ -159,25 +156,22 @@ static jlt_status widen(jlt_npy *self, size_t index, size_t width)
     const bool was_text = column->is_text;
     const size_t was_head = self->head, was_row = self->width, was_width = width_of(column);
     size_t before = 0;
-    jlt_status st = jlt_npy_flush(self);
 
-    if (st != JLT_OK) return st;
+    JLT_PASS(jlt_npy_flush(self));
     for (size_t i = 0; i < index; i++) before += width_of(&self->form.columns[i]);
     column->width = (width + NUMBER - 1) / NUMBER * NUMBER;
     if (!was_text && self->form.rows > 0 && column->width < JLT_DIGITS_SIZE) column->width = JLT_DIGITS_SIZE;
     column->is_text = true;
-    JLT_TRY(measure(self));
+    JLT_PASS(measure(self));
     char *const from = self->block, *const to = self->block + BLOCK / 2; /* both free: all rows are in the file */
     for (size_t i = self->form.rows; i-- > 0;) {
-        JLT_TRY(jlt_file_get(self->place, from, was_row, was_head + i * was_row));
+        JLT_PASS(jlt_file_get(self->place, from, was_row, was_head + i * was_row));
         memcpy(to, from, before);
         put_text(to + before, column->width, from + before, was_text, was_width);
         memcpy(to + before + column->width, from + before + was_width, was_row - before - was_width);
-        JLT_TRY(jlt_file_put(self->place, to, self->width, self->head + i * self->width));
+        JLT_PASS(jlt_file_put(self->place, to, self->width, self->head + i * self->width));
     }
-    st = jlt_npy_flush(self);
-done:
-    return st;
+    return jlt_npy_flush(self);
 }
 
 /* Returns false if the column holds numbers and the field is a text, or the field is too long for it. */
@@ -205,9 +199,8 @@ static jlt_status put_row(jlt_npy *self, char *const *fields, const char *line)
 {
     const char *field = line;
     char *to;
-    jlt_status st = JLT_OK;
 
-    if (self->held + self->width > BLOCK) JLT_TRY(jlt_npy_flush(self));
+    if (self->held + self->width > BLOCK) JLT_PASS(jlt_npy_flush(self));
     to = self->block + self->held;
     for (size_t i = 0; i < self->form.count; i++) {
         const jlt_table_column *column = &self->form.columns[i];
@@ -215,15 +208,14 @@ static jlt_status put_row(jlt_npy *self, char *const *fields, const char *line)
         const char *end = jlt_table_field_end(field);
         if (fields == NULL && (*end == ',') != (i + 1 < self->form.count)) return JLT_ERR_ARG;
         if (!put_field(to, column, field, end)) {
-            JLT_TRY(widen(self, i, (size_t)(end - field)));
+            JLT_PASS(widen(self, i, (size_t)(end - field)));
             return put_row(self, fields, line);
         }
         to += width_of(column);
         field = end + 1;
     }
     self->held += self->width;
-done:
-    return st;
+    return JLT_OK;
 }
 
 jlt_status jlt_npy_row(jlt_npy *self, char *const *fields)

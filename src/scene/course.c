@@ -132,18 +132,16 @@ static jlt_status open_leg(jlt_course *self, unsigned candidate, const double *x
     };
     jlt_tier tier = self->plan.candidates[candidate].tier;
     char refusal[JLT_TIER_TEXT_MAX];
-    jlt_status st = JLT_OK;
 
     tier.units = self->units;
-    JLT_TRY(jlt_leg_open(next, refusal, &tier, self->params, x, t, self->direction,
-                         o->method != NULL ? o->method : jlt_method_find(NULL), &to_orbit));
+    JLT_PASS(jlt_leg_open(next, refusal, &tier, self->params, x, t, self->direction,
+                          o->method != NULL ? o->method : jlt_method_find(NULL), &to_orbit));
     if (self->leg != NULL) jlt_leg_close(self->leg);
     self->leg = next;
     if (jlt_observed_conditions(self->conditions.observed) > 0) jlt_orbit_observe(self->leg->orbit, watch_conditions, self);
     self->taken = candidate;
-    if (self->question.more) JLT_TRY(jlt_course_more_follow(&self->more, next, self->question.model, &self->units));
-done:
-    return st;
+    if (self->question.more) JLT_PASS(jlt_course_more_follow(&self->more, next, self->question.model, &self->units));
+    return JLT_OK;
 }
 
 /* Set the kernel's params, which headers print, to their values in the table's units. */
@@ -153,13 +151,12 @@ static jlt_status tell_params(jlt_course *self)
     double y[JLT_WAY_VALUES_MAX];
     char refusal[JLT_TIER_TEXT_MAX];
     jlt_tier_view told;
-    const jlt_status st = jlt_tier_open(&told, y, refusal, &self->plan.candidates[self->taken].tier, self->question.params,
-                                        self->question.start);
 
-    if (st != JLT_OK) return st;
+    JLT_PASS(jlt_tier_open(&told, y, refusal, &self->plan.candidates[self->taken].tier, self->question.params,
+                           self->question.start));
     memcpy(kernel->params, told.instance->params, kernel->descriptor->param_count * sizeof *kernel->params);
     jlt_tier_close(&told);
-    return st;
+    return JLT_OK;
 }
 
 static void copy_question(jlt_course *self, const jlt_plan *plan, const jlt_question *question, const jlt_course_options *options)
@@ -357,8 +354,6 @@ static jlt_status along_orbit(jlt_course *self, double t, jlt_course_row *row)
 
 jlt_status jlt_course_to(jlt_course *self, double t, jlt_course_row *row)
 {
-    jlt_status st = JLT_OK;
-
     row->x = NULL; /* until a point is reached */
     row->lost_at = row->unknown_at = NAN;
     row->lost = row->unknown = NULL;
@@ -371,11 +366,10 @@ jlt_status jlt_course_to(jlt_course *self, double t, jlt_course_row *row)
     }
     self->direction = t < self->t ? -1 : 1;
     if (!self->is_rod) return along_orbit(self, t, row);
-    JLT_TRY(jlt_rod_at(&self->rod, self->x, t));
+    JLT_PASS(jlt_rod_at(&self->rod, self->x, t));
     self->t = t;
     fill(self, row, JLT_END_TIME, t);
-done:
-    return st;
+    return JLT_OK;
 }
 
 void jlt_course_cost(const jlt_course *self, size_t *steps, size_t *evaluations)

@@ -53,12 +53,10 @@ jlt_status jlt_course_units(jlt_units *out, const jlt_plan *plan, const jlt_ques
     const jlt_tier *tier = &plan->candidates[plan->chosen].tier;
     bool scales = question->model->scales;
     jlt_units units;
-    jlt_status st = JLT_OK;
 
     *out = (jlt_units){ 0 };
-    JLT_TRY(jlt_instance_units(&units, question->model, question->params, question->start));
-    if (scales && tier->way_count > 0) JLT_TRY(jlt_course_units_serve(&scales, tier, question->params, question->start, &units));
+    JLT_PASS(jlt_instance_units(&units, question->model, question->params, question->start));
+    if (scales && tier->way_count > 0) JLT_PASS(jlt_course_units_serve(&scales, tier, question->params, question->start, &units));
     if (scales) *out = units;
-done:
-    return st;
+    return JLT_OK;
 }

@@ -26,9 +26,8 @@ static jlt_status lift(double *x, const jlt_way *way, const jlt_system *system, 
     const jlt_surface *surface = system->surface;
     const jlt_chart_section *chart = jlt_surface_chart(system);
     double on_level[JLT_CHART_STATES_MAX], values[JLT_CHART_VALUES_MAX];
-    const jlt_status st = chart->base.lift(&chart->base, on_level, NULL, q);
 
-    if (st != JLT_OK) return st;
+    JLT_PASS(chart->base.lift(&chart->base, on_level, NULL, q));
     jlt_surface_arrange(values, surface, system->values);
     way->back(on_level, values, x);
     return JLT_OK;

@@ -88,11 +88,10 @@ jlt_status jlt_handle_section_known(jlt_handle_section **out, const char *model,
     jlt_surface surface;
     double all[JLT_CHART_VALUES_MAX];
     jlt_system *system = NULL;
-    jlt_status st;
 
     *out = NULL;
-    JLT_TRY(find_model(&d, model));
-    JLT_TRY(jlt_surface_find(&surface, &broken, d, NULL, NULL));
+    JLT_PASS(find_model(&d, model));
+    JLT_PASS(jlt_surface_find(&surface, &broken, d, NULL, NULL));
     if (broken != NULL) return JLT_ERR_UNSUPPORTED;
     memcpy(all, surface.defaults, surface.count * sizeof *all);
     for (size_t i = 0; i < count; i++) {
@@ -100,10 +99,8 @@ jlt_status jlt_handle_section_known(jlt_handle_section **out, const char *model,
         if (index == surface.count) return JLT_ERR_ARG;
         all[index] = values[i];
     }
-    JLT_TRY(jlt_surface_system(&system, &surface, all, &options));
-    st = open_section(out, system);
-done:
-    return st;
+    JLT_PASS(jlt_surface_system(&system, &surface, all, &options));
+    return open_section(out, system);
 }
 
 /* Make the states angles that the table proves to be periodic. */
@@ -178,29 +175,23 @@ static jlt_status count(jlt_handle_section *self, const double *q)
 {
     const jlt_chart *chart = self->system->flow.chart;
     double sizes[JLT_CHART_STATES_MAX] = { 0 };
-    jlt_status st = JLT_OK;
 
     for (unsigned i = 0; i < chart->states; i++)
         if (jlt_chart_is_coordinate(chart, i)) sizes[i] = fabs(*q++);
     sizes[chart->column] = fabs(self->system->chart.plane.level);
     jlt_section_destroy(self->section);
     self->section = NULL;
-    JLT_TRY(jlt_system_count(self->system, sizes));
-    st = jlt_section_create(&self->section, &self->system->flow);
-done:
-    return st;
+    JLT_PASS(jlt_system_count(self->system, sizes));
+    return jlt_section_create(&self->section, &self->system->flow);
 }
 
 jlt_status jlt_handle_section_start(jlt_handle_section *self, const double *q, int time_direction)
 {
-    jlt_status st = JLT_OK;
-
     self->started = false;
-    if (self->system->surface == NULL) JLT_TRY(count(self, q));
-    st = jlt_section_start(self->section, &self->at, q, time_direction);
-    self->started = st == JLT_OK;
-done:
-    return st;
+    if (self->system->surface == NULL) JLT_PASS(count(self, q));
+    JLT_PASS(jlt_section_start(self->section, &self->at, q, time_direction));
+    self->started = true;
+    return JLT_OK;
 }
 
 /* Write the last return into arrays; columns may be NULL. */
@@ -221,18 +212,16 @@ jlt_status jlt_handle_section_returns(jlt_handle_section *self, double *q, doubl
                                       size_t count)
 {
     const size_t dim = jlt_handle_section_dim(self), width = jlt_handle_section_columns(self);
-    jlt_status st = JLT_OK;
 
     *done = 0;
     if (!self->started) return JLT_ERR_ARG;
     while (*done < count && self->at.fate == JLT_FATE_ALIVE) {
-        JLT_TRY(jlt_section_next(self->section, &self->at));
+        JLT_PASS(jlt_section_next(self->section, &self->at));
         tell_row(self, q + *done * dim, t + *done, columns != NULL ? columns + *done * width : NULL);
         ++*done;
     }
     *fate = (int)self->at.fate;
-done:
-    return st;
+    return JLT_OK;
 }
 
 /* ---- states at times ---- */
@@ -285,18 +274,15 @@ jlt_status jlt_handle_motion_start(jlt_handle_motion *self, const double *x)
     jlt_plan plan;
     double value;
     size_t index;
-    jlt_status st;
 
     jlt_course_destroy(self->course);
     self->course = NULL;
     self->ended = false;
     self->fate = JLT_FATE_ALIVE;
-    JLT_TRY(jlt_descriptor_check_state(self->model, x, &index));
-    JLT_TRY(jlt_region_check(&region, &value, self->model, self->params, x));
-    JLT_TRY(jlt_plan_make(&plan, &question));
-    st = jlt_course_create(&self->course, &plan, &question, &options);
-done:
-    return st;
+    JLT_PASS(jlt_descriptor_check_state(self->model, x, &index));
+    JLT_PASS(jlt_region_check(&region, &value, self->model, self->params, x));
+    JLT_PASS(jlt_plan_make(&plan, &question));
+    return jlt_course_create(&self->course, &plan, &question, &options);
 }
 
 /* Set the orbit's fate from a row. st: the status of the call that made the row. Returns false if st is an error of the call and

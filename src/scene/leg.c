@@ -64,7 +64,6 @@ const char *jlt_leg_unbounded(const jlt_leg *self, double t)
 jlt_status jlt_leg_to(jlt_leg *self, double t, jlt_outcome *outcome, unsigned *edge)
 {
     jlt_tier_edges *edges = &self->edges;
-    jlt_status st = JLT_OK;
 
     *outcome = (jlt_outcome){ .end = JLT_END_TIME };
     *edge = edges->count;
@@ -77,15 +76,12 @@ jlt_status jlt_leg_to(jlt_leg *self, double t, jlt_outcome *outcome, unsigned *e
                 *edge = i;
                 return JLT_ERR_DOMAIN;
             }
-        JLT_TRY(jlt_orbit_start(self->orbit, sense(self) * self->t, self->y, self->direction * sense(self)));
+        JLT_PASS(jlt_orbit_start(self->orbit, sense(self) * self->t, self->y, self->direction * sense(self)));
     }
-    st = jlt_orbit_next(self->orbit, sense(self) * t, edges->events, edges->count, outcome);
+    const jlt_status st = jlt_orbit_next(self->orbit, sense(self) * t, edges->events, edges->count, outcome);
     if (outcome->x != NULL) memcpy(self->y, outcome->x, self->field.dim * sizeof *self->y);
-    if (st == JLT_OK && outcome->end == JLT_END_EVENT) {
-        *edge = outcome->crossing.event;
-        outcome->end = JLT_END_TIME;
-        st = JLT_ERR_DOMAIN;
-    }
-done:
-    return st;
+    if (st != JLT_OK || outcome->end != JLT_END_EVENT) return st;
+    *edge = outcome->crossing.event;
+    outcome->end = JLT_END_TIME;
+    return JLT_ERR_DOMAIN;
 }

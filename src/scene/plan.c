@@ -78,10 +78,9 @@ static jlt_status judge_way(jlt_candidate *out, const jlt_tier *tier, const jlt_
 {
     jlt_candidate c = { .tier = *tier };
     const char *refusal = NULL;
-    jlt_status st = JLT_OK;
 
     if (tier->table == NULL) refusal = jlt_rod_refuses(&c.broken, question->model, question->params, question->start);
-    else JLT_TRY(try_tier(&c, question));
+    else JLT_PASS(try_tier(&c, question));
     if (question->section && (c.descriptor == NULL || c.descriptor->family[0]->section_count == 0 || tier->elimination[0] != '\0'))
         refusal = "its table describes no section";
     else if (c.refusal[0] == '\0' && refusal == NULL && question->more
@@ -90,8 +89,7 @@ static jlt_status judge_way(jlt_candidate *out, const jlt_tier *tier, const jlt_
     if (refusal != NULL) snprintf(c.refusal, sizeof c.refusal, "%s", refusal);
     if (c.refusal[0] == '\0') say_unproved(c.refusal, sizeof c.refusal, &c.broken, tier, question->others);
     *out = c;
-done:
-    return st;
+    return JLT_OK;
 }
 
 /* Judge a tier by all ways to its table, and take the first by which it serves; if none does, keep the refusal of the first way.
@@ -114,7 +112,6 @@ jlt_status jlt_plan_make(jlt_plan *out, const jlt_question *question)
     jlt_plan plan = { .forced = question->tier != NULL };
     const bool own = plan.forced && strcmp(question->tier, "model") == 0;
     bool found = false;
-    jlt_status st = JLT_OK;
 
     if (plan.forced && !jlt_tier_find(&named, question->model, question->others, question->tier)) return JLT_ERR_ARG;
     plan.count = own ? 1 : jlt_tier_list(tiers, question->model, question->others);
@@ -122,18 +119,14 @@ jlt_status jlt_plan_make(jlt_plan *out, const jlt_question *question)
     plan.reduced = jlt_descriptor_choose(question->model, NULL, NULL, question->params);
     if (plan.reduced == NULL) return JLT_ERR_UNSUPPORTED;
     for (unsigned i = 0; i < plan.count; i++) {
-        JLT_TRY(judge(&plan.candidates[i], &tiers[i], question));
+        JLT_PASS(judge(&plan.candidates[i], &tiers[i], question));
         const bool wanted = plan.forced ? strcmp(tiers[i].name, question->tier) == 0 : !tiers[i].by_name;
         if (!wanted || found || (plan.candidates[i].refusal[0] != '\0' && !plan.forced)) continue;
         plan.chosen = i;
         found = true;
     }
-    st = JLT_ERR_UNSUPPORTED;
     *out = plan;
-    if (!found) goto done;
-    if (plan.candidates[plan.chosen].refusal[0] == '\0') st = JLT_OK;
-done:
-    return st;
+    return found && plan.candidates[plan.chosen].refusal[0] == '\0' ? JLT_OK : JLT_ERR_UNSUPPORTED;
 }
 
 bool jlt_plan_serves(jlt_tier *by, const jlt_candidate *candidate, const jlt_question *question, const double *start)

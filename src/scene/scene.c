@@ -25,15 +25,13 @@ static jlt_status add_option(jlt_scene_job *job, const jlt_key *key, const char 
 
 static jlt_status take(const jlt_value_reader *r, jlt_scene_job *job, const jlt_key *key, const config_setting_t *setting)
 {
-    jlt_status st = JLT_OK;
     jlt_value v = { .used = 0 };
 
-    JLT_TRY(jlt_value_read(r, setting, &v, key));
-    if (key->kind != JLT_KEY_FLAG) JLT_TRY(add_option(job, key, v.text, jlt_value_line(setting)));
+    JLT_PASS(jlt_value_read(r, setting, &v, key));
+    if (key->kind != JLT_KEY_FLAG) JLT_PASS(add_option(job, key, v.text, jlt_value_line(setting)));
     else if (config_setting_get_bool(setting) == CONFIG_TRUE)
-        JLT_TRY(add_option(job, key, NULL, jlt_value_line(setting)));
-done:
-    return st;
+        JLT_PASS(add_option(job, key, NULL, jlt_value_line(setting)));
+    return JLT_OK;
 }
 
 /* Take a setting of the whole scene, if it is given and the command has such an option. */
@@ -49,18 +47,16 @@ static jlt_status take_shared(const jlt_value_reader *r, jlt_scene_job *job, con
 static jlt_status share(const jlt_value_reader *r, jlt_scene_job *job, const config_setting_t *entry,
                         const config_setting_t *root)
 {
-    jlt_status st = JLT_OK;
     const config_setting_t *accuracy = config_setting_get_member(root, "accuracy");
     const bool on_levels = (r->section == NULL || r->solve != NULL) && config_setting_get_member(entry, "levels") == NULL;
 
-    JLT_TRY(take_shared(r, job, "parameters", config_setting_get_member(root, "parameters")));
-    if (on_levels) JLT_TRY(take_shared(r, job, "levels", config_setting_get_member(root, "levels")));
+    JLT_PASS(take_shared(r, job, "parameters", config_setting_get_member(root, "parameters")));
+    if (on_levels) JLT_PASS(take_shared(r, job, "levels", config_setting_get_member(root, "levels")));
     for (int i = 0; accuracy != NULL && i < config_setting_length(accuracy); i++) {
         const config_setting_t *member = config_setting_get_elem(accuracy, (unsigned)i);
-        JLT_TRY(take_shared(r, job, config_setting_name(member), member));
+        JLT_PASS(take_shared(r, job, config_setting_name(member), member));
     }
-done:
-    return st;
+    return JLT_OK;
 }
 
 static jlt_status read_what(const jlt_value_reader *r, jlt_scene_job *job, const config_setting_t *entry)
@@ -80,7 +76,6 @@ static jlt_status read_what(const jlt_value_reader *r, jlt_scene_job *job, const
 static jlt_status read_job(jlt_value_reader *r, jlt_scene_job *job, const config_setting_t *entry,
                            const config_setting_t *root)
 {
-    jlt_status st = JLT_OK;
     const char *model = NULL;
     char names[NAMES_MAX] = "what";
     jlt_key key;
@@ -88,7 +83,7 @@ static jlt_status read_job(jlt_value_reader *r, jlt_scene_job *job, const config
     job->line = (unsigned)jlt_value_line(entry);
     if (config_setting_is_group(entry) == CONFIG_FALSE)
         return jlt_value_complain(r, jlt_value_line(entry), "an entry of 'compute' is a group in braces");
-    JLT_TRY(read_what(r, job, entry));
+    JLT_PASS(read_what(r, job, entry));
     if (config_setting_lookup_string(root, "model", &model) == CONFIG_TRUE && (job->model = strdup(model)) == NULL)
         return JLT_ERR_NOMEM;
     r->section = config_setting_get_member(entry, "section");
@@ -99,7 +94,7 @@ static jlt_status read_job(jlt_value_reader *r, jlt_scene_job *job, const config
         && (config_setting_is_group(r->section) == CONFIG_FALSE || config_setting_length(r->section) != 1))
         return jlt_value_complain(r, jlt_value_line(r->section),
                                   "'section' takes one state and its value, { z = 27; }, or a name in quotation marks");
-    JLT_TRY(share(r, job, entry, root));
+    JLT_PASS(share(r, job, entry, root));
     for (int i = 0; i < config_setting_length(entry); i++) {
         const config_setting_t *member = config_setting_get_elem(entry, (unsigned)i);
         const char *name = config_setting_name(member);
@@ -110,10 +105,9 @@ static jlt_status read_job(jlt_value_reader *r, jlt_scene_job *job, const config
         }
         if (jlt_scene_value(job, key.option) != NULL)
             return jlt_value_complain(r, jlt_value_line(member), "'%s' is already given for the whole scene", name);
-        JLT_TRY(take(r, job, &key, member));
+        JLT_PASS(take(r, job, &key, member));
     }
-done:
-    return st;
+    return JLT_OK;
 }
 
 static jlt_status check_root(const jlt_value_reader *r, const config_setting_t *root)
@@ -154,52 +148,47 @@ static jlt_status read_study(const jlt_value_reader *r, jlt_scene *scene, const 
     static const jlt_key count = { "piece", "piece", JLT_KEY_COUNT, JLT_NAMES_ANY, NULL };
     const config_setting_t *over = config_setting_get_member(root, ranges.key), *piece = config_setting_get_member(root, count.key);
     jlt_value v = { .used = 0 };
-    jlt_status st = JLT_OK;
 
     if (piece != NULL) {
-        JLT_TRY(jlt_value_read(r, piece, &v, &count));
+        JLT_PASS(jlt_value_read(r, piece, &v, &count));
         scene->piece = (size_t)config_setting_get_int64(piece);
     }
-    if (over == NULL) goto done;
+    if (over == NULL) return JLT_OK;
     v.used = 0;
-    JLT_TRY(jlt_value_read(r, over, &v, &ranges));
+    JLT_PASS(jlt_value_read(r, over, &v, &ranges));
     scene->over_line = (unsigned)jlt_value_line(over);
     scene->over = strdup(v.text);
-    if (scene->over == NULL) st = JLT_ERR_NOMEM;
-done:
-    return st;
+    return scene->over != NULL ? JLT_OK : JLT_ERR_NOMEM;
 }
 
 static jlt_status read_all(jlt_value_reader *r, jlt_scene *scene, const config_setting_t *root)
 {
-    jlt_status st = JLT_OK;
     const config_setting_t *compute;
     const char *title = "", *model = JLT_DEFAULT_MODEL;
     int count;
 
-    JLT_TRY(check_root(r, root));
+    JLT_PASS(check_root(r, root));
     compute = config_setting_get_member(root, "compute");
     count = config_setting_length(compute);
     if (count == 0) return jlt_value_complain(r, jlt_value_line(compute), "'compute' is empty");
     (void)config_setting_lookup_string(root, "title", &title);
     (void)config_setting_lookup_string(root, "model", &model);
-    st = r->program->open(&r->model, model);
+    const jlt_status st = r->program->open(&r->model, model);
     if (st == JLT_ERR_EMPTY)
         return jlt_value_complain(r, jlt_value_line(config_setting_get_member(root, "model")),
                         "there is no model '%s' ('jellett models' lists those that are built in)", model);
-    if (st != JLT_OK) return st;
+    JLT_PASS(st);
     scene->model = r->model;
     scene->file = strdup(r->file);
     scene->title = strdup(title);
-    JLT_TRY(read_study(r, scene, root));
+    JLT_PASS(read_study(r, scene, root));
     scene->jobs = calloc((size_t)count, sizeof *scene->jobs);
     if (scene->file == NULL || scene->title == NULL || scene->jobs == NULL) return JLT_ERR_NOMEM;
     for (int i = 0; i < count; i++) {
         scene->count++;
-        JLT_TRY(read_job(r, &scene->jobs[i], config_setting_get_elem(compute, (unsigned)i), root));
+        JLT_PASS(read_job(r, &scene->jobs[i], config_setting_get_elem(compute, (unsigned)i), root));
     }
-done:
-    return st;
+    return JLT_OK;
 }
 
 jlt_status jlt_scene_read(jlt_scene **out, char *message, const char *path, const jlt_scene_program *program)
@@ -285,14 +274,13 @@ jlt_status jlt_scene_set(jlt_scene *scene, const char *name, const char *value)
         size_t i = 0;
         if (!jlt_schema_key(&key, job->known, "parameters")) continue;
         while (i < job->count && strcmp(job->options[i].name, key.option) != 0) i++;
-        if (i == job->count) JLT_TRY(add_option(job, &key, "", (int)job->line));
+        if (i == job->count) JLT_PASS(add_option(job, &key, "", (int)job->line));
         char *text = replaced(job->options[i].value, name, value);
-        st = text != NULL ? JLT_OK : JLT_ERR_NOMEM;
-        if (st != JLT_OK) goto done;
+        if (text == NULL) return JLT_ERR_NOMEM;
         free(job->options[i].value);
         job->options[i].value = text;
+        st = JLT_OK;
     }
-done:
     return st;
 }
 

@@ -88,21 +88,19 @@ static void add(jlt_tier_edges *self, double (*value)(void *, const double *))
 jlt_status jlt_tier_edges_open(jlt_tier_edges *out, const jlt_tier_view *view)
 {
     const jlt_tier *tier = &view->tier;
-    jlt_status st = JLT_OK;
 
     *out = (jlt_tier_edges){ .view = view, .general = jlt_descriptor_sibling(tier->table, NULL, tier->time, NULL) };
     if (tier->elimination[0] != '\0') {
         const jlt_descriptor *asked = tier->asked;
         if (asked->integral_gradients.call == NULL || asked->integral_count > JLT_TIER_EDGES_MAX) return JLT_ERR_UNSUPPORTED;
-        JLT_TRY(jlt_instance_create(&out->full, asked, view->params[0]));
+        JLT_PASS(jlt_instance_create(&out->full, asked, view->params[0]));
         add(out, slope_room);
         out->events[0].longest_step = slope_step;
     } else if (out->general->tier_values != NULL) {
         if (out->general->tier_condition_count > JLT_TIER_EDGES_MAX) return JLT_ERR_UNSUPPORTED;
         while (out->count < out->general->tier_condition_count) add(out, table_room);
     }
-done:
-    return st;
+    return JLT_OK;
 }
 
 void jlt_tier_edges_close(jlt_tier_edges *self)

@@ -169,52 +169,40 @@ static jlt_status append_whole(const jlt_value_reader *r, const config_setting_t
 
 static jlt_status append_list(const jlt_value_reader *r, const config_setting_t *at, jlt_value *v, const char *name)
 {
-    jlt_status st = JLT_OK;
-
     if (config_setting_is_array(at) == CONFIG_FALSE && config_setting_is_list(at) == CONFIG_FALSE)
         return jlt_value_complain(r, jlt_value_line(at), "'%s' takes numbers in parentheses, (0, 0.5, 1)", name);
     if (config_setting_length(at) == 0) return jlt_value_complain(r, jlt_value_line(at), "'%s' is empty", name);
     for (int i = 0; i < config_setting_length(at); i++) {
-        if (i > 0) JLT_TRY(append(r, at, v, ","));
-        JLT_TRY(append_number(r, config_setting_get_elem(at, (unsigned)i), v, name));
+        if (i > 0) JLT_PASS(append(r, at, v, ","));
+        JLT_PASS(append_number(r, config_setting_get_elem(at, (unsigned)i), v, name));
     }
-done:
-    return st;
+    return JLT_OK;
 }
 
 /* (first, last, count) */
 static jlt_status append_range(const jlt_value_reader *r, const config_setting_t *at, jlt_value *v, const char *name)
 {
-    jlt_status st = JLT_OK;
-
     if (config_setting_length(at) != 3)
         return jlt_value_complain(r, jlt_value_line(at), "'%s' takes one number or (first, last, how many)", name);
-    JLT_TRY(append_number(r, config_setting_get_elem(at, 0), v, name));
-    JLT_TRY(append(r, at, v, ":"));
-    JLT_TRY(append_number(r, config_setting_get_elem(at, 1), v, name));
-    JLT_TRY(append(r, at, v, ":"));
-    JLT_TRY(append_whole(r, config_setting_get_elem(at, 2), v, name, 1));
-done:
-    return st;
+    JLT_PASS(append_number(r, config_setting_get_elem(at, 0), v, name));
+    JLT_PASS(append(r, at, v, ":"));
+    JLT_PASS(append_number(r, config_setting_get_elem(at, 1), v, name));
+    JLT_PASS(append(r, at, v, ":"));
+    return append_whole(r, config_setting_get_elem(at, 2), v, name, 1);
 }
 
 /* (low, high) */
 static jlt_status append_interval(const jlt_value_reader *r, const config_setting_t *at, jlt_value *v, const char *name)
 {
-    jlt_status st = JLT_OK;
-
     if (config_setting_length(at) != 2) return jlt_value_complain(r, jlt_value_line(at), "'%s' takes (low, high)", name);
-    JLT_TRY(append_number(r, config_setting_get_elem(at, 0), v, name));
-    JLT_TRY(append(r, at, v, ":"));
-    JLT_TRY(append_number(r, config_setting_get_elem(at, 1), v, name));
-done:
-    return st;
+    JLT_PASS(append_number(r, config_setting_get_elem(at, 0), v, name));
+    JLT_PASS(append(r, at, v, ":"));
+    return append_number(r, config_setting_get_elem(at, 1), v, name);
 }
 
 static jlt_status append_group(const jlt_value_reader *r, const config_setting_t *at, jlt_value *v, const jlt_key *key)
 {
     const char *name = key->key;
-    jlt_status st = JLT_OK;
 
     if (r->named != NULL && strcmp(name, "section") == 0) return append(r, at, v, r->named);
     if (config_setting_is_group(at) == CONFIG_FALSE)
@@ -222,18 +210,17 @@ static jlt_status append_group(const jlt_value_reader *r, const config_setting_t
     for (int i = 0; i < config_setting_length(at); i++) {
         const config_setting_t *member = config_setting_get_elem(at, (unsigned)i);
         const bool several = config_setting_is_array(member) == CONFIG_TRUE || config_setting_is_list(member) == CONFIG_TRUE;
-        JLT_TRY(check_word(r, member, key, config_setting_name(member)));
-        if (i > 0) JLT_TRY(append(r, member, v, ","));
-        JLT_TRY(append(r, member, v, config_setting_name(member)));
-        JLT_TRY(append(r, member, v, "="));
-        if (key->kind == JLT_KEY_INTERVAL) JLT_TRY(append_interval(r, member, v, config_setting_name(member)));
-        else if (key->kind == JLT_KEY_RANGES && several) JLT_TRY(append_range(r, member, v, config_setting_name(member)));
+        JLT_PASS(check_word(r, member, key, config_setting_name(member)));
+        if (i > 0) JLT_PASS(append(r, member, v, ","));
+        JLT_PASS(append(r, member, v, config_setting_name(member)));
+        JLT_PASS(append(r, member, v, "="));
+        if (key->kind == JLT_KEY_INTERVAL) JLT_PASS(append_interval(r, member, v, config_setting_name(member)));
+        else if (key->kind == JLT_KEY_RANGES && several) JLT_PASS(append_range(r, member, v, config_setting_name(member)));
         else if (key->kind == JLT_KEY_POINT || key->kind == JLT_KEY_RANGES)
-            JLT_TRY(append_number(r, member, v, config_setting_name(member)));
-        else JLT_TRY(append_number(r, member, v, config_setting_name(member)));
+            JLT_PASS(append_number(r, member, v, config_setting_name(member)));
+        else JLT_PASS(append_number(r, member, v, config_setting_name(member)));
     }
-done:
-    return st;
+    return JLT_OK;
 }
 
 jlt_status jlt_value_read(const jlt_value_reader *r, const config_setting_t *at, jlt_value *v, const jlt_key *key)

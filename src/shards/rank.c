@@ -84,7 +84,6 @@ static jlt_status find_task(size_t *task, size_t *tasks, char *message, size_t k
 static jlt_status from_environment(jlt_rank *out, char *message, size_t known)
 {
     size_t number = 0, count = 1, rank = 0, task = 0, tasks = 1, i = 0;
-    jlt_status st = JLT_OK;
 
     while (i < ENGINES
            && (!variable(&number, engines[i].index) || (engines[i].count != NULL && !variable(&count, engines[i].count)))) i++;
@@ -97,7 +96,7 @@ static jlt_status from_environment(jlt_rank *out, char *message, size_t known)
         number = 0, count = 1;
     }
     if (i < ENGINES) rank = number - engines[i].first;
-    JLT_TRY(find_task(&task, &tasks, message, i == ENGINES || count == 1 ? known : 0));
+    JLT_PASS(find_task(&task, &tasks, message, i == ENGINES || count == 1 ? known : 0));
     if (i < ENGINES && engines[i].count == NULL) task = 0, tasks = 1;
     if (rank >= count) return complain(message, "%s says that this is process %zu of %zu: give --shard I/N", engines[i].name,
                                        number, count);
@@ -108,8 +107,7 @@ static jlt_status from_environment(jlt_rank *out, char *message, size_t known)
     if (known > 0 && out->engine[0] == '\0')
         return complain(message, "--shard /%zu: nothing in the environment says which of them: write I/%zu", known, known);
     if (known > 0 && out->count != known) return complain(message, "--shard /%zu: %s starts %zu", known, out->engine, out->count);
-done:
-    return st;
+    return JLT_OK;
 }
 
 jlt_status jlt_rank_find(jlt_rank *out, char *message, const char *text)

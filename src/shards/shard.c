@@ -52,10 +52,9 @@ static jlt_status read_record(jlt_shard_reader *self, jlt_shard_record *record, 
     size_t length = left > LINE_MAX_BYTES ? LINE_MAX_BYTES : (size_t)left;
     unsigned long sum;
     int used = 0;
-    jlt_status st = JLT_OK;
 
     if (left <= 0) return JLT_ERR_EMPTY;
-    JLT_TRY(read_bytes(self, line, length, at));
+    JLT_PASS(read_bytes(self, line, length, at));
     line[length] = '\0';
     length = strcspn(line, "\n");
     if (line[length] != '\n') return (off_t)length == left ? JLT_ERR_EMPTY : JLT_ERR_ARG;
@@ -73,13 +72,12 @@ static jlt_status read_record(jlt_shard_reader *self, jlt_shard_record *record, 
         self->data = grown;
         self->room = size + 1;
     }
-    JLT_TRY(read_bytes(self, self->data, size + 1, at + (off_t)length + 1));
+    JLT_PASS(read_bytes(self, self->data, size + 1, at + (off_t)length + 1));
     if (self->data[size] != '\n' || checksum(line, (size_t)used, self->data, size) != sum) return JLT_ERR_ARG;
     record->rows = self->data;
     record->words = self->data + record->rows_size;
     *next = at + (off_t)(length + 1 + size + 1);
-done:
-    return st;
+    return JLT_OK;
 }
 
 jlt_status jlt_shard_reader_open(jlt_shard_reader *self, char **study, int descriptor)

@@ -1,13 +1,63 @@
 #include "spectrum/equilibrium.h"
 
 #include "ext/number.h"
+#include "fields/coefficients.h"
 #include "kernel/descriptor.h"
 #include "spectrum/exact_point.h"
-#include "spectrum/formula.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+
+/* ---- the formulas of the table ---- */
+
+static const ttc_claim *claim_of(const jlt_oracle *oracle, ttc_claim_kind kind, const char *family)
+{
+    for (size_t k = 0; k < oracle->model->claim_count; k++)
+        if (oracle->model->claims[k].kind == kind && strcmp(oracle->model->claims[k].name, family) == 0)
+            return &oracle->model->claims[k];
+    return NULL;
+}
+
+static void bind(const jlt_oracle *oracle, const ttc_claim *family, const unsigned char *given)
+{
+    for (size_t b = 0; b < family->bindings.count; b++)
+        for (size_t i = 0; i < oracle->model->state_count; i++)
+            if (oracle->states[i] == family->bindings.items[b].symbol && !given[i])
+                ttc_ball_bind(oracle->ball, oracle->states[i], family->bindings.items[b].expression);
+}
+
+static void enclose_one(double *value, const jlt_oracle *oracle, ttc_id id)
+{
+    ttc_enclosure exact;
+
+    if (ttc_ball_enclose(&exact, oracle->ball, id)) *value = exact.value + 0.0; /* -0 becomes 0 */
+}
+
+/* Replace the values in doubles of the table's formulas for trace and characteristic polynomial, of the family result->family, by
+ * those in ball arithmetic, rounded. Symbols have the values set in the oracle; states that the family binds are given by its
+ * expressions where given[i] is 0. */
+static void enclose_formulas(jlt_linearization *result, const jlt_oracle *oracle, const unsigned char *given)
+{
+    const size_t n = result->n;
+    ttc_graph *graph = oracle->model->graph;
+    ttc_id coefficients[JLT_LINEARIZATION_SIZE_MAX + 1];
+    const ttc_claim *claim;
+    uint32_t lambda = 0;
+
+    if (result->family == NULL) return;
+    claim = claim_of(oracle, TTC_CLAIM_EQUILIBRIA, result->family->name);
+    if (claim != NULL) bind(oracle, claim, given);
+    claim = claim_of(oracle, TTC_CLAIM_TRACE, result->family->name);
+    if (claim != NULL) enclose_one(&result->trace_formula, oracle, claim->expression);
+    claim = claim_of(oracle, TTC_CLAIM_CHARPOLY, result->family->name);
+    while (oracle->model->symbols[lambda].kind != TTC_LAMBDA) lambda++;
+    if (claim == NULL ||
+        !ttc_polynomial_coefficients(graph, coefficients, n, ttc_model_expand(oracle->model, claim->expression), lambda))
+        return;
+    for (size_t k = 1; k <= n; k++)
+        enclose_one(&result->charpoly_formula[k], oracle, ttc_divide(graph, coefficients[k], coefficients[0]));
+}
 
 /* Linearize in doubles, with bounds on the errors of the Jacobian and of the integrals' gradients against the exact values. */
 static jlt_status linearize(jlt_linearization *result, const jlt_equilibrium_question *q, const double *params, const double *x,
@@ -61,7 +111,7 @@ static jlt_status enclose(jlt_linearization *result, const jlt_equilibrium_quest
     for (size_t i = 0; i < d->state_count; i++) exact_x[i] = (jlt_ball_value){ x[i], fractions[i] };
     st = jlt_exact_point_linearize(&matrix, q->oracle, exact, exact_x, family == NULL ? NULL : family->name, given);
     if (st == JLT_OK) st = jlt_linearization_enclose(result, d, exact, exact_x, matrix, q->digits);
-    if (st == JLT_OK) jlt_formula_enclose(result, q->oracle, given);
+    if (st == JLT_OK) enclose_formulas(result, q->oracle, given);
     if (st != JLT_OK) {
         result->verdict = JLT_UNDECIDED;
         result->motion = JLT_MOTION_OPEN;

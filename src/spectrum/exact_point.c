@@ -23,12 +23,10 @@ static bool evaluate(walk *w, ttc_id id);
 
 static bool take_value(jlt_surd *out, const jlt_ball_value *value)
 {
-    fmpq_t exact;
-    arf_t dyadic;
     bool good = value->fraction == NULL ? isfinite(value->value) : true;
+    JLT_SCOPED(fmpq, exact);
+    JLT_SCOPED(arf, dyadic);
 
-    fmpq_init(exact);
-    arf_init(dyadic);
     if (value->fraction != NULL) {
         good = fmpq_set_str(exact, value->fraction, 10) == 0 && !fmpz_is_zero(fmpq_denref(exact));
         if (good) fmpq_canonicalise(exact);
@@ -37,22 +35,18 @@ static bool take_value(jlt_surd *out, const jlt_ball_value *value)
         arf_get_fmpq(exact, dyadic);
     }
     if (good) jlt_surd_set_rational(out, exact);
-    arf_clear(dyadic);
-    fmpq_clear(exact);
     return good;
 }
 
 /* A function's value at an argument where it is known to be rational: log at 1, the others at 0. Returns false elsewhere. */
 static bool function_of(jlt_surd *out, const jlt_surd *of, ttc_symbol_kind kind)
 {
-    fmpq_t value;
     const bool one = of->level == 0 && fmpq_is_one(of->coordinates), zero = jlt_surd_is_zero(of);
 
     if (kind == TTC_LOG ? !one : !zero) return false;
-    fmpq_init(value);
+    JLT_SCOPED(fmpq, value);
     if (kind == TTC_COSINE || kind == TTC_EXP) fmpq_one(value);
     jlt_surd_set_rational(out, value);
-    fmpq_clear(value);
     return true;
 }
 
@@ -73,26 +67,24 @@ static bool evaluate_parts(jlt_surd *out, walk *w, ttc_id id)
 {
     const ttc_graph *graph = w->model->graph;
     const bool product = ttc_kind_of(graph, id) == TTC_PRODUCT;
-    jlt_surd factor;
     bool good = true;
+    JLT_SCOPED(jlt_surd, factor);
 
-    jlt_surd_init(&factor);
     jlt_surd_set_rational(out, ttc_coefficient(graph, id));
     for (size_t i = 0; good && i < ttc_part_count(graph, id); i++) {
         const ttc_part part = ttc_part_at(graph, id, i);
         good = evaluate(w, part.id);
         if (!good) break;
         if (product) {
-            jlt_surd_set(&factor, &w->numbers[part.id]);
-            if (part.exponent < 0) good = jlt_surd_invert(&factor, &factor, w->field);
-            for (int32_t k = abs(part.exponent); good && k > 0; k--) jlt_surd_multiply(out, out, &factor, w->field);
+            jlt_surd_set(factor, &w->numbers[part.id]);
+            if (part.exponent < 0) good = jlt_surd_invert(factor, factor, w->field);
+            for (int32_t k = abs(part.exponent); good && k > 0; k--) jlt_surd_multiply(out, out, factor, w->field);
         } else {
-            jlt_surd_set_rational(&factor, part.coefficient);
-            jlt_surd_multiply(&factor, &factor, &w->numbers[part.id], w->field);
-            jlt_surd_add(out, out, &factor);
+            jlt_surd_set_rational(factor, part.coefficient);
+            jlt_surd_multiply(factor, factor, &w->numbers[part.id], w->field);
+            jlt_surd_add(out, out, factor);
         }
     }
-    jlt_surd_clear(&factor);
     return good && jlt_surd_height(out) <= HEIGHT_MAX;
 }
 

@@ -83,8 +83,7 @@ static jlt_exit read_levels(jlt_portrait_request *r)
     if ((r->level.count > 0) == (r->session.start.count > 0))
         return jlt_command_fail(JLT_EXIT_USAGE, "say which surface: --level E=...,G=...,F0=..., or --start");
     if (r->session.start.count > 0) {
-        const jlt_exit code = jlt_session_start(&r->session);
-        if (code != JLT_EXIT_DONE) return code;
+        JLT_PASS(jlt_session_start(&r->session));
         jlt_counterpart_look(&r->counterpart, r->start, r->session.x);
         jlt_balanced_levels_of(&r->levels, &r->top, r->start);
         return JLT_EXIT_DONE;
@@ -108,17 +107,15 @@ static jlt_exit open_top(jlt_portrait_request *r)
 {
     const jlt_claim *broken = NULL;
     size_t a3;
-    jlt_exit code = jlt_session_open(&r->session);
 
-    if (code != JLT_EXIT_DONE) return code;
+    JLT_PASS(jlt_session_open(&r->session));
     if (jlt_descriptor_param(r->session.descriptor, "a3", &a3)) {
         const char *given = jlt_assign_fraction(&r->session.common.set, "a3");
         if (given != NULL && strcmp(given, "0") != 0)
             return jlt_command_fail(JLT_EXIT_INPUT, "--set a3=%s: M^2 exists for the balanced sphere alone, a3 = 0", given);
         r->session.params[a3] = 0;
     }
-    code = jlt_top_counterpart(&r->counterpart, &r->session, jlt_balanced_table, "M^2");
-    if (code != JLT_EXIT_DONE) return code;
+    JLT_PASS(jlt_top_counterpart(&r->counterpart, &r->session, jlt_balanced_table, "M^2"));
     if (jlt_balanced_serves(&broken)) {
         r->top = r->counterpart.top;
         r->model = jlt_descriptor_find(JLT_DEFAULT_MODEL, NULL, NULL, NULL);

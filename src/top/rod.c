@@ -144,7 +144,6 @@ static void take_coefficients(jlt_rod *rod)
 /* Compute all quantities of the orbit of rod->top through x. */
 static jlt_status measure(jlt_rod *out, const double *x)
 {
-    jlt_status st = JLT_OK;
     jlt_rod rod = *out;
     const jlt_top *top = &rod.top;
     const double gamma3 = x[JLT_TOP_GAMMA3], s = jlt_top_sine(gamma3), v_tau = jlt_top_v_tau(top, x);
@@ -164,16 +163,15 @@ static jlt_status measure(jlt_rod *out, const double *x)
     /* gamma3' = half sin u / pace, and gamma3 = mid - half cos u */
     u = atan2(s * x[JLT_TOP_OMEGA_TAU] * pace(&rod, gamma3, s2), (rod.below - rod.above) / 2 - gamma3);
     rod.psi = atan2(v_tau, x[JLT_TOP_V_NU]); /* at the start; converted to the lower turning point below */
-    JLT_TRY(over(&rod, &rod.period, time_rate, acos(-1)));
-    JLT_TRY(over(&rod, &rod.turn, turn_rate, acos(-1)));
+    JLT_PASS(over(&rod, &rod.period, time_rate, acos(-1)));
+    JLT_PASS(over(&rod, &rod.turn, turn_rate, acos(-1)));
     rod.period *= 2;
     rod.turn *= 2;
-    JLT_TRY(over(&rod, &rod.elapsed, time_rate, u));
-    JLT_TRY(over(&rod, &turned, turn_rate, u));
+    JLT_PASS(over(&rod, &rod.elapsed, time_rate, u));
+    JLT_PASS(over(&rod, &turned, turn_rate, u));
     rod.psi -= turned;
     *out = rod;
-done:
-    return st;
+    return JLT_OK;
 }
 
 jlt_status jlt_rod_open(jlt_rod *out, const jlt_descriptor *model, const double *params, const double *x)
@@ -181,16 +179,14 @@ jlt_status jlt_rod_open(jlt_rod *out, const jlt_descriptor *model, const double 
     const jlt_claim *broken;
     jlt_rod rod = { 0 };
     double of_top[JLT_TOP_STATES];
-    jlt_status st = JLT_OK;
 
     if (!has_level()) return JLT_ERR_UNSUPPORTED;
-    JLT_TRY(jlt_counterpart_open(&rod.counterpart, &broken, model, jlt_rod_table, params, x));
+    JLT_PASS(jlt_counterpart_open(&rod.counterpart, &broken, model, jlt_rod_table, params, x));
     jlt_counterpart_look(&rod.counterpart, of_top, x);
     rod.top = rod.counterpart.top;
-    JLT_TRY(measure(&rod, of_top));
+    JLT_PASS(measure(&rod, of_top));
     *out = rod;
-done:
-    return st;
+    return JLT_OK;
 }
 
 double jlt_rod_rotation(const jlt_rod *rod)
@@ -241,14 +237,13 @@ static void find_state(const jlt_rod *rod, double *x, const double *y)
 
 jlt_status jlt_rod_at(jlt_rod *rod, double *x, double t)
 {
-    jlt_status st = JLT_OK;
     const double since = rod->elapsed + t;
     const double periods = nearbyint(since / rod->period);
     double u, psi, gamma3, s2, s, of_top[JLT_TOP_STATES];
 
     if (!isfinite(t)) return JLT_ERR_NONFINITE;
-    JLT_TRY(locate(rod, &u, fma(-periods, rod->period, since)));
-    JLT_TRY(over(rod, &psi, turn_rate, u));
+    JLT_PASS(locate(rod, &u, fma(-periods, rod->period, since)));
+    JLT_PASS(over(rod, &psi, turn_rate, u));
     psi += rod->psi + periods * rod->turn;
     tilt(rod, &gamma3, &s2, u);
     s = sqrt(s2);
@@ -256,8 +251,7 @@ jlt_status jlt_rod_at(jlt_rod *rod, double *x, double t)
                (const double[LEVEL_STATES]){ gamma3, rod->speed * cos(psi), rod->half * sin(u) / (pace(rod, gamma3, s2) * s),
                                              rod->speed * sin(psi), s });
     jlt_counterpart_return(&rod->counterpart, x, of_top);
-done:
-    return st;
+    return JLT_OK;
 }
 
 const char jlt_rod_meaning[] = "I3 = 0: tilt, turn and time by quadratures, nothing is integrated in time";

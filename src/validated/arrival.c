@@ -25,35 +25,24 @@ void jlt_arrival_clear(jlt_arrival *self)
 /* Whether the step h, unless it is the last, exceeds 2^-22 of the whole time: shorter ones mean that enclosures grow too fast. */
 static bool gets_on(const arf_t h, const arf_t left, const arf_t instant)
 {
-    arf_t least;
-    bool enough;
+    JLT_SCOPED(arf, least);
 
-    arf_init(least);
     arf_mul_2exp_si(least, instant, -22);
-    enough = arf_cmp(h, least) > 0 || arf_sgn(left) == 0;
-    arf_clear(least);
-    return enough;
+    return arf_cmp(h, least) > 0 || arf_sgn(left) == 0;
 }
 
 static jlt_status carry(jlt_arrival *self, jlt_step *step, jlt_set *set, const arf_t instant)
 {
-    jlt_status st = JLT_OK;
-    arf_t left, h;
+    JLT_SCOPED(arf, left, h);
 
-    arf_init(left);
-    arf_init(h);
     arf_set(left, instant);
     for (self->steps = 0; arf_sgn(left) > 0; self->steps++) {
         arf_set(h, left);
-        JLT_TRY(jlt_step_advance(step, set, h, self->expansion, self->least));
+        JLT_PASS(jlt_step_advance(step, set, h, self->expansion, self->least));
         arf_sub(left, left, h, ARF_PREC_EXACT, ARF_RND_DOWN);
-        st = gets_on(h, left, instant) ? JLT_OK : JLT_ERR_NO_PROGRESS;
-        if (st != JLT_OK) goto done;
+        if (!gets_on(h, left, instant)) return JLT_ERR_NO_PROGRESS;
     }
-done:
-    arf_clear(left);
-    arf_clear(h);
-    return st;
+    return JLT_OK;
 }
 
 /* The rate of component i at the box last evaluated; 0 for a free parameter. */
@@ -68,14 +57,10 @@ static jlt_status cross(jlt_step *step, arb_ptr y, arb_t tau, arb_t span, arb_sr
                         const arb_t level, int direction)
 {
     const slong bits = jlt_step_bits(step);
-    jlt_status st = JLT_ERR_NO_CONVERGENCE;
     bool inside = false;
-    arb_t f, z;
-    mag_t size;
+    JLT_SCOPED(arb, f, z);
+    JLT_SCOPED(mag, size);
 
-    arb_init(f);
-    arb_init(z);
-    mag_init(size);
     jlt_step_evaluate(step, x);
     rate(f, step, column);
     arb_sub(tau, level, x + column, bits);
@@ -108,18 +93,12 @@ static jlt_status cross(jlt_step *step, arb_ptr y, arb_t tau, arb_t span, arb_sr
             }
         }
     }
-    if (!jlt_step_holds(step)) st = JLT_ERR_DOMAIN;
-    if (!inside) goto done;
+    if (!inside) return jlt_step_holds(step) ? JLT_ERR_NO_CONVERGENCE : JLT_ERR_DOMAIN;
     rate(f, step, column);
-    if (direction > 0 ? !arb_is_positive(f) : !arb_is_negative(f)) goto done;
+    if (direction > 0 ? !arb_is_positive(f) : !arb_is_negative(f)) return JLT_ERR_NO_CONVERGENCE;
     arb_sub(tau, level, x + column, bits);
     arb_div(tau, tau, f, bits);
-    if (arb_contains(span, tau)) st = JLT_OK;
-done:
-    arb_clear(f);
-    arb_clear(z);
-    mag_clear(size);
-    return st;
+    return arb_contains(span, tau) ? JLT_OK : JLT_ERR_NO_CONVERGENCE;
 }
 
 /* Over the box y last evaluated, enclose the derivatives of the crossing's state, local, shape (dim, dim), and of its time, delay,
@@ -128,17 +107,10 @@ static void differentiate(arb_mat_t local, arb_mat_t delay, const jlt_step *step
 {
     const jlt_formulas *of = jlt_step_formulas(step);
     const slong n = (slong)of->dim, bits = jlt_step_bits(step);
-    arb_mat_t flow, slope, near_one;
-    arb_t value;
-    mag_t norm, row, bound;
+    JLT_SCOPED_MATRIX(arb, n, n, flow, slope, near_one);
+    JLT_SCOPED(arb, value);
+    JLT_SCOPED(mag, norm, row, bound);
 
-    arb_mat_init(flow, n, n);
-    arb_mat_init(slope, n, n);
-    arb_mat_init(near_one, n, n);
-    arb_init(value);
-    mag_init(norm);
-    mag_init(row);
-    mag_init(bound);
     for (unsigned i = 0; i < of->states; i++) {
         mag_zero(row);
         for (unsigned k = 0; k < of->dim; k++) {
@@ -172,30 +144,20 @@ static void differentiate(arb_mat_t local, arb_mat_t delay, const jlt_step *step
             else arb_addmul(out, value, arb_mat_entry(delay, 0, k), bits);
         }
     }
-    arb_mat_clear(flow);
-    arb_mat_clear(slope);
-    arb_mat_clear(near_one);
-    arb_clear(value);
-    mag_clear(norm);
-    mag_clear(row);
-    mag_clear(bound);
 }
 
 /* out += slope*(C r0 + Q r), the image of the set's part around its middle, shape (rows of slope, 1). */
 static void add_rest(arb_mat_t out, const arb_mat_t slope, const jlt_set *set)
 {
-    arb_mat_t product, column;
+    JLT_SCOPED_MATRIX(arb, arb_mat_nrows(slope), set->dim, product);
+    JLT_SCOPED_MATRIX(arb, arb_mat_nrows(slope), 1, column);
 
-    arb_mat_init(product, arb_mat_nrows(slope), set->dim);
-    arb_mat_init(column, arb_mat_nrows(slope), 1);
     arb_mat_mul(product, slope, set->C, set->bits);
     arb_mat_mul(column, product, set->r0, set->bits);
     arb_mat_add(out, out, column, set->bits);
     arb_mat_mul(product, slope, set->Q, set->bits);
     arb_mat_mul(column, product, set->r, set->bits);
     arb_mat_add(out, out, column, set->bits);
-    arb_mat_clear(product);
-    arb_mat_clear(column);
 }
 
 /* State and time of the crossing: those of the middle, and by the mean value theorem the derivatives times the rest of the set. */
@@ -203,16 +165,14 @@ static jlt_status land(jlt_arrival *self, jlt_step *step, const jlt_set *set, co
                        unsigned column, const arb_t level, int direction)
 {
     const slong bits = jlt_step_bits(step), n = (slong)self->dim;
-    arb_ptr middle = _arb_vec_init(n), y = _arb_vec_init(n);
-    arb_mat_t state, time;
-    arb_t span;
-    jlt_status st;
+    JLT_SCOPED_VECTOR(arb, middle, n);
+    JLT_SCOPED_VECTOR(arb, y, n);
+    JLT_SCOPED_MATRIX(arb, n, 1, state);
+    JLT_SCOPED_MATRIX(arb, 1, 1, time);
+    JLT_SCOPED(arb, span);
 
-    arb_mat_init(state, n, 1);
-    arb_mat_init(time, 1, 1);
-    arb_init(span);
     for (slong i = 0; i < n; i++) arb_set(middle + i, arb_mat_entry(set->x, i, 0));
-    JLT_TRY(cross(step, y, arb_mat_entry(time, 0, 0), span, middle, self->dim, column, level, direction));
+    JLT_PASS(cross(step, y, arb_mat_entry(time, 0, 0), span, middle, self->dim, column, level, direction));
     for (unsigned i = 0; i < self->dim; i++) {
         arb_ptr out = arb_mat_entry(state, i, 0);
         rate(out, step, i);
@@ -224,30 +184,22 @@ static jlt_status land(jlt_arrival *self, jlt_step *step, const jlt_set *set, co
     for (slong i = 0; i < n; i++) arb_set(self->x + i, arb_mat_entry(state, i, 0));
     arb_set(self->x + column, level);
     arb_add(self->time, self->time, arb_mat_entry(time, 0, 0), bits);
-done:
-    arb_mat_clear(state);
-    arb_mat_clear(time);
-    arb_clear(span);
-    _arb_vec_clear(middle, n);
-    _arb_vec_clear(y, n);
-    return st;
+    return JLT_OK;
 }
 
 jlt_status jlt_arrival_compute(jlt_arrival *self, jlt_step *step, arb_srcptr start, unsigned column, const arb_t level,
                                const arf_t instant, int direction)
 {
     const slong bits = jlt_step_bits(step), n = (slong)self->dim;
-    arb_ptr hull = _arb_vec_init(n), y = _arb_vec_init(n);
+    JLT_SCOPED_VECTOR(arb, hull, n);
+    JLT_SCOPED_VECTOR(arb, y, n);
     jlt_status st = JLT_ERR_ARG;
-    arb_mat_t V, local, delay;
-    arb_t tau;
     jlt_set set;
 
     jlt_set_init(&set, start, self->dim, bits);
-    arb_mat_init(V, n, n);
-    arb_mat_init(local, n, n);
-    arb_mat_init(delay, 1, n);
-    arb_init(tau);
+    JLT_SCOPED_MATRIX(arb, n, n, V, local);
+    JLT_SCOPED_MATRIX(arb, 1, n, delay);
+    JLT_SCOPED(arb, tau);
     arb_zero(self->expansion);
     if (jlt_step_formulas(step)->valid_count > JLT_ARRIVAL_VALIDS_MAX) goto done;
     for (unsigned i = 0; i < JLT_ARRIVAL_VALIDS_MAX; i++) arf_pos_inf(self->least + i);
@@ -263,11 +215,5 @@ jlt_status jlt_arrival_compute(jlt_arrival *self, jlt_step *step, arb_srcptr sta
     st = land(self, step, &set, local, delay, column, level, direction);
 done:
     jlt_set_clear(&set);
-    arb_mat_clear(V);
-    arb_mat_clear(local);
-    arb_mat_clear(delay);
-    arb_clear(tau);
-    _arb_vec_clear(hull, n);
-    _arb_vec_clear(y, n);
     return st;
 }

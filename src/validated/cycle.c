@@ -48,14 +48,12 @@ jlt_status jlt_cycle_choose(jlt_cycle *self, unsigned *kept, arb_srcptr y)
     const unsigned m = self->question->level_count, n = self->unknowns;
     double a[JLT_FORMULAS_LEVELS_MAX][JLT_CYCLE_STATES_MAX];
     bool left[JLT_CYCLE_STATES_MAX] = { false };
-    arb_mat_t gradients;
     unsigned count = 0;
+    JLT_SCOPED_MATRIX(arb, m, n, gradients);
 
-    arb_mat_init(gradients, m, n);
     jlt_cycle_map_gradients(self, gradients, NULL, y);
     for (unsigned j = 0; j < m; j++)
         for (unsigned i = 0; i < n; i++) a[j][i] = arf_get_d(arb_midref(arb_mat_entry(gradients, j, i)), ARF_RND_NEAR);
-    arb_mat_clear(gradients);
     for (unsigned j = 0; j < m; j++) {
         unsigned row = j, column = 0;
         for (unsigned k = j; k < m; k++)
@@ -116,9 +114,8 @@ static void follow(shooting *self, arb_srcptr y, arb_srcptr next)
 {
     const jlt_arrival *arrival = &self->cycle->arrival;
     const slong bits = jlt_step_bits(self->cycle->step);
-    arb_mat_t D;
+    JLT_SCOPED_MATRIX(arb, arb_mat_nrows(self->D), arb_mat_ncols(self->D), D);
 
-    arb_mat_init(D, arb_mat_nrows(self->D), arb_mat_ncols(self->D));
     self->closes = jlt_cycle_map_restrict(self->cycle, D, y, self->kept) && jlt_cycle_map_meets(self->cycle, next, self->kept)
                    && self->closes;
     self->goes_on = arb_is_positive(arrival->time) && self->goes_on;
@@ -128,7 +125,6 @@ static void follow(shooting *self, arb_srcptr y, arb_srcptr next)
     for (unsigned i = 0; i < JLT_ARRIVAL_VALIDS_MAX; i++)
         if (arf_is_nan(arrival->least + i) || arf_cmp(arrival->least + i, self->least + i) < 0)
             arf_set(self->least + i, arrival->least + i);
-    arb_mat_clear(D);
 }
 
 static jlt_status shoot(void *context, arb_mat_t G, arb_mat_t DG, arb_srcptr y)
@@ -144,9 +140,8 @@ static jlt_status shoot(void *context, arb_mat_t G, arb_mat_t DG, arb_srcptr y)
     for (unsigned i = 0; i < JLT_ARRIVAL_VALIDS_MAX; i++) arf_pos_inf(self->least + i);
     for (slong i = 0; i < (slong)self->legs; i++) {
         const slong to = (i + 1) % (slong)self->legs * n;
-        const jlt_status st = jlt_cycle_map_arrive(self->cycle, y + i * n, arb_midref(self->instants + i),
-                                                    self->cycle->question->direction, turns == NULL ? NULL : turns + i * (n + 1));
-        if (st != JLT_OK) return st;
+        JLT_PASS(jlt_cycle_map_arrive(self->cycle, y + i * n, arb_midref(self->instants + i),
+                                       self->cycle->question->direction, turns == NULL ? NULL : turns + i * (n + 1)));
         jlt_cycle_map_equations(self->cycle, G, DG, i * n, i * n, to, y + i * n, y + to, self->kept);
         follow(self, y + i * n, y + to);
         if (self->adjusts) arb_get_mid_arb(self->instants + i, self->cycle->arrival.time);
@@ -177,17 +172,15 @@ jlt_status jlt_cycle_refine(jlt_cycle *self, arb_ptr y, arb_ptr instants, unsign
 
 jlt_status jlt_cycle_reach(jlt_cycle *self, arb_ptr reach, arb_srcptr y, arb_srcptr instants, unsigned legs, const unsigned *kept)
 {
-    arb_ptr own = _arb_vec_init((slong)legs);
-    arb_mat_t G, DG, M;
+    JLT_SCOPED_VECTOR(arb, own, (slong)legs);
     shooting orbit;
     jlt_status st;
 
     _arb_vec_set(own, instants, (slong)legs);
     shooting_init(&orbit, self, own, legs, kept);
     const jlt_krawczyk problem = problem_of(&orbit);
-    arb_mat_init(G, problem.n, 1);
-    arb_mat_init(DG, problem.n, problem.n);
-    arb_mat_init(M, problem.n, problem.n);
+    JLT_SCOPED_MATRIX(arb, problem.n, 1, G);
+    JLT_SCOPED_MATRIX(arb, problem.n, problem.n, DG, M);
     JLT_TRY(shoot(&orbit, G, DG, y));
     st = jlt_krawczyk_invert(M, DG, problem.bits) ? JLT_OK : JLT_ERR_NO_CONVERGENCE;
     if (st != JLT_OK) goto done;
@@ -197,11 +190,7 @@ jlt_status jlt_cycle_reach(jlt_cycle *self, arb_ptr reach, arb_srcptr y, arb_src
         mag_zero(arb_radref(reach + i));
     }
 done:
-    arb_mat_clear(G);
-    arb_mat_clear(DG);
-    arb_mat_clear(M);
     shooting_clear(&orbit);
-    _arb_vec_clear(own, (slong)legs);
     return st;
 }
 
@@ -233,20 +222,16 @@ void jlt_cycle_result_clear(jlt_cycle_result *result)
 static bool contracts(const arb_mat_t D, slong bits)
 {
     enum { SQUARINGS = 16 };
-    arb_mat_t power;
-    mag_t norm;
     bool found = false;
+    JLT_SCOPED_MATRIX(arb, arb_mat_nrows(D), arb_mat_ncols(D), power);
+    JLT_SCOPED(mag, norm);
 
-    arb_mat_init(power, arb_mat_nrows(D), arb_mat_ncols(D));
-    mag_init(norm);
     arb_mat_set(power, D);
     for (unsigned i = 0; !found && i <= SQUARINGS && arb_mat_is_finite(power); i++) {
         arb_mat_bound_inf_norm(norm, power);
         found = mag_cmp_2exp_si(norm, 0) < 0;
         arb_mat_sqr(power, power, bits);
     }
-    mag_clear(norm);
-    arb_mat_clear(power);
     return found;
 }
 
@@ -254,12 +239,9 @@ static bool contracts(const arb_mat_t D, slong bits)
  * |trace| > |1 + determinant|, so that 1 or -1 lies between the roots, and determinant > 0. */
 static void solve(jlt_cycle_result *result, const arb_mat_t D, slong bits)
 {
-    acb_t half, root;
-    arb_t size;
+    JLT_SCOPED(acb, half, root);
+    JLT_SCOPED(arb, size);
 
-    acb_init(half);
-    acb_init(root);
-    arb_init(size);
     if (result->multipliers == 1) {
         acb_set_arb(result->multiplier, result->trace);
         arb_abs(size, result->trace);
@@ -286,16 +268,13 @@ static void solve(jlt_cycle_result *result, const arb_mat_t D, slong bits)
         arb_submul(acb_realref(half), size, size, bits);
         result->saddle = arb_is_positive(acb_realref(half)) && arb_is_positive(result->determinant);
     } else result->sink = contracts(D, bits);
-    acb_clear(half);
-    acb_clear(root);
-    arb_clear(size);
 }
 
 jlt_status jlt_cycle_prove(jlt_cycle *self, jlt_cycle_result *result, arb_srcptr box, arb_srcptr instants,
                            const unsigned *kept)
 {
     const slong bits = jlt_step_bits(self->step);
-    arb_ptr own = _arb_vec_init((slong)result->legs);
+    JLT_SCOPED_VECTOR(arb, own, (slong)result->legs);
     jlt_krawczyk_verdict verdict;
     jlt_krawczyk problem;
     shooting orbit;
@@ -319,6 +298,5 @@ jlt_status jlt_cycle_prove(jlt_cycle *self, jlt_cycle_result *result, arb_srcptr
     solve(result, orbit.D, bits);
 done:
     shooting_clear(&orbit);
-    _arb_vec_clear(own, (slong)result->legs);
     return st;
 }

@@ -19,15 +19,13 @@ jlt_status jlt_cycle_map_arrive(jlt_cycle *self, arb_srcptr y, const arf_t insta
     const jlt_cycle_question *q = self->question;
     const slong bits = jlt_step_bits(self->step);
     jlt_status st;
-    arb_t section;
+    JLT_SCOPED(arb, section);
 
-    arb_init(section);
     arb_set(section, q->section);
     if (turns != NULL) arb_add(section, section, turns + q->column, bits);
     place(self, y);
     st = jlt_arrival_compute(&self->arrival, self->step, self->state, q->column, section, instant, direction);
     if (st == JLT_OK && turns != NULL) _arb_vec_sub(self->arrival.x, self->arrival.x, turns, (slong)self->formulas->states, bits);
-    arb_clear(section);
     return st;
 }
 
@@ -48,17 +46,14 @@ void jlt_cycle_map_gradients(jlt_cycle *self, arb_mat_t gradients, arb_ptr value
 void jlt_cycle_map_level_equations(jlt_cycle *self, arb_mat_t G, arb_mat_t DG, slong row, slong from, arb_srcptr y)
 {
     const unsigned m = self->question->level_count, n = self->unknowns;
-    arb_ptr values = _arb_vec_init(m + 1);
-    arb_mat_t gradients;
+    JLT_SCOPED_VECTOR(arb, values, m + 1);
+    JLT_SCOPED_MATRIX(arb, m, n, gradients);
 
-    arb_mat_init(gradients, m, n);
     jlt_cycle_map_gradients(self, gradients, values, y);
     for (unsigned j = 0; j < m; j++) {
         arb_sub(arb_mat_entry(G, row + j, 0), values + j, self->question->level_values + j, jlt_step_bits(self->step));
         for (unsigned l = 0; l < n; l++) arb_set(arb_mat_entry(DG, row + j, from + l), arb_mat_entry(gradients, j, l));
     }
-    arb_mat_clear(gradients);
-    _arb_vec_clear(values, m + 1);
 }
 
 void jlt_cycle_map_equations(jlt_cycle *self, arb_mat_t G, arb_mat_t DG, slong row, slong from, slong to, arb_srcptr y,
@@ -92,13 +87,11 @@ bool jlt_cycle_map_solve_levels(jlt_cycle *self, arb_mat_t slope, arb_srcptr y, 
 {
     const unsigned m = self->question->level_count, n = self->unknowns;
     const slong bits = jlt_step_bits(self->step);
-    arb_mat_t gradients, by_left, by_kept, inverse;
     bool regular;
+    JLT_SCOPED_MATRIX(arb, m, n, gradients);
+    JLT_SCOPED_MATRIX(arb, m, m, by_left, inverse);
+    JLT_SCOPED_MATRIX(arb, m, n - m, by_kept);
 
-    arb_mat_init(gradients, m, n);
-    arb_mat_init(by_left, m, m);
-    arb_mat_init(inverse, m, m);
-    arb_mat_init(by_kept, m, n - m);
     jlt_cycle_map_gradients(self, gradients, NULL, y);
     for (unsigned j = 0; j < m; j++) {
         unsigned left = 0, held = 0;
@@ -112,41 +105,31 @@ bool jlt_cycle_map_solve_levels(jlt_cycle *self, arb_mat_t slope, arb_srcptr y, 
     regular = m == 0 || arb_mat_inv(inverse, by_left, bits);
     arb_mat_mul(slope, inverse, by_kept, bits);
     arb_mat_neg(slope, slope);
-    arb_mat_clear(gradients);
-    arb_mat_clear(by_left);
-    arb_mat_clear(inverse);
-    arb_mat_clear(by_kept);
     return regular;
 }
 
 bool jlt_cycle_map_meets(jlt_cycle *self, arb_srcptr next, const unsigned *kept)
 {
     const unsigned m = self->question->level_count, n = self->unknowns;
-    arb_ptr hull = _arb_vec_init(n);
-    arb_mat_t slope;
-    bool regular;
+    JLT_SCOPED_VECTOR(arb, hull, n);
+    JLT_SCOPED_MATRIX(arb, m, n - m, slope);
 
-    arb_mat_init(slope, m, n - m);
     for (unsigned i = 0; i < n; i++) {
         const unsigned state = jlt_cycle_map_state(self, i);
         arb_set(hull + i, next + i);
         if (!jlt_cycle_map_is_kept(self, state, kept))
             arb_union(hull + i, next + i, self->arrival.x + state, jlt_step_bits(self->step));
     }
-    regular = jlt_cycle_map_solve_levels(self, slope, hull, kept);
-    arb_mat_clear(slope);
-    _arb_vec_clear(hull, n);
-    return regular;
+    return jlt_cycle_map_solve_levels(self, slope, hull, kept);
 }
 
 bool jlt_cycle_map_restrict(jlt_cycle *self, arb_mat_t D, arb_srcptr y, const unsigned *kept)
 {
     const unsigned m = self->question->level_count, n = self->unknowns, k = n - m;
     const slong bits = jlt_step_bits(self->step);
-    arb_mat_t slope;
     bool regular;
+    JLT_SCOPED_MATRIX(arb, m, k, slope);
 
-    arb_mat_init(slope, m, k);
     regular = jlt_cycle_map_solve_levels(self, slope, y, kept);
     for (unsigned i = 0; regular && i < k; i++)
         for (unsigned l = 0; l < k; l++) {
@@ -160,6 +143,5 @@ bool jlt_cycle_map_restrict(jlt_cycle *self, arb_mat_t D, arb_srcptr y, const un
                 left++;
             }
         }
-    arb_mat_clear(slope);
     return regular;
 }

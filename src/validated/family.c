@@ -1,6 +1,5 @@
 #include "validated/family.h"
 
-#include "validated/on_family.h"
 #include "validated/over_box.h"
 
 #include <flint/fmpq_vec.h>
@@ -210,10 +209,8 @@ static void change_along(arf_t out, search *s, const fmpq *middle, unsigned i)
 static unsigned choose(search *s, const fmpq *middle)
 {
     unsigned best = s->q->dim;
-    arf_t change, most;
+    JLT_SCOPED(arf, change, most);
 
-    arf_init(change);
-    arf_init(most);
     for (unsigned i = 0; i < s->q->dim; i++) {
         if (fmpq_equal(&s->low[i], &s->high[i]) || s->depth[i] == DEPTH_MAX) continue;
         change_along(change, s, middle, i);
@@ -222,8 +219,6 @@ static unsigned choose(search *s, const fmpq *middle)
         best = i;
         arf_set(most, change);
     }
-    arf_clear(change);
-    arf_clear(most);
     return best;
 }
 
@@ -253,9 +248,8 @@ static jlt_family_verdict explore(search *s);
 static jlt_family_verdict halve(search *s, unsigned side, const fmpq_t middle)
 {
     jlt_family_verdict verdict;
-    fmpq_t end;
+    JLT_SCOPED(fmpq, end);
 
-    fmpq_init(end);
     fmpq_set(end, &s->high[side]);
     fmpq_set(&s->high[side], middle);
     s->depth[side]++;
@@ -268,7 +262,6 @@ static jlt_family_verdict halve(search *s, unsigned side, const fmpq_t middle)
         fmpq_set(&s->low[side], end);
     }
     s->depth[side]--;
-    fmpq_clear(end);
     return verdict;
 }
 
@@ -295,12 +288,51 @@ done:
     return verdict;
 }
 
+/* ---- the trace on the family ---- */
+
+typedef struct {
+    const ttc_model *model;
+    const ttc_bindings *bindings;
+} substitution;
+
+static ttc_id definition_of(void *context, uint32_t symbol)
+{
+    const ttc_symbol_entry *entry = &((const substitution *)context)->model->symbols[symbol];
+
+    return entry->kind == TTC_LET ? entry->definition : TTC_NONE;
+}
+
+static ttc_id value_of(void *context, uint32_t symbol, ttc_id definition)
+{
+    const substitution *s = context;
+    const ttc_symbol_entry *entry = &s->model->symbols[symbol];
+
+    for (size_t i = 0; i < s->bindings->count; i++)
+        if (s->bindings->items[i].symbol == symbol) return s->bindings->items[i].expression;
+    return definition == TTC_NONE || definition == entry->definition ? entry->node : definition;
+}
+
+static ttc_id put(const ttc_model *model, const ttc_bindings *bindings, ttc_id id)
+{
+    substitution s = { model, bindings };
+    const ttc_id out = ttc_substitute_through(model->graph, id, definition_of, value_of, &s);
+
+    if (out == TTC_NONE) ttc_graph_clear_error(model->graph);
+    return out;
+}
+
+/* Substitute what the family gives, in the expression and in those `let`s that it changes, so that terms cancel: states first, so
+ * that parameters are then substituted in their expressions too. Returns TTC_NONE if this divides by zero. */
+static ttc_id on_family(const ttc_model *model, const ttc_claim *family, ttc_id id)
+{
+    return put(model, &family->when, put(model, &family->bindings, id));
+}
+
 static jlt_status begin(search *s)
 {
     const ttc_model *m = s->q->model;
     const ttc_claim *family = s->q->family;
     ttc_id trace;
-    jlt_status st;
 
     jlt_range_init(&s->both);
     s->low = _fmpq_vec_init(s->q->dim + 1);
@@ -313,12 +345,11 @@ static jlt_status begin(search *s)
     for (size_t i = 0; i < m->state_count; i++)
         trace = ttc_add(m->graph, trace, ttc_model_partial(m, ttc_model_field(m, i), m->states[i]));
     if (trace == TTC_NONE) return JLT_ERR_NOMEM;
-    s->trace = jlt_on_family(m, family, trace);
+    s->trace = on_family(m, family, trace);
     if (s->trace == TTC_NONE) s->trace = trace;
-    if (s->q->trace != NULL) s->formula = jlt_on_family(m, family, s->q->trace->expression);
-    st = gather_conditions(s);
-    if (st == JLT_OK) st = jlt_over_box_create(&s->over, m, s->q->bits);
-    if (st != JLT_OK) return st;
+    if (s->q->trace != NULL) s->formula = on_family(m, family, s->q->trace->expression);
+    JLT_PASS(gather_conditions(s));
+    JLT_PASS(jlt_over_box_create(&s->over, m, s->q->bits));
     for (size_t i = 0; i < family->when.count; i++)
         jlt_over_box_bind(s->over, family->when.items[i].symbol, family->when.items[i].expression);
     for (size_t i = 0; i < family->bindings.count; i++)

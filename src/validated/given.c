@@ -175,7 +175,7 @@ static jlt_status widen(jlt_given *self, unsigned legs)
     const slong width = (slong)self->question.descriptor->state_count - 1, n = width * (slong)legs;
     const double room = 1.5, least = 0.05;
     double reaches[JLT_CYCLE_STATES_MAX] = { 0 }, widest = 0.0;
-    arb_ptr reach = _arb_vec_init(n);
+    JLT_SCOPED_VECTOR(arb, reach, n);
     jlt_cycle *cycle = NULL;
     jlt_status st;
 
@@ -188,7 +188,6 @@ static jlt_status widen(jlt_given *self, unsigned legs)
     for (slong i = 0; i < n; i++) mag_set_d(arb_radref(self->legs.box + i), room * fmax(reaches[i % width], least * widest));
 done:
     jlt_cycle_destroy(cycle);
-    _arb_vec_clear(reach, n);
     return st;
 }
 
@@ -209,7 +208,8 @@ jlt_status jlt_given_make_legs(jlt_given *self, json_t *given, unsigned legs, co
     const jlt_descriptor *d = self->question.descriptor;
     json_t *names = json_array();
     jlt_cycle_question middle; /* the question with parameters and levels at their midpoints */
-    arb_ptr params = _arb_vec_init(d->param_count + 1), levels = _arb_vec_init(JLT_FORMULAS_LEVELS_MAX);
+    JLT_SCOPED_VECTOR(arb, params, d->param_count + 1);
+    JLT_SCOPED_VECTOR(arb, levels, JLT_FORMULAS_LEVELS_MAX);
     jlt_cycle *cycle = NULL;
     const bool spreads = !(radius > 0) && has_intervals(self, given);
     const double width = radius > 0 ? radius : 1e-10;
@@ -242,8 +242,6 @@ jlt_status jlt_given_make_legs(jlt_given *self, json_t *given, unsigned legs, co
              : JLT_ERR_NOMEM;
 done:
     jlt_cycle_destroy(cycle);
-    _arb_vec_clear(params, d->param_count + 1);
-    _arb_vec_clear(levels, JLT_FORMULAS_LEVELS_MAX);
     json_decref(names);
     return st;
 }

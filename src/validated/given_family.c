@@ -166,14 +166,10 @@ json_t *jlt_given_family_shown(const jlt_given_family *self, const jlt_family_re
 
 static double number_of(const fmpq *x)
 {
-    arf_t value;
-    double out;
+    JLT_SCOPED(arf, value);
 
-    arf_init(value);
     arf_fmpz_div_fmpz(value, fmpq_numref(x), fmpq_denref(x), 53, ARF_RND_NEAR);
-    out = arf_get_d(value, ARF_RND_NEAR);
-    arf_clear(value);
-    return out;
+    return arf_get_d(value, ARF_RND_NEAR);
 }
 
 /* Write a point, or if `to` is not NULL a box, by the coordinates with ranges in `given`; "its only point" if there is none. */

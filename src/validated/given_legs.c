@@ -103,9 +103,8 @@ json_t *jlt_given_legs_write(const jlt_given_legs *self, const jlt_cycle_questio
     const jlt_descriptor *d = question->descriptor;
     json_t *legs = json_array();
     arb_srcptr y = self->box;
-    arb_t middle;
+    JLT_SCOPED(arb, middle);
 
-    arb_init(middle);
     for (unsigned i = 0; i < self->count; i++) {
         json_t *box = json_object();
         for (unsigned s = 0; s < d->state_count; s++) {
@@ -120,6 +119,5 @@ json_t *jlt_given_legs_write(const jlt_given_legs *self, const jlt_cycle_questio
                                               jlt_given_legs_decimal(self->instants + i, question->digits), "turns",
                                               jlt_given_turns_write(self, question, i)));
     }
-    arb_clear(middle);
     return legs;
 }

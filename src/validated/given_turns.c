@@ -45,10 +45,9 @@ static bool measure(jlt_given_legs *self, const jlt_cycle_question *question, co
 {
     const jlt_descriptor *d = question->descriptor;
     const slong bits = jlt_step_accuracy_for(question->digits).bits;
-    arb_t period;
     bool good = true;
+    JLT_SCOPED(arb, period);
 
-    arb_init(period);
     for (unsigned k = 0; good && k < self->count * d->state_count; k++) {
         const unsigned state = k % d->state_count;
         if (self->turns[k] == 0) continue;
@@ -57,7 +56,6 @@ static bool measure(jlt_given_legs *self, const jlt_cycle_question *question, co
         else snprintf(problem, JLT_GIVEN_PROBLEM_MAX, "turns: %s has no period that %s proves (claim 'periodic')",
                       d->states[state].name, d->model);
     }
-    arb_clear(period);
     return good;
 }
 

@@ -37,10 +37,8 @@ static bool find_tangent(jlt_homoclinic_result *result, const jlt_homoclinic_cha
 {
     const slong n = arb_mat_nrows(chain->DG), width = (slong)result->unknowns, bits = jlt_step_bits(chain->of->step);
     bool crosses = false;
-    arb_mat_t right, dy;
+    JLT_SCOPED_MATRIX(arb, n, 1, right, dy);
 
-    arb_mat_init(right, n, 1);
-    arb_mat_init(dy, n, 1);
     arb_one(arb_mat_entry(right, n - 1, 0));
     if (arb_mat_solve_precond(dy, chain->DG, right, bits))
         for (unsigned i = 0; i < result->states; i++) {
@@ -50,8 +48,6 @@ static bool find_tangent(jlt_homoclinic_result *result, const jlt_homoclinic_cha
             crosses = crosses || (i != chain->flipped && i != chain->question->question->column
                                   && arb_is_nonzero(result->tangent + i));
         }
-    arb_mat_clear(right);
-    arb_mat_clear(dy);
     return crosses;
 }
 
@@ -59,53 +55,47 @@ static bool find_tangent(jlt_homoclinic_result *result, const jlt_homoclinic_cha
 static jlt_status prove(jlt_homoclinic_chain *chain, jlt_homoclinic_result *result)
 {
     const jlt_homoclinic_question *question = chain->question;
-    arb_ptr around = _arb_vec_init((slong)result->unknowns);
+    JLT_SCOPED_VECTOR(arb, around, (slong)result->unknowns);
     jlt_krawczyk_verdict verdict;
     jlt_krawczyk problem;
     bool regular;
-    arb_mat_t A;
-    jlt_status st;
+    JLT_SCOPED_MATRIX(arb, 2, 2, A);
 
-    arb_mat_init(A, 2, 2);
     result->verdict = JLT_HOMOCLINIC_NO_CONE;
-    JLT_TRY(jlt_homoclinic_chain_local(chain, A, around, &regular));
-    if (!regular || !jlt_homoclinic_chain_is_cone(chain, A)) goto done;
+    JLT_PASS(jlt_homoclinic_chain_local(chain, A, around, &regular));
+    if (!regular || !jlt_homoclinic_chain_is_cone(chain, A)) return JLT_OK;
     result->verdict = JLT_HOMOCLINIC_UNSHOWN;
     problem = jlt_homoclinic_chain_equations(chain);
-    JLT_TRY(jlt_krawczyk_prove(&problem, &verdict, result->solution, question->box));
-    if (verdict == JLT_KRAWCZYK_UNSHOWN) goto done;
+    JLT_PASS(jlt_krawczyk_prove(&problem, &verdict, result->solution, question->box));
+    if (verdict == JLT_KRAWCZYK_UNSHOWN) return JLT_OK;
     result->verdict = JLT_HOMOCLINIC_CONTRADICTED;
-    if (verdict == JLT_KRAWCZYK_CONTRADICTED) goto done;
+    if (verdict == JLT_KRAWCZYK_CONTRADICTED) return JLT_OK;
     result->verdict = JLT_HOMOCLINIC_STILL;
-    if (!chain->goes_on) goto done;
+    if (!chain->goes_on) return JLT_OK;
     result->verdict = JLT_HOMOCLINIC_OPEN;
-    if (!begins_in(chain, around, result->solution) || !chain->meets) goto done;
+    if (!begins_in(chain, around, result->solution) || !chain->meets) return JLT_OK;
     result->verdict = find_tangent(result, chain) ? JLT_HOMOCLINIC_PROVED : JLT_HOMOCLINIC_TANGENT;
     arb_set(result->start, chain->start);
     _arb_vec_set(result->point, chain->point, (slong)result->states);
     for (unsigned i = 0; i < JLT_ARRIVAL_VALIDS_MAX; i++) arf_set(result->least + i, chain->least + i);
-done:
-    arb_mat_clear(A);
-    _arb_vec_clear(around, (slong)result->unknowns);
-    return st;
+    return JLT_OK;
 }
 
 jlt_status jlt_homoclinic_prove(jlt_cycle *of, jlt_homoclinic_result *result, const jlt_homoclinic_question *question)
 {
     jlt_homoclinic_chain chain;
     bool symmetric = false;
-    jlt_status st = JLT_OK;
 
     if (of->unknowns - question->question->level_count != 2 || question->question->free_count != 0) return JLT_ERR_ARG;
     result->verdict = JLT_HOMOCLINIC_NO_SADDLE;
-    JLT_TRY(jlt_cycle_prove(of, &result->saddle, question->saddle_box, question->saddle_instant, question->kept));
-    if (result->saddle.verdict != JLT_CYCLE_PROVED || !result->saddle.saddle) goto done;
+    JLT_PASS(jlt_cycle_prove(of, &result->saddle, question->saddle_box, question->saddle_instant, question->kept));
+    if (result->saddle.verdict != JLT_CYCLE_PROVED || !result->saddle.saddle) return JLT_OK;
     result->verdict = JLT_HOMOCLINIC_ASYMMETRIC;
-    if (question->signs == NULL || !jlt_symmetry_keeps(of, question->signs)) goto done;
-    JLT_TRY(jlt_symmetry_maps(of, &symmetric, &result->saddle, question->saddle_box, question->saddle_instant, question->signs));
-    if (!symmetric) goto done;
-    if (jlt_homoclinic_chain_init(&chain, of, question, result->saddle.solution)) st = prove(&chain, result);
+    if (question->signs == NULL || !jlt_symmetry_keeps(of, question->signs)) return JLT_OK;
+    JLT_PASS(jlt_symmetry_maps(of, &symmetric, &result->saddle, question->saddle_box, question->saddle_instant, question->signs));
+    if (!symmetric) return JLT_OK;
+    const bool made = jlt_homoclinic_chain_init(&chain, of, question, result->saddle.solution);
+    const jlt_status st = made ? prove(&chain, result) : JLT_OK;
     jlt_homoclinic_chain_clear(&chain);
-done:
     return st;
 }

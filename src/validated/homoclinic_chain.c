@@ -17,7 +17,6 @@ bool jlt_homoclinic_chain_init(jlt_homoclinic_chain *self, jlt_cycle *of, const 
                                arb_srcptr saddle)
 {
     const slong n = (slong)of->unknowns, count = n * (slong)question->legs, dim = (slong)of->formulas->dim;
-    arb_mat_t frame;
     bool regular;
 
     *self = (jlt_homoclinic_chain){ .of = of, .question = question };
@@ -31,10 +30,9 @@ bool jlt_homoclinic_chain_init(jlt_homoclinic_chain *self, jlt_cycle *of, const 
     for (unsigned i = 0; i < JLT_ARRIVAL_VALIDS_MAX; i++) arf_init(self->least + i);
     _arb_vec_set(self->saddle, saddle, n);
     _arb_vec_set(self->own_instants, question->instants, (slong)question->legs);
-    arb_mat_init(frame, 2, 2);
+    JLT_SCOPED_MATRIX(arb, 2, 2, frame);
     for (unsigned i = 0; i < 4; i++) arb_set(arb_mat_entry(frame, i / 2, i % 2), question->frame + i);
     regular = arb_mat_inv(self->inverse, frame, jlt_step_bits(of->step));
-    arb_mat_clear(frame);
     return find_flipped(&self->flipped, question) && regular;
 }
 
@@ -64,13 +62,11 @@ static bool surround(jlt_homoclinic_chain *self, arb_ptr y)
     const unsigned n = self->of->unknowns, m = n - 2;
     const slong bits = jlt_step_bits(self->of->step);
     bool inside = false;
-    arb_mat_t away, xi, frame, slope, left;
+    JLT_SCOPED_MATRIX(arb, 2, 1, away, xi);
+    JLT_SCOPED_MATRIX(arb, 2, 2, frame);
+    JLT_SCOPED_MATRIX(arb, m, 2, slope);
+    JLT_SCOPED_MATRIX(arb, m, 1, left);
 
-    arb_mat_init(away, 2, 1);
-    arb_mat_init(xi, 2, 1);
-    arb_mat_init(frame, 2, 2);
-    arb_mat_init(slope, m, 2);
-    arb_mat_init(left, m, 1);
     arb_get_mag(arb_radref(arb_mat_entry(xi, 0, 0)), q->reach);
     arb_mul(arb_mat_entry(away, 0, 0), q->reach, q->slope, bits);
     arb_get_mag(arb_radref(arb_mat_entry(xi, 1, 0)), arb_mat_entry(away, 0, 0));
@@ -98,11 +94,6 @@ static bool surround(jlt_homoclinic_chain *self, arb_ptr y)
         }
         if (m == 0) inside = true;
     }
-    arb_mat_clear(away);
-    arb_mat_clear(xi);
-    arb_mat_clear(frame);
-    arb_mat_clear(slope);
-    arb_mat_clear(left);
     return inside;
 }
 
@@ -110,34 +101,24 @@ jlt_status jlt_homoclinic_chain_local(jlt_homoclinic_chain *self, arb_mat_t A, a
 {
     const jlt_homoclinic_question *q = self->question;
     const slong bits = jlt_step_bits(self->of->step);
-    arb_mat_t D, frame;
-    jlt_status st = JLT_OK;
+    JLT_SCOPED_MATRIX(arb, 2, 2, D, frame);
 
-    arb_mat_init(D, 2, 2);
-    arb_mat_init(frame, 2, 2);
     *regular = surround(self, around);
-    if (!*regular) goto done;
-    JLT_TRY(jlt_cycle_map_arrive(self->of, around, arb_midref(q->saddle_instant), q->question->direction, NULL));
+    if (!*regular) return JLT_OK;
+    JLT_PASS(jlt_cycle_map_arrive(self->of, around, arb_midref(q->saddle_instant), q->question->direction, NULL));
     *regular = jlt_cycle_map_restrict(self->of, D, around, q->kept);
     for (unsigned i = 0; i < 4; i++) arb_set(arb_mat_entry(frame, i / 2, i % 2), q->frame + i);
     arb_mat_mul(A, D, frame, bits);
     arb_mat_mul(A, self->inverse, A, bits);
-done:
-    arb_mat_clear(D);
-    arb_mat_clear(frame);
-    return st;
+    return JLT_OK;
 }
 
 bool jlt_homoclinic_chain_is_cone(const jlt_homoclinic_chain *self, const arb_mat_t A)
 {
     const slong bits = jlt_step_bits(self->of->step);
     bool is_cone;
-    arb_t s, along, across, size;
+    JLT_SCOPED(arb, s, along, across, size);
 
-    arb_init(s);
-    arb_init(along);
-    arb_init(across);
-    arb_init(size);
     arb_get_mag(arb_radref(s), self->question->slope);
     arb_set(along, arb_mat_entry(A, 0, 0));
     arb_addmul(along, arb_mat_entry(A, 0, 1), s, bits);
@@ -149,10 +130,6 @@ bool jlt_homoclinic_chain_is_cone(const jlt_homoclinic_chain *self, const arb_ma
     arb_div(across, across, along, bits);
     arb_abs(across, across);
     is_cone = is_cone && arb_lt(across, self->question->slope);
-    arb_clear(s);
-    arb_clear(along);
-    arb_clear(across);
-    arb_clear(size);
     return is_cone;
 }
 
@@ -161,12 +138,8 @@ static void begin(jlt_homoclinic_chain *self, arb_mat_t G, arb_mat_t DG, arb_src
 {
     const jlt_homoclinic_question *q = self->question;
     const slong bits = jlt_step_bits(self->of->step);
-    arb_t away, across, g, slope;
+    JLT_SCOPED(arb, away, across, g, slope);
 
-    arb_init(away);
-    arb_init(across);
-    arb_init(g);
-    arb_init(slope);
     arb_zero(self->start);
     arb_get_mag(arb_radref(slope), q->slope);
     for (unsigned k = 0; k < 2; k++) {
@@ -182,10 +155,6 @@ static void begin(jlt_homoclinic_chain *self, arb_mat_t G, arb_mat_t DG, arb_src
     arb_sub(arb_mat_entry(G, 0, 0), across, g, bits);
     arb_abs(away, self->start);
     self->inside = arb_lt(away, q->reach);
-    arb_clear(away);
-    arb_clear(across);
-    arb_clear(g);
-    arb_clear(slope);
 }
 
 static void watch(jlt_homoclinic_chain *self)
@@ -225,9 +194,8 @@ static jlt_status equations(void *context, arb_mat_t G, arb_mat_t DG, arb_srcptr
     begin(self, G, DG, y);
     for (slong i = 0; i <= last; i++) {
         arb_srcptr here = y + i * n;
-        const jlt_status st = jlt_cycle_map_arrive(self->of, here, arb_midref(self->own_instants + i),
-                                                   i < last ? q->question->direction : q->landing, NULL);
-        if (st != JLT_OK) return st;
+        JLT_PASS(jlt_cycle_map_arrive(self->of, here, arb_midref(self->own_instants + i),
+                                      i < last ? q->question->direction : q->landing, NULL));
         watch(self);
         self->goes_on = arb_is_positive(self->of->arrival.time) && self->goes_on;
         if (self->adjusts) arb_get_mid_arb(self->own_instants + i, self->of->arrival.time);

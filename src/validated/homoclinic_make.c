@@ -28,34 +28,27 @@ static bool choose_frame(arb_ptr frame, const arb_mat_t D)
 /* The derivative D of the return map at the midpoint of the saddle's box. */
 static jlt_status look(jlt_cycle *of, arb_mat_t D, const jlt_homoclinic_question *q)
 {
-    arb_ptr y = _arb_vec_init((slong)of->unknowns);
-    jlt_status st;
+    JLT_SCOPED_VECTOR(arb, y, (slong)of->unknowns);
 
     for (unsigned i = 0; i < of->unknowns; i++) arb_get_mid_arb(y + i, q->saddle_box + i);
-    JLT_TRY(jlt_cycle_map_arrive(of, y, arb_midref(q->saddle_instant), q->question->direction, NULL));
-    if (!jlt_cycle_map_restrict(of, D, y, q->kept)) st = JLT_ERR_NO_CONVERGENCE;
-done:
-    _arb_vec_clear(y, (slong)of->unknowns);
-    return st;
+    JLT_PASS(jlt_cycle_map_arrive(of, y, arb_midref(q->saddle_instant), q->question->direction, NULL));
+    return jlt_cycle_map_restrict(of, D, y, q->kept) ? JLT_OK : JLT_ERR_NO_CONVERGENCE;
 }
 
 /* Choose a slope for which the cone is mapped into its interior. The least such slope depends on A over N, which grows with the
  * slope, so a few are tried. */
 static jlt_status choose_cone(jlt_homoclinic_chain *chain, jlt_homoclinic_question *q)
 {
-    arb_ptr around = _arb_vec_init((slong)chain->of->unknowns);
-    jlt_status st = JLT_OK;
+    JLT_SCOPED_VECTOR(arb, around, (slong)chain->of->unknowns);
     bool regular, is_cone = false;
-    arb_mat_t A;
+    JLT_SCOPED_MATRIX(arb, 2, 2, A);
 
-    arb_mat_init(A, 2, 2);
     arb_set(q->slope, q->reach);
     for (unsigned attempt = 0; attempt < CONES && !is_cone; attempt++) {
-        mag_t least;
-        JLT_TRY(jlt_homoclinic_chain_local(chain, A, around, &regular));
+        JLT_PASS(jlt_homoclinic_chain_local(chain, A, around, &regular));
         is_cone = regular && jlt_homoclinic_chain_is_cone(chain, A);
         if (is_cone) break;
-        mag_init(least);
+        JLT_SCOPED(mag, least);
         arb_get_mag(least, arb_mat_entry(A, 1, 0));
         mag_mul_2exp_si(least, least, 2);
         arb_mul_2exp_si(q->slope, q->slope, 1);
@@ -64,13 +57,8 @@ static jlt_status choose_cone(jlt_homoclinic_chain *chain, jlt_homoclinic_questi
             mag_zero(arb_radref(around));
             arb_max(q->slope, q->slope, around, 53);
         }
-        mag_clear(least);
     }
-    if (!is_cone) st = JLT_ERR_NO_CONVERGENCE;
-done:
-    arb_mat_clear(A);
-    _arb_vec_clear(around, (slong)chain->of->unknowns);
-    return st;
+    return is_cone ? JLT_OK : JLT_ERR_NO_CONVERGENCE;
 }
 
 /* Set the radii of the boxes to 4 times the least that Krawczyk's operator needs, plus the rounding of the midpoints. */
@@ -78,29 +66,20 @@ static jlt_status choose_radii(jlt_homoclinic_chain *chain, jlt_homoclinic_quest
 {
     const jlt_krawczyk problem = jlt_homoclinic_chain_equations(chain);
     const slong n = problem.n;
-    jlt_status st;
-    arb_mat_t G, DG, M;
+    JLT_SCOPED_MATRIX(arb, n, 1, G);
+    JLT_SCOPED_MATRIX(arb, n, n, DG, M);
 
-    arb_mat_init(G, n, 1);
-    arb_mat_init(DG, n, n);
-    arb_mat_init(M, n, n);
-    JLT_TRY(problem.equations(problem.context, G, DG, q->box));
-    if (!jlt_krawczyk_invert(M, DG, problem.bits)) st = JLT_ERR_NO_CONVERGENCE;
+    JLT_PASS(problem.equations(problem.context, G, DG, q->box));
+    if (!jlt_krawczyk_invert(M, DG, problem.bits)) return JLT_ERR_NO_CONVERGENCE;
     arb_mat_mul(G, M, G, problem.bits);
     for (slong i = 0; i < n; i++) {
-        mag_t rounding;
-        mag_init(rounding);
+        JLT_SCOPED(mag, rounding);
         arb_get_mag(arb_radref(q->box + i), arb_mat_entry(G, i, 0));
         mag_mul_2exp_si(arb_radref(q->box + i), arb_radref(q->box + i), 2);
         mag_set_ui_2exp_si(rounding, 1, -(slong)(3 * q->question->digits));
         mag_add(arb_radref(q->box + i), arb_radref(q->box + i), rounding);
-        mag_clear(rounding);
     }
-done:
-    arb_mat_clear(G);
-    arb_mat_clear(DG);
-    arb_mat_clear(M);
-    return st;
+    return JLT_OK;
 }
 
 /* Returns UNSUPPORTED unless the reversor is proved to map section, levels and saddle to themselves. */
@@ -121,9 +100,8 @@ jlt_status jlt_homoclinic_make(jlt_cycle *of, jlt_homoclinic_question *q)
     jlt_krawczyk problem;
     bool has_chain = false;
     jlt_status st;
-    arb_mat_t D;
+    JLT_SCOPED_MATRIX(arb, 2, 2, D);
 
-    arb_mat_init(D, 2, 2);
     jlt_cycle_result_init(&saddle, of, 1);
     JLT_TRY(jlt_cycle_prove(of, &saddle, q->saddle_box, q->saddle_instant, q->kept));
     JLT_TRY(look(of, D, q));
@@ -146,6 +124,5 @@ jlt_status jlt_homoclinic_make(jlt_cycle *of, jlt_homoclinic_question *q)
 done:
     if (has_chain) jlt_homoclinic_chain_clear(&chain);
     jlt_cycle_result_clear(&saddle);
-    arb_mat_clear(D);
     return st;
 }

@@ -8,7 +8,7 @@
 #ifndef JLT_VALIDATED_JETS_H
 #define JLT_VALIDATED_JETS_H
 
-#include "validated/balls.h"
+#include "ext/scoped.h"
 #include "validated/formulas.h"
 
 typedef struct jlt_jets jlt_jets;

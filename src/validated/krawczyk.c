@@ -6,14 +6,12 @@ enum { NEWTON_STEPS = 12 };
 
 bool jlt_krawczyk_invert(arb_mat_t M, const arb_mat_t DG, slong bits)
 {
-    arb_mat_t middle;
     bool regular;
+    JLT_SCOPED_MATRIX(arb, arb_mat_nrows(DG), arb_mat_ncols(DG), middle);
 
-    arb_mat_init(middle, arb_mat_nrows(DG), arb_mat_ncols(DG));
     arb_mat_get_mid(middle, DG);
     regular = arb_mat_inv(M, middle, bits);
     arb_mat_get_mid(M, M);
-    arb_mat_clear(middle);
     return regular;
 }
 
@@ -28,47 +26,34 @@ static jlt_status evaluate(const jlt_krawczyk *self, arb_mat_t G, arb_mat_t DG, 
 static double size_of(const arb_mat_t column)
 {
     double size = -INFINITY;
-    mag_t bound;
+    JLT_SCOPED(mag, bound);
 
-    mag_init(bound);
     for (slong i = 0; i < arb_mat_nrows(column); i++) {
         arb_get_mag(bound, arb_mat_entry(column, i, 0));
         size = fmax(size, mag_get_d_log2_approx(bound));
     }
-    mag_clear(bound);
     return size;
 }
 
 jlt_status jlt_krawczyk_refine(const jlt_krawczyk *self, arb_ptr y, double accuracy)
 {
     const slong n = self->n;
-    jlt_status st = JLT_ERR_NO_CONVERGENCE;
     double size = INFINITY;
-    arb_mat_t G, DG, M, correction;
+    JLT_SCOPED_MATRIX(arb, n, 1, G, correction);
+    JLT_SCOPED_MATRIX(arb, n, n, DG, M);
 
-    arb_mat_init(G, n, 1);
-    arb_mat_init(correction, n, 1);
-    arb_mat_init(DG, n, n);
-    arb_mat_init(M, n, n);
     for (unsigned attempt = 0; attempt < NEWTON_STEPS && size > -accuracy; attempt++) {
-        JLT_TRY(evaluate(self, G, DG, y));
-        st = JLT_ERR_NO_CONVERGENCE;
-        if (!jlt_krawczyk_invert(M, DG, self->bits)) goto done;
+        JLT_PASS(evaluate(self, G, DG, y));
+        if (!jlt_krawczyk_invert(M, DG, self->bits)) return JLT_ERR_NO_CONVERGENCE;
         arb_mat_mul(correction, M, G, self->bits);
         size = size_of(correction);
-        if (!(size < 0)) goto done;
+        if (!(size < 0)) return JLT_ERR_NO_CONVERGENCE;
         for (slong i = 0; i < n; i++) {
             arb_sub(y + i, y + i, arb_mat_entry(correction, i, 0), self->bits);
             arb_get_mid_arb(y + i, y + i);
         }
     }
-    st = size <= -accuracy ? JLT_OK : JLT_ERR_NO_CONVERGENCE;
-done:
-    arb_mat_clear(G);
-    arb_mat_clear(correction);
-    arb_mat_clear(DG);
-    arb_mat_clear(M);
-    return st;
+    return size <= -accuracy ? JLT_OK : JLT_ERR_NO_CONVERGENCE;
 }
 
 /* The operator; y0, M and M G(y0) are those of the first box for all boxes. */
@@ -92,7 +77,6 @@ static void operator_clear(operator *self)
 static jlt_status operator_init(operator *self, const jlt_krawczyk *of, bool *regular, arb_srcptr box)
 {
     const slong n = of->n;
-    arb_mat_t G;
     jlt_status st;
 
     *self = (operator){ .of = of, .middle = _arb_vec_init(n), .between = _arb_vec_init(n) };
@@ -100,28 +84,25 @@ static jlt_status operator_init(operator *self, const jlt_krawczyk *of, bool *re
     arb_mat_init(self->offset, n, 1);
     arb_mat_init(self->DG, n, n);
     arb_mat_init(self->unused, n, 1);
-    arb_mat_init(G, n, 1);
+    JLT_SCOPED_MATRIX(arb, n, 1, G);
     for (slong i = 0; i < n; i++) arb_get_mid_arb(self->middle + i, box + i);
     st = evaluate(of, G, self->DG, self->middle);
     *regular = st == JLT_OK && jlt_krawczyk_invert(self->M, self->DG, of->bits);
     arb_mat_mul(self->offset, self->M, G, of->bits);
-    arb_mat_clear(G);
     return st;
 }
 
 static jlt_status operator_apply(operator *self, arb_ptr K, arb_srcptr y)
 {
     const slong n = self->of->n, bits = self->of->bits;
-    arb_mat_t rest, away;
-    jlt_status st;
+    JLT_SCOPED_MATRIX(arb, n, n, rest);
+    JLT_SCOPED_MATRIX(arb, n, 1, away);
 
-    arb_mat_init(rest, n, n);
-    arb_mat_init(away, n, 1);
     for (slong i = 0; i < n; i++) { /* the mean value theorem needs the hull of y and the midpoint */
         if (arb_contains(y + i, self->middle + i)) arb_set(self->between + i, y + i);
         else arb_union(self->between + i, y + i, self->middle + i, bits);
     }
-    JLT_TRY(evaluate(self->of, self->unused, self->DG, self->between));
+    JLT_PASS(evaluate(self->of, self->unused, self->DG, self->between));
     arb_mat_mul(rest, self->M, self->DG, bits);
     arb_mat_neg(rest, rest);
     for (slong i = 0; i < n; i++) {
@@ -131,10 +112,7 @@ static jlt_status operator_apply(operator *self, arb_ptr K, arb_srcptr y)
     arb_mat_mul(away, rest, away, bits);
     arb_mat_sub(away, away, self->offset, bits);
     for (slong i = 0; i < n; i++) arb_add(K + i, arb_mat_entry(away, i, 0), self->middle + i, bits);
-done:
-    arb_mat_clear(rest);
-    arb_mat_clear(away);
-    return st;
+    return JLT_OK;
 }
 
 static bool all_inside(arb_srcptr outer, arb_srcptr inner, slong n)
@@ -156,7 +134,7 @@ static double width_of(arb_srcptr box, slong n)
 jlt_status jlt_krawczyk_prove(const jlt_krawczyk *self, jlt_krawczyk_verdict *verdict, arb_ptr solution, arb_srcptr box)
 {
     const slong n = self->n;
-    arb_ptr K = _arb_vec_init(n);
+    JLT_SCOPED_VECTOR(arb, K, n);
     bool regular = false;
     operator op;
     jlt_status st;
@@ -181,6 +159,5 @@ jlt_status jlt_krawczyk_prove(const jlt_krawczyk *self, jlt_krawczyk_verdict *ve
         }
 done:
     operator_clear(&op);
-    _arb_vec_clear(K, n);
     return st;
 }

@@ -8,7 +8,7 @@
 #define JLT_VALIDATED_KRAWCZYK_H
 
 #include "core/status.h"
-#include "validated/balls.h"
+#include "ext/scoped.h"
 
 #include <stdbool.h>
 

@@ -31,12 +31,9 @@ static void multiply(acb_ptr out, acb_srcptr a, const acb_t first, const acb_t s
 /* h += weight_1 map_1 + weight_2 map_2, with u = (z + conj(z))/2, v = slope z + conj(slope z) substituted. */
 static void substitute(acb_ptr h, arb_srcptr map, acb_srcptr weights, const acb_t slope, slong bits)
 {
-    acb_ptr monomials = _acb_vec_init(TERMS * TERMS);
-    acb_t half, other, factor;
+    JLT_SCOPED_VECTOR(acb, monomials, TERMS * TERMS);
+    JLT_SCOPED(acb, half, other, factor);
 
-    acb_init(half);
-    acb_init(other);
-    acb_init(factor);
     acb_one(half);
     acb_mul_2exp_si(half, half, -1);
     acb_conj(other, slope);
@@ -51,18 +48,13 @@ static void substitute(acb_ptr h, arb_srcptr map, acb_srcptr weights, const acb_
                 for (unsigned term = 1; term < TERMS; term++) acb_addmul(h + term, factor, monomial + term, bits);
             }
         }
-    _acb_vec_clear(monomials, TERMS * TERMS);
-    acb_clear(half);
-    acb_clear(other);
-    acb_clear(factor);
 }
 
 /* The eigenvector (1/2, slope), slope = (lambda - a_11)/(2 a_12), and the weights in z = weight_1 u + weight_2 v. */
 static void diagonalize(acb_t slope, acb_ptr weights, arb_srcptr map, const acb_t lambda, slong bits)
 {
-    arb_t twice;
+    JLT_SCOPED(arb, twice);
 
-    arb_init(twice);
     acb_sub_arb(slope, lambda, map + 1, bits);
     arb_mul_2exp_si(twice, map + 2, 1);
     acb_div_arb(slope, slope, twice, bits);
@@ -71,20 +63,14 @@ static void diagonalize(acb_t slope, acb_ptr weights, arb_srcptr map, const acb_
     arb_mul_2exp_si(twice, acb_imagref(slope), 1);
     arb_inv(acb_imagref(weights + 1), twice, bits);
     arb_neg(acb_imagref(weights + 1), acb_imagref(weights + 1));
-    arb_clear(twice);
 }
 
 /* d by the formula in the header. */
 static void reduce(acb_t d, acb_srcptr h, const acb_t lambda, slong bits)
 {
-    acb_t inverse, square, a, b;
-    arb_t size;
+    JLT_SCOPED(acb, inverse, square, a, b);
+    JLT_SCOPED(arb, size);
 
-    acb_init(inverse);
-    acb_init(square);
-    acb_init(a);
-    acb_init(b);
-    arb_init(size);
     acb_conj(inverse, lambda);
     acb_mul(square, lambda, lambda, bits);
     acb_mul_2exp_si(a, lambda, 1);
@@ -109,21 +95,14 @@ static void reduce(acb_t d, acb_srcptr h, const acb_t lambda, slong bits)
     acb_inv(b, b, bits);
     acb_addmul_arb(d, b, size, bits);
     acb_mul(d, d, inverse, bits);
-    acb_clear(inverse);
-    acb_clear(square);
-    acb_clear(a);
-    acb_clear(b);
-    arb_clear(size);
 }
 
 void jlt_normal_form_compute(jlt_normal_form *self, arb_srcptr map, const arb_t trace, slong bits)
 {
-    acb_ptr h = _acb_vec_init(TERMS), weights = _acb_vec_init(2);
-    acb_t lambda, slope, d;
+    JLT_SCOPED_VECTOR(acb, h, TERMS);
+    JLT_SCOPED_VECTOR(acb, weights, 2);
+    JLT_SCOPED(acb, lambda, slope, d);
 
-    acb_init(lambda);
-    acb_init(slope);
-    acb_init(d);
     arb_mul_2exp_si(acb_realref(lambda), trace, -1);
     arb_mul(acb_imagref(lambda), acb_realref(lambda), acb_realref(lambda), bits);
     arb_sub_ui(acb_imagref(lambda), acb_imagref(lambda), 1, bits);
@@ -134,9 +113,4 @@ void jlt_normal_form_compute(jlt_normal_form *self, arb_srcptr map, const arb_t 
     reduce(d, h, lambda, bits);
     arb_set(self->twist, acb_imagref(d));
     arb_set(self->growth, acb_realref(d));
-    _acb_vec_clear(h, TERMS);
-    _acb_vec_clear(weights, 2);
-    acb_clear(lambda);
-    acb_clear(slope);
-    acb_clear(d);
 }

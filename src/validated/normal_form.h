@@ -13,7 +13,7 @@
 #ifndef JLT_VALIDATED_NORMAL_FORM_H
 #define JLT_VALIDATED_NORMAL_FORM_H
 
-#include "validated/balls.h"
+#include "ext/scoped.h"
 
 typedef struct {
     arb_t twist;  /* Im d: increase of the rotation angle per return, divided by the square of the first coordinate's amplitude */

@@ -57,13 +57,11 @@ bool jlt_numerals_fraction(fmpq_t out, const char *text)
 bool jlt_numerals_read(arb_t out, const char *text, slong bits)
 {
     bool good;
-    fmpq_t fraction;
 
     if (form_of(text) == DECIMAL) return arb_set_str(out, text, bits) == 0 && arb_is_finite(out);
-    fmpq_init(fraction);
+    JLT_SCOPED(fmpq, fraction);
     good = jlt_numerals_fraction(fraction, text);
     if (good) arb_set_fmpq(out, fraction, bits);
-    fmpq_clear(fraction);
     return good;
 }
 
@@ -76,37 +74,27 @@ static bool read_parts(arb_t middle, arb_t radius, const json_t *ball, slong bit
 
 bool jlt_numerals_ball(arb_t out, const json_t *ball, slong bits)
 {
-    arb_t radius;
     bool good;
+    JLT_SCOPED(arb, radius);
 
-    arb_init(radius);
     good = read_parts(out, radius, ball, bits);
     if (good) arb_add_error(out, radius);
-    arb_clear(radius);
     return good;
 }
 
 bool jlt_numerals_is_ball(const json_t *ball)
 {
-    arb_t value;
-    bool good;
+    JLT_SCOPED(arb, value);
 
-    arb_init(value);
-    good = jlt_numerals_ball(value, ball, 64);
-    arb_clear(value);
-    return good;
+    return jlt_numerals_ball(value, ball, 64);
 }
 
 bool jlt_numerals_hold(const json_t *ball, const arb_t value, slong bits)
 {
-    arb_t middle, radius;
-    arf_t reach, room;
     bool good;
+    JLT_SCOPED(arb, middle, radius);
+    JLT_SCOPED(arf, reach, room);
 
-    arb_init(middle);
-    arb_init(radius);
-    arf_init(reach);
-    arf_init(room);
     good = read_parts(middle, radius, ball, bits);
     if (good) {
         arb_sub(middle, value, middle, bits);
@@ -114,9 +102,5 @@ bool jlt_numerals_hold(const json_t *ball, const arb_t value, slong bits)
         arb_get_lbound_arf(room, radius, bits);
         good = arf_cmp(reach, room) <= 0;
     }
-    arf_clear(reach);
-    arf_clear(room);
-    arb_clear(middle);
-    arb_clear(radius);
     return good;
 }

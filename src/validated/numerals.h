@@ -11,7 +11,7 @@
 #include <jansson.h>
 #include <stdbool.h>
 
-#include "validated/balls.h"
+#include "ext/scoped.h"
 
 enum { JLT_NUMERALS_LENGTH_MAX = 16384 };
 

@@ -88,11 +88,9 @@ static bool evaluate_symbol(jlt_range *out, jlt_over_box *self, uint32_t symbol)
         return true;
     }
     if (entry->kind == TTC_PI) {
-        arb_t pi;
-        arb_init(pi);
+        JLT_SCOPED(arb, pi);
         arb_const_pi(pi, self->bits);
         arb_get_interval_arf(out->low, out->high, pi, self->bits);
-        arb_clear(pi);
         return true;
     }
     if (meaning == TTC_NONE || !evaluate(self, meaning)) return false;
@@ -117,25 +115,23 @@ static bool evaluate_parts(jlt_range *out, jlt_over_box *self, ttc_id id)
     const ttc_graph *graph = self->model->graph;
     const bool product = ttc_kind_of(graph, id) == TTC_PRODUCT;
     bool good = true;
-    jlt_range term;
+    JLT_SCOPED(jlt_range, term);
 
-    jlt_range_init(&term);
     set_coefficient(out, ttc_coefficient(graph, id), self->bits);
     for (size_t i = 0; good && i < ttc_part_count(graph, id); i++) {
         const ttc_part part = ttc_part_at(graph, id, i);
         good = evaluate(self, part.id);
         if (!good) break;
         if (product) {
-            jlt_range_power(&term, &self->ranges[part.id], (unsigned)abs(part.exponent), self->bits);
-            good = part.exponent >= 0 || jlt_range_invert(&term, &term, self->bits);
-            jlt_range_multiply(out, out, &term, self->bits);
+            jlt_range_power(term, &self->ranges[part.id], (unsigned)abs(part.exponent), self->bits);
+            good = part.exponent >= 0 || jlt_range_invert(term, term, self->bits);
+            jlt_range_multiply(out, out, term, self->bits);
         } else {
-            set_coefficient(&term, part.coefficient, self->bits);
-            jlt_range_multiply(&term, &term, &self->ranges[part.id], self->bits);
-            jlt_range_add(out, out, &term, self->bits);
+            set_coefficient(term, part.coefficient, self->bits);
+            jlt_range_multiply(term, term, &self->ranges[part.id], self->bits);
+            jlt_range_add(out, out, term, self->bits);
         }
     }
-    jlt_range_clear(&term);
     return good;
 }
 

@@ -32,21 +32,17 @@ void jlt_range_add(jlt_range *out, const jlt_range *a, const jlt_range *b, slong
 
 void jlt_range_multiply(jlt_range *out, const jlt_range *a, const jlt_range *b, slong bits)
 {
-    jlt_range all;
-    arf_t product;
+    JLT_SCOPED(jlt_range, all);
+    JLT_SCOPED(arf, product);
 
-    jlt_range_init(&all);
-    arf_init(product);
     for (unsigned i = 0; i < 4; i++) {
         arf_srcptr x = i < 2 ? a->low : a->high, y = i % 2 == 0 ? b->low : b->high;
         arf_mul(product, x, y, bits, ARF_RND_FLOOR);
-        if (i == 0 || arf_cmp(product, all.low) < 0) arf_set(all.low, product);
+        if (i == 0 || arf_cmp(product, all->low) < 0) arf_set(all->low, product);
         arf_mul(product, x, y, bits, ARF_RND_CEIL);
-        if (i == 0 || arf_cmp(product, all.high) > 0) arf_set(all.high, product);
+        if (i == 0 || arf_cmp(product, all->high) > 0) arf_set(all->high, product);
     }
-    jlt_range_set(out, &all);
-    arf_clear(product);
-    jlt_range_clear(&all);
+    jlt_range_set(out, all);
 }
 
 static void absolute(jlt_range *out, const jlt_range *a)
@@ -66,18 +62,14 @@ static void absolute(jlt_range *out, const jlt_range *a)
 
 void jlt_range_power(jlt_range *out, const jlt_range *a, unsigned exponent, slong bits)
 {
-    jlt_range even, all;
+    JLT_SCOPED(jlt_range, even, all);
 
-    jlt_range_init(&even);
-    jlt_range_init(&all);
-    arf_one(all.low);
-    arf_one(all.high);
-    absolute(&even, a);
-    for (unsigned k = 0; k < exponent / 2 * 2; k++) jlt_range_multiply(&all, &all, &even, bits);
-    if (exponent % 2 != 0) jlt_range_multiply(&all, &all, a, bits);
-    jlt_range_set(out, &all);
-    jlt_range_clear(&all);
-    jlt_range_clear(&even);
+    arf_one(all->low);
+    arf_one(all->high);
+    absolute(even, a);
+    for (unsigned k = 0; k < exponent / 2 * 2; k++) jlt_range_multiply(all, all, even, bits);
+    if (exponent % 2 != 0) jlt_range_multiply(all, all, a, bits);
+    jlt_range_set(out, all);
 }
 
 bool jlt_range_invert(jlt_range *out, const jlt_range *a, slong bits)
@@ -101,14 +93,12 @@ bool jlt_range_root(jlt_range *out, const jlt_range *a, slong bits)
 bool jlt_range_apply(jlt_range *out, const jlt_range *a, jlt_range_function function, slong bits)
 {
     bool finite;
-    arb_t ball;
+    JLT_SCOPED(arb, ball);
 
-    arb_init(ball);
     arb_set_interval_arf(ball, a->low, a->high, bits);
     function(ball, ball, bits);
     finite = arb_is_finite(ball);
     if (finite) arb_get_interval_arf(out->low, out->high, ball, bits);
-    arb_clear(ball);
     return finite;
 }
 

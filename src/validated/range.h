@@ -5,7 +5,7 @@
 #ifndef JLT_VALIDATED_RANGE_H
 #define JLT_VALIDATED_RANGE_H
 
-#include "validated/balls.h"
+#include "ext/scoped.h"
 
 #include <flint/fmpq.h>
 #include <stdbool.h>
@@ -16,6 +16,10 @@ typedef struct {
 
 void jlt_range_init(jlt_range *self); /* to [0, 0] */
 void jlt_range_clear(jlt_range *self);
+
+typedef jlt_range jlt_range_t[1];
+JLT_SCOPED_TYPE(jlt_range, jlt_range)
+
 void jlt_range_set(jlt_range *out, const jlt_range *a);
 void jlt_range_set_fractions(jlt_range *out, const fmpq_t low, const fmpq_t high, slong bits);
 

@@ -2,17 +2,15 @@
 
 #include <math.h>
 
+enum { TRIES = 60 }; /* most lengths tried for a step */
+
 jlt_status jlt_rough_init(jlt_rough *self, const jlt_formulas *of, const ttc_program *program, arb_srcptr params,
                           jlt_rough_accuracy accuracy, unsigned degree)
 {
-    jlt_status st;
-
     *self = (jlt_rough){ .of = of, .params = params, .accuracy = accuracy, .terms = jlt_jets_terms(degree), .caution = 0.7 };
     self->y = _arb_vec_init((slong)(of->dim * self->terms));
-    JLT_TRY(jlt_jets_create(&self->hull, of, program, accuracy.order, degree));
-    JLT_TRY(jlt_jets_create(&self->rough, of, program, accuracy.order, degree));
-done:
-    return st;
+    JLT_PASS(jlt_jets_create(&self->hull, of, program, accuracy.order, degree));
+    return jlt_jets_create(&self->rough, of, program, accuracy.order, degree);
 }
 
 void jlt_rough_clear(jlt_rough *self)
@@ -22,38 +20,33 @@ void jlt_rough_clear(jlt_rough *self)
     jlt_jets_destroy(self->rough);
 }
 
-/* The time series of coefficient i, counted over all polynomials. */
-static arb_srcptr series(const jlt_rough *self, const jlt_jets *jets, unsigned i)
+arb_srcptr jlt_rough_series(const jlt_rough *self, const jlt_jets *jets, unsigned i)
 {
     return jlt_jets_state(jets, i / self->terms) + i % self->terms * (self->accuracy.order + 1);
 }
 
 void jlt_rough_sum(arb_t out, arb_srcptr a, unsigned count, const arb_t last, const arb_t t, slong bits)
 {
-    arb_t total;
+    JLT_SCOPED(arb, total);
 
-    arb_init(total);
     arb_set(total, last);
     for (unsigned i = count; i-- > 0;) {
         arb_mul(total, total, t, bits);
         arb_add(total, total, a + i, bits);
     }
     arb_swap(out, total);
-    arb_clear(total);
 }
 
 /* log2 of the largest coefficient of this order over all states. */
 static double size_of(const jlt_rough *self, const jlt_jets *jets, unsigned order)
 {
     double size = -INFINITY;
-    mag_t bound;
+    JLT_SCOPED(mag, bound);
 
-    mag_init(bound);
     for (unsigned i = 0; i < self->of->states * self->terms; i++) {
-        arb_get_mag(bound, series(self, jets, i) + order);
+        arb_get_mag(bound, jlt_rough_series(self, jets, i) + order);
         size = fmax(size, mag_get_d_log2_approx(bound));
     }
-    mag_clear(bound);
     return size;
 }
 
@@ -62,15 +55,13 @@ void jlt_rough_choose(const jlt_rough *self, arf_t h)
     const double K = self->accuracy.order, goal = -(double)self->accuracy.tolerance;
     const double length = fmin((goal - size_of(self, self->hull, self->accuracy.order)) / K,
                                (goal - size_of(self, self->hull, self->accuracy.order - 1)) / (K - 1));
-    arf_t wanted;
+    JLT_SCOPED(arf, wanted);
 
-    arf_init(wanted);
     if (isfinite(length)) {
         arf_set_d(wanted, floor(ldexp(self->caution * exp2(fmin(length, 3)), 20)));
         arf_mul_2exp_si(wanted, wanted, -20);
         if (arf_cmp(wanted, h) < 0) arf_set(h, wanted);
     }
-    arf_clear(wanted);
 }
 
 /* Enclose the solutions from the set over [0, h] to order K - 1, and with the remainder over y if with_remainder. Returns false if
@@ -79,35 +70,25 @@ static bool spread(const jlt_rough *self, arb_ptr z, const arb_t span, bool with
 {
     const unsigned K = self->accuracy.order;
     bool finite = true;
-    arb_t last;
+    JLT_SCOPED(arb, last);
 
-    arb_init(last);
     for (unsigned i = 0; i < self->of->dim * self->terms; i++) {
-        if (with_remainder) arb_set(last, series(self, self->rough, i) + K);
-        jlt_rough_sum(z + i, series(self, self->hull, i), K, last, span, self->accuracy.bits);
+        if (with_remainder) arb_set(last, jlt_rough_series(self, self->rough, i) + K);
+        jlt_rough_sum(z + i, jlt_rough_series(self, self->hull, i), K, last, span, self->accuracy.bits);
         finite = finite && arb_is_finite(z + i);
     }
-    arb_clear(last);
     return finite;
-}
-
-double jlt_rough_remainder(const jlt_rough *self, const arf_t h)
-{
-    return size_of(self, self->rough, self->accuracy.order) + self->accuracy.order * log2(arf_get_d(h, ARF_RND_UP));
 }
 
 bool jlt_rough_enclose(jlt_rough *self, const arf_t h)
 {
     const unsigned n = self->of->dim * self->terms;
     const slong bits = self->accuracy.bits;
-    arb_ptr z = _arb_vec_init((slong)n);
+    JLT_SCOPED_VECTOR(arb, z, (slong)n);
     bool inside = false;
-    arb_t span, zero;
-    mag_t more;
+    JLT_SCOPED(arb, span, zero);
+    JLT_SCOPED(mag, more);
 
-    arb_init(span);
-    arb_init(zero);
-    mag_init(more);
     arb_set_arf(span, h);
     arb_union(span, span, zero, bits);
     bool good = spread(self, self->y, span, false);
@@ -125,9 +106,27 @@ bool jlt_rough_enclose(jlt_rough *self, const arf_t h)
             mag_mul_2exp_si(arb_radref(self->y + i), arb_radref(self->y + i), 1);
         }
     }
-    _arb_vec_clear(z, (slong)n);
-    arb_clear(span);
-    arb_clear(zero);
-    mag_clear(more);
     return inside;
+}
+
+bool jlt_rough_validate(jlt_rough *self, arf_t h, jlt_rough_excess further, void *context)
+{
+    const double K = self->accuracy.order, slack = 8, tolerance = (double)self->accuracy.tolerance;
+
+    for (unsigned attempt = 0; attempt < TRIES; attempt++) {
+        double factor = 0.7;
+        if (jlt_rough_enclose(self, h)) {
+            const double remainder = size_of(self, self->rough, self->accuracy.order) + K * log2(arf_get_d(h, ARF_RND_UP));
+            double excess = remainder + tolerance - slack;
+            if (excess <= 0 && further != NULL) excess = fmax(excess, further(context, h));
+            if (excess <= 0) {
+                self->caution = fmin(self->caution * 1.02, 0.9);
+                return true;
+            }
+            factor = fmax(0.5, fmin(0.98, exp2(-(excess + slack) / K)));
+        }
+        self->caution *= factor;
+        arf_set_d(h, arf_get_d(h, ARF_RND_DOWN) * factor);
+    }
+    return false;
 }

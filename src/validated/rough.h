@@ -45,8 +45,13 @@ void jlt_rough_choose(const jlt_rough *self, arf_t h);
 /** Find y whose interior contains the solutions from the set over [0, h]. Returns false if h is too long. */
 bool jlt_rough_enclose(jlt_rough *self, const arf_t h);
 
-/** log2 of the largest remainder of a state over a step of length h, after jlt_rough_enclose. */
-double jlt_rough_remainder(const jlt_rough *self, const arf_t h);
+/** Shorten h until the step has a rough enclosure, and remainders not far above the tolerance; `caution` follows. further: log2 of
+ *  other remainders over the tolerated ones, after jlt_rough_enclose; NULL: there are none. Returns false if no length serves. */
+typedef double (*jlt_rough_excess)(void *context, const arf_t h);
+bool jlt_rough_validate(jlt_rough *self, arf_t h, jlt_rough_excess further, void *context);
+
+/** The time series, lowest order first, of coefficient i of `jets`, counted over the polynomials of all states. */
+arb_srcptr jlt_rough_series(const jlt_rough *self, const jlt_jets *jets, unsigned i);
 
 /** out = sum_(i<count) t^i a_i + t^count last. */
 void jlt_rough_sum(arb_t out, arb_srcptr a, unsigned count, const arb_t last, const arb_t t, slong bits);

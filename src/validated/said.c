@@ -43,13 +43,9 @@ static slong bits_of(const json_t *ball)
 static bool holds_ball(const json_t *said, const json_t *proved)
 {
     const slong bits = bits_of(proved);
-    arb_t inner;
-    bool good;
+    JLT_SCOPED(arb, inner);
 
-    arb_init(inner);
-    good = jlt_numerals_ball(inner, proved, bits) && jlt_numerals_hold(said, inner, bits);
-    arb_clear(inner);
-    return good;
+    return jlt_numerals_ball(inner, proved, bits) && jlt_numerals_hold(said, inner, bits);
 }
 
 static bool follows(const json_t *said, const json_t *proved);
@@ -104,35 +100,25 @@ static void read_number(arb_t out, const json_t *shown, const char *name)
 static int side(const json_t *shown, const char *name, slong of)
 {
     const slong bits = bits_of(json_object_get(shown, name)) + 64;
-    arb_t value;
-    int found;
+    JLT_SCOPED(arb, value);
 
-    arb_init(value);
     read_number(value, shown, name);
     arb_sub_si(value, value, of, bits);
-    found = arb_sgn_nonzero(value);
-    arb_clear(value);
-    return found;
+    return arb_sgn_nonzero(value);
 }
 
 /* The side of the unit circle on which a multiplier lies: 1 outside, -1 inside, 0 if undecided. */
 static int side_of_circle(const json_t *multiplier)
 {
     const slong bits = bits_of(json_object_get(multiplier, "re")) + bits_of(json_object_get(multiplier, "im"));
-    arb_t re, im;
-    int found;
+    JLT_SCOPED(arb, re, im);
 
-    arb_init(re);
-    arb_init(im);
     read_number(re, multiplier, "re");
     read_number(im, multiplier, "im");
     arb_mul(re, re, re, bits);
     arb_addmul(re, im, im, bits);
     arb_sub_ui(re, re, 1, bits);
-    found = arb_sgn_nonzero(re);
-    arb_clear(re);
-    arb_clear(im);
-    return found;
+    return arb_sgn_nonzero(re);
 }
 
 /* The number of multipliers that certainly lie on this side of the unit circle. */
@@ -152,10 +138,8 @@ static bool is_near(const json_t *point, const json_t *leg)
     const char *name;
     json_t *ball;
     bool near = true;
-    arb_t radius, room;
+    JLT_SCOPED(arb, radius, room);
 
-    arb_init(radius);
-    arb_init(room);
     json_object_foreach((json_t *)(uintptr_t)point, name, ball) {
         const json_t *around = json_object_get(box, name);
         near = near && jlt_numerals_read(radius, json_string_value(json_object_get(ball, "radius")), 64)
@@ -163,8 +147,6 @@ static bool is_near(const json_t *point, const json_t *leg)
         arb_mul_2exp_si(room, room, 2);
         near = near && !arb_gt(radius, room);
     }
-    arb_clear(radius);
-    arb_clear(room);
     return near;
 }
 

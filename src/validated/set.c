@@ -36,17 +36,13 @@ void jlt_set_clear(jlt_set *self)
 
 void jlt_set_hull(arb_ptr x, const jlt_set *self)
 {
-    arb_mat_t sum, part;
+    JLT_SCOPED_MATRIX(arb, self->dim, 1, sum, part);
 
-    arb_mat_init(sum, self->dim, 1);
-    arb_mat_init(part, self->dim, 1);
     arb_mat_mul(sum, self->C, self->r0, self->bits);
     arb_mat_mul(part, self->Q, self->r, self->bits);
     arb_mat_add(sum, sum, part, self->bits);
     arb_mat_add(sum, sum, self->x, self->bits);
     for (unsigned i = 0; i < self->dim; i++) arb_set(x + i, arb_mat_entry(sum, i, 0));
-    arb_mat_clear(sum);
-    arb_mat_clear(part);
 }
 
 void jlt_set_slope(arb_mat_t slope, const jlt_set *self)
@@ -58,11 +54,9 @@ void jlt_set_slope(arb_mat_t slope, const jlt_set *self)
 /* weight = (length of column j of the axes times largest radius in row j of the factors)^2. */
 static void weigh(arb_t weight, const arb_mat_t axes, const arb_mat_t factors, slong j, slong bits)
 {
-    mag_t radius;
-    arf_t length;
+    JLT_SCOPED(mag, radius);
+    JLT_SCOPED(arf, length);
 
-    mag_init(radius);
-    arf_init(length);
     arb_zero(weight);
     for (slong i = 0; i < arb_mat_nrows(axes); i++) arb_addmul(weight, arb_mat_entry(axes, i, j), arb_mat_entry(axes, i, j), bits);
     for (slong k = 0; k < arb_mat_ncols(factors); k++) mag_max(radius, radius, arb_radref(arb_mat_entry(factors, j, k)));
@@ -70,30 +64,25 @@ static void weigh(arb_t weight, const arb_mat_t axes, const arb_mat_t factors, s
     arf_set_mag(length, radius);
     arf_mul(arb_midref(weight), arb_midref(weight), length, bits, ARF_RND_DOWN);
     mag_zero(arb_radref(weight));
-    arf_clear(length);
-    mag_clear(radius);
 }
 
 /* Subtract from column k its component along column j, which has length 1. */
 static void remove_along(arb_mat_t axes, slong k, slong j, slong bits)
 {
-    arb_t product;
+    JLT_SCOPED(arb, product);
 
-    arb_init(product);
     for (slong i = 0; i < arb_mat_nrows(axes); i++) arb_addmul(product, arb_mat_entry(axes, i, k), arb_mat_entry(axes, i, j), bits);
     for (slong i = 0; i < arb_mat_nrows(axes); i++) {
         arb_submul(arb_mat_entry(axes, i, k), arb_mat_entry(axes, i, j), product, bits);
         arb_get_mid_arb(arb_mat_entry(axes, i, k), arb_mat_entry(axes, i, k));
     }
-    arb_clear(product);
 }
 
 static bool normalize(arb_mat_t axes, slong j, slong bits)
 {
-    arb_t length;
     bool is_long;
+    JLT_SCOPED(arb, length);
 
-    arb_init(length);
     for (slong i = 0; i < arb_mat_nrows(axes); i++) arb_addmul(length, arb_mat_entry(axes, i, j), arb_mat_entry(axes, i, j), bits);
     arb_sqrt(length, length, bits);
     is_long = arb_is_positive(length);
@@ -101,7 +90,6 @@ static bool normalize(arb_mat_t axes, slong j, slong bits)
         arb_div(arb_mat_entry(axes, i, j), arb_mat_entry(axes, i, j), length, bits);
         arb_get_mid_arb(arb_mat_entry(axes, i, j), arb_mat_entry(axes, i, j));
     }
-    arb_clear(length);
     return is_long;
 }
 
@@ -115,7 +103,7 @@ static void swap_columns(arb_mat_t a, slong j, slong k)
 static void choose_axes(arb_mat_t axes, arb_mat_t inverse, const arb_mat_t A, const arb_mat_t factors, slong bits)
 {
     const slong n = arb_mat_nrows(A);
-    arb_ptr weights = _arb_vec_init(n);
+    JLT_SCOPED_VECTOR(arb, weights, n);
     bool good = true;
 
     arb_mat_get_mid(axes, A);
@@ -137,27 +125,21 @@ static void choose_axes(arb_mat_t axes, arb_mat_t inverse, const arb_mat_t A, co
         arb_mat_one(axes);
         arb_mat_one(inverse);
     }
-    _arb_vec_clear(weights, n);
 }
 
 /* New axes and rest whose product encloses A*axes*rest + more. */
 static void move_rest(arb_mat_t axes, arb_mat_t rest, const arb_mat_t A, const arb_mat_t more, slong bits)
 {
     const slong n = arb_mat_nrows(axes), columns = arb_mat_ncols(rest);
-    arb_mat_t product, inverse, next;
+    JLT_SCOPED_MATRIX(arb, n, n, product, inverse);
+    JLT_SCOPED_MATRIX(arb, n, columns, next);
 
-    arb_mat_init(product, n, n);
-    arb_mat_init(inverse, n, n);
-    arb_mat_init(next, n, columns);
     arb_mat_mul(product, A, axes, bits);
     choose_axes(axes, inverse, product, rest, bits);
     arb_mat_mul(product, inverse, product, bits);
     arb_mat_mul(next, product, rest, bits);
     arb_mat_mul(rest, inverse, more, bits);
     arb_mat_add(rest, rest, next, bits);
-    arb_mat_clear(product);
-    arb_mat_clear(inverse);
-    arb_mat_clear(next);
 }
 
 /* Split `whole` into an exact midpoint and the rest around it. */
@@ -170,12 +152,8 @@ static void split(arb_mat_t middle, arb_mat_t rest, const arb_mat_t whole, slong
 void jlt_set_move(jlt_set *self, const arb_mat_t image, const arb_mat_t slope, const arb_mat_t derivative)
 {
     const slong n = (slong)self->dim, bits = self->bits;
-    arb_mat_t more, left, square, product;
-
-    arb_mat_init(more, n, 1);
-    arb_mat_init(left, n, 1);
-    arb_mat_init(square, n, n);
-    arb_mat_init(product, n, n);
+    JLT_SCOPED_MATRIX(arb, n, 1, more, left);
+    JLT_SCOPED_MATRIX(arb, n, n, square, product);
 
     split(self->x, more, image, bits);
     arb_mat_mul(product, slope, self->C, bits);
@@ -188,8 +166,4 @@ void jlt_set_move(jlt_set *self, const arb_mat_t image, const arb_mat_t slope, c
     split(self->V, square, product, bits);
     move_rest(self->B, self->R, derivative, square, bits);
 
-    arb_mat_clear(more);
-    arb_mat_clear(left);
-    arb_mat_clear(square);
-    arb_mat_clear(product);
 }

@@ -7,7 +7,7 @@
 #ifndef JLT_VALIDATED_SET_H
 #define JLT_VALIDATED_SET_H
 
-#include "validated/balls.h"
+#include "ext/scoped.h"
 
 typedef struct {
     unsigned dim;

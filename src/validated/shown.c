@@ -12,14 +12,12 @@ static const double ROOM = 1e-5;
 /* The ball is written with twice its radius. */
 json_t *jlt_shown_ball(const arb_t ball, unsigned digits)
 {
-    arb_t roomy;
     json_t *out = NULL;
+    JLT_SCOPED(arb, roomy);
 
-    arb_init(roomy);
     arb_set(roomy, ball);
     mag_mul_2exp_si(arb_radref(roomy), arb_radref(roomy), 1);
     char *text = arb_get_str(roomy, (slong)digits, ARB_STR_MORE), *between = strstr(text, " +/- "), *end = strchr(text, ']');
-    arb_clear(roomy);
     if (strncmp(text, "[+/- ", 5) == 0 && end != NULL) { /* no digit of the midpoint is correct */
         *end = '\0';
         out = json_pack("{s:s,s:s}", "middle", "0", "radius", text + 5);
@@ -37,11 +35,10 @@ json_t *jlt_shown_lower_bound(const arf_t bound)
     json_t *out = NULL;
     char text[64];
     double value = arf_get_d(bound, ARF_RND_FLOOR);
-    arb_t read;
 
     if (arf_is_nan(bound)) return json_string("-inf");
     value -= ROOM * fabs(value);
-    arb_init(read);
+    JLT_SCOPED(arb, read);
     for (unsigned i = 0; i < 12; i++) { /* five digits, lowered until not above the bound: by at most 1e-4 of the value */
         snprintf(text, sizeof text, "%.5g", value);
         arb_set_str(read, text, 64);
@@ -52,7 +49,6 @@ json_t *jlt_shown_lower_bound(const arf_t bound)
         }
         value -= ROOM * fabs(value);
     }
-    arb_clear(read);
     return out;
 }
 
@@ -61,12 +57,10 @@ json_t *jlt_shown_upper_bound(const arf_t bound)
     const char *below;
     char text[64];
     json_t *lower;
-    arf_t opposite;
+    JLT_SCOPED(arf, opposite);
 
-    arf_init(opposite);
     arf_neg(opposite, bound);
     lower = jlt_shown_lower_bound(opposite);
-    arf_clear(opposite);
     below = json_string_value(lower);
     if (below == NULL) return NULL;
     snprintf(text, sizeof text, "%s%s", below[0] == '-' || strcmp(below, "0") == 0 ? "" : "-", below + (below[0] == '-'));

@@ -3,8 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { PIECES = 16, FINEST = PIECES << 20, TRIES = 60 }; /* parts of a step over which conditions are enclosed, at first and at
-                                                          * most; most lengths tried for a step */
+enum { PIECES = 16, FINEST = PIECES << 20 }; /* parts of a step over which conditions are enclosed, at first and at most */
 
 struct jlt_step {
     const jlt_formulas *of;
@@ -97,20 +96,19 @@ static void vary(const jlt_step *self, arb_ptr V, const jlt_jets *jets, slong bi
             }
 }
 
-/* Set self->rest to the derivative's remainder over a step of length h: W_K h^K times the derivative's rough enclosure. Returns
- * log2 of its largest entry. */
-static double vary_rest(jlt_step *self, const arf_t h)
+/* Set the step's `rest` to the derivative's remainder over a step of length h: W_K h^K times the derivative's rough enclosure. It
+ * need only reach three quarters of the digits, since it multiplies sets that are already small. Returns log2 of its largest entry
+ * over what that tolerates. */
+static double vary_rest(void *context, const arf_t h)
 {
+    jlt_step *self = context;
     const unsigned n = self->of->dim, K = self->accuracy.order;
     const slong bits = JLT_ROUGH_REST_BITS;
     double size = -INFINITY;
-    arb_mat_t growth;
-    arb_t power;
-    mag_t bound;
+    JLT_SCOPED_MATRIX(arb, n, n, growth);
+    JLT_SCOPED(arb, power);
+    JLT_SCOPED(mag, bound);
 
-    arb_mat_init(growth, n, n);
-    arb_init(power);
-    mag_init(bound);
     vary(self, self->W, self->around.rough, bits);
     for (unsigned i = 0; i < self->of->states; i++)
         for (unsigned l = 0; l < n; l++) {
@@ -136,31 +134,7 @@ static double vary_rest(jlt_step *self, const arf_t h)
             arb_get_mag(bound, arb_mat_entry(self->rest, i, l));
             size = fmax(size, mag_get_d_log2_approx(bound));
         }
-    arb_mat_clear(growth);
-    arb_clear(power);
-    mag_clear(bound);
-    return size;
-}
-
-/* Shorten h until the step has a rough enclosure, and remainders not far above the tolerance. The derivative's remainder need only
- * reach three quarters of the digits, since it multiplies sets that are already small. Returns false if no length serves. */
-static bool validate(jlt_step *self, arf_t h)
-{
-    const double K = self->accuracy.order, slack = 8, tolerance = (double)self->accuracy.tolerance;
-
-    jlt_rough_choose(&self->around, h);
-    for (unsigned attempt = 0; attempt < TRIES; attempt++) {
-        double factor = 0.7;
-        if (jlt_rough_enclose(&self->around, h)) {
-            double excess = jlt_rough_remainder(&self->around, h) + tolerance - slack;
-            if (excess <= 0) excess = fmax(excess, vary_rest(self, h) + 0.75 * tolerance);
-            if (excess <= 0) return true;
-            factor = fmax(0.5, fmin(0.98, exp2(-(excess + slack) / K)));
-        }
-        self->around.caution *= factor;
-        arf_set_d(h, arf_get_d(h, ARF_RND_DOWN) * factor);
-    }
-    return false;
+    return size + 0.75 * (double)self->accuracy.tolerance;
 }
 
 /* Compute the image of the midpoint; the slope, the derivative of the Taylor polynomial, by which differences are mapped; and the
@@ -169,9 +143,8 @@ static void build(jlt_step *self, const arb_t h)
 {
     const unsigned n = self->of->dim, K = self->accuracy.order;
     const slong bits = self->accuracy.bits;
-    arb_t zero;
+    JLT_SCOPED(arb, zero);
 
-    arb_init(zero);
     for (unsigned i = 0; i < n; i++)
         jlt_rough_sum(arb_mat_entry(self->image, i, 0), jlt_jets_state(self->point, i), K,
                       jlt_jets_state(self->around.rough, i) + K, h, bits);
@@ -179,7 +152,6 @@ static void build(jlt_step *self, const arb_t h)
         for (unsigned l = 0; l < n; l++)
             jlt_rough_sum(arb_mat_entry(self->slope, i, l), entry(self, self->V, i, l), K, zero, h, bits);
     arb_mat_add(self->derivative, self->slope, self->rest, bits);
-    arb_clear(zero);
 }
 
 /* Add the integral of the divergence over [0, h]: a series whose coefficient i + 1 is that of the divergence divided by i + 1. */
@@ -187,23 +159,20 @@ static void expand(const jlt_step *self, arb_t expansion, const arb_t h)
 {
     const unsigned K = self->accuracy.order, output = jlt_formulas_divergence(self->of);
     const slong bits = self->accuracy.bits;
-    arb_ptr a = _arb_vec_init(K + 1);
+    JLT_SCOPED_VECTOR(arb, a, K + 1);
 
     for (unsigned i = 0; i + 1 < K; i++) arb_div_ui(a + i + 1, jlt_jets_output(self->around.hull, output) + i, i + 1, bits);
     arb_div_ui(a + K, jlt_jets_output(self->around.rough, output) + K - 1, K, bits);
     jlt_rough_sum(a, a, K, a + K, h, bits);
     arb_add(expansion, expansion, a, bits);
-    _arb_vec_clear(a, K + 1);
 }
 
 static void lower(arf_t least, const arb_t value, slong bits)
 {
-    arf_t bound;
+    JLT_SCOPED(arf, bound);
 
-    arf_init(bound);
     arb_get_lbound_arf(bound, value, bits);
     if (arf_cmp(bound, least) < 0 || arf_is_nan(bound)) arf_set(least, bound);
-    arf_clear(bound);
 }
 
 /* Enclose an output over a part of the step. */
@@ -222,11 +191,8 @@ static void over_by_slope(const jlt_step *self, arb_t value, unsigned output, co
     const unsigned K = self->accuracy.order - 1;
     const slong bits = self->accuracy.bits;
     arb_srcptr a = jlt_jets_output(self->around.hull, output);
-    arb_t middle, slope, rest;
+    JLT_SCOPED(arb, middle, slope, rest);
 
-    arb_init(middle);
-    arb_init(slope);
-    arb_init(rest);
     for (unsigned i = K - 1; i > 0; i--) {
         arb_mul(slope, slope, span, bits);
         arb_addmul_ui(slope, a + i, i, bits);
@@ -237,9 +203,6 @@ static void over_by_slope(const jlt_step *self, arb_t value, unsigned output, co
     arb_addmul(value, slope, middle, bits);
     arb_pow_ui(rest, span, K, bits);
     arb_addmul(value, rest, jlt_jets_output(self->around.rough, output) + K, bits);
-    arb_clear(middle);
-    arb_clear(slope);
-    arb_clear(rest);
 }
 
 /* Part p of [0, h] divided into `parts` equal ones: (2p + 1 +- 1) h/(2 parts). */
@@ -255,17 +218,13 @@ static void set_part(arb_t span, const arb_t h, unsigned p, unsigned parts, slon
 static bool is_positive(const jlt_step *self, unsigned output, const arb_t h, unsigned p, unsigned parts)
 {
     bool positive, settled;
-    arb_t span, value;
+    JLT_SCOPED(arb, span, value);
 
-    arb_init(span);
-    arb_init(value);
     set_part(span, h, p, parts, self->accuracy.bits);
     over(self, value, output, span);
     if (!arb_is_positive(value) && parts > PIECES) over_by_slope(self, value, output, span);
     positive = arb_is_positive(value);
     settled = positive || arb_is_nonpositive(value) || parts == FINEST;
-    arb_clear(span);
-    arb_clear(value);
     return settled ? positive
                    : is_positive(self, output, h, 2 * p, 2 * parts) && is_positive(self, output, h, 2 * p + 1, 2 * parts);
 }
@@ -275,10 +234,8 @@ static bool watch(const jlt_step *self, arf_struct *least, const arb_t h)
 {
     const slong bits = self->accuracy.bits;
     bool inside = true;
-    arb_t span, value;
+    JLT_SCOPED(arb, span, value);
 
-    arb_init(span);
-    arb_init(value);
     for (unsigned p = 0; p < PIECES; p++) {
         set_part(span, h, p, PIECES, bits);
         for (unsigned i = 0; i < self->of->valid_count; i++) {
@@ -288,31 +245,27 @@ static bool watch(const jlt_step *self, arf_struct *least, const arb_t h)
         for (unsigned i = 0; inside && i < self->of->domain_count; i++)
             inside = is_positive(self, jlt_formulas_domain(self->of, i), h, p, PIECES);
     }
-    arb_clear(span);
-    arb_clear(value);
     return inside;
 }
 
 jlt_status jlt_step_advance(jlt_step *self, jlt_set *set, arf_t h, arb_t expansion, arf_struct *least)
 {
     const slong bits = self->accuracy.bits;
-    arb_t length;
     bool inside;
 
     jlt_set_hull(self->x, set);
     jlt_jets_run(self->around.hull, self->x, self->params, bits);
-    if (!validate(self, h)) return JLT_ERR_NO_PROGRESS;
-    self->around.caution = fmin(self->around.caution * 1.02, 0.9);
+    jlt_rough_choose(&self->around, h);
+    if (!jlt_rough_validate(&self->around, h, vary_rest, self)) return JLT_ERR_NO_PROGRESS;
     vary(self, self->V, self->around.hull, bits);
     for (unsigned i = 0; i < self->of->dim; i++) arb_set(self->x + i, arb_mat_entry(set->x, i, 0));
     jlt_jets_run(self->point, self->x, self->params, bits);
-    arb_init(length);
+    JLT_SCOPED(arb, length);
     arb_set_arf(length, h);
     build(self, length);
     expand(self, expansion, length);
     inside = watch(self, least, length);
     jlt_set_move(set, self->image, self->slope, self->derivative);
-    arb_clear(length);
     return inside ? JLT_OK : JLT_ERR_DOMAIN;
 }
 

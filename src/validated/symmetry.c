@@ -66,9 +66,8 @@ static bool is_image(const jlt_cycle *of, const jlt_cycle_result *cycle, unsigne
     const unsigned legs = cycle->legs, n = cycle->unknowns;
     const slong bits = jlt_step_bits(of->step);
     bool inside = true;
-    arb_t image;
+    JLT_SCOPED(arb, image);
 
-    arb_init(image);
     for (unsigned j = 0; inside && j < legs; j++) {
         const unsigned from = (k + legs - j) % legs;
         for (unsigned i = 0; inside && i < n; i++) {
@@ -79,7 +78,6 @@ static bool is_image(const jlt_cycle *of, const jlt_cycle_result *cycle, unsigne
         arb_sub(image, legs_of->times + (from + legs - 1) % legs, legs_of->instants + j, bits);
         inside = inside && arb_contains(legs_of->windows + j, image);
     }
-    arb_clear(image);
     return inside;
 }
 
@@ -88,29 +86,26 @@ jlt_status jlt_symmetry_maps(jlt_cycle *of, bool *symmetric, const jlt_cycle_res
 {
     const unsigned n = cycle->unknowns;
     const int direction = of->question->direction;
-    passage legs = { box, instants, _arb_vec_init((slong)cycle->legs), _arb_vec_init((slong)cycle->legs) };
+    JLT_SCOPED_VECTOR(arb, times, (slong)cycle->legs);
+    JLT_SCOPED_VECTOR(arb, windows, (slong)cycle->legs);
+    const passage legs = { box, instants, times, windows };
     bool found = false;
-    jlt_status st = JLT_OK;
 
     for (unsigned i = 0; i < cycle->legs; i++) {
-        JLT_TRY(jlt_cycle_map_arrive(of, box + i * n, arb_midref(instants + i), direction, NULL));
+        JLT_PASS(jlt_cycle_map_arrive(of, box + i * n, arb_midref(instants + i), direction, NULL));
         arb_set(legs.windows + i, of->arrival.window);
-        JLT_TRY(jlt_cycle_map_arrive(of, cycle->solution + i * n, arb_midref(instants + i), direction, NULL));
+        JLT_PASS(jlt_cycle_map_arrive(of, cycle->solution + i * n, arb_midref(instants + i), direction, NULL));
         arb_set(legs.times + i, of->arrival.time);
     }
     for (unsigned k = 0; k < cycle->legs && !found; k++) found = is_image(of, cycle, k, &legs, signs);
     *symmetric = found;
-done:
-    _arb_vec_clear(legs.times, (slong)cycle->legs);
-    _arb_vec_clear(legs.windows, (slong)cycle->legs);
-    return st;
+    return JLT_OK;
 }
 
 static void judge(jlt_symmetry_result *result, const arb_t trace, slong bits)
 {
-    arb_t bound;
+    JLT_SCOPED(arb, bound);
 
-    arb_init(bound);
     arb_abs(bound, trace);
     arb_sub_ui(bound, bound, 2, bits);
     if (arb_is_positive(bound))
@@ -123,7 +118,6 @@ static void judge(jlt_symmetry_result *result, const arb_t trace, slong bits)
         arb_div(result->rotation, result->rotation, bound, bits);
         arb_mul_2exp_si(result->rotation, result->rotation, -1);
     }
-    arb_clear(bound);
 }
 
 jlt_status jlt_symmetry_prove(jlt_cycle *of, jlt_symmetry_result *result, const jlt_cycle_result *cycle, arb_srcptr box,
@@ -131,19 +125,17 @@ jlt_status jlt_symmetry_prove(jlt_cycle *of, jlt_symmetry_result *result, const 
 {
     const jlt_descriptor *d = of->question->descriptor;
     bool symmetric = false;
-    jlt_status st = JLT_OK;
 
     if (cycle->multipliers != 2) return JLT_ERR_ARG;
     result->verdict = JLT_SYMMETRY_NO_REVERSOR;
     for (unsigned i = 0; i < d->reversor_count && !symmetric; i++) {
         result->reversor = &d->reversors[i];
         if (d->claims[result->reversor->claim].verdict != JLT_PROVED || !jlt_symmetry_keeps(of, result->reversor->signs)) continue;
-        JLT_TRY(jlt_symmetry_maps(of, &symmetric, cycle, box, instants, result->reversor->signs));
+        JLT_PASS(jlt_symmetry_maps(of, &symmetric, cycle, box, instants, result->reversor->signs));
         result->verdict = symmetric ? JLT_SYMMETRY_PROVED : JLT_SYMMETRY_ASYMMETRIC;
     }
     if (symmetric) judge(result, cycle->trace, jlt_step_bits(of->step));
-done:
-    return st;
+    return JLT_OK;
 }
 
 void jlt_symmetry_result_init(jlt_symmetry_result *result)

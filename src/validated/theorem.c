@@ -1,8 +1,6 @@
 #include "validated/theorem.h"
 
-#include "validated/theorem_family.h"
-#include "validated/theorem_pole.h"
-#include "validated/theorem_symmetry.h"
+#include "validated/theorem_sentence.h"
 #include "validated/theorem_text.h"
 #include "validated/theorem_turns.h"
 
@@ -56,9 +54,10 @@ static bool has_radius(const json_t *values)
     return false;
 }
 
-static void write_setting(FILE *out, const jlt_descriptor *d, const json_t *given)
+static void write_setting(FILE *out, const jlt_theorem_subject *s)
 {
-    const json_t *section = json_object_get(given, "section"), *levels = json_object_get(given, "levels");
+    const jlt_descriptor *d = s->descriptor;
+    const json_t *given = s->given, *section = json_object_get(given, "section"), *levels = json_object_get(given, "levels");
 
     fprintf(out, "Take the equations of the table %s (%s%sSHA-256 %s)", d->model, d->title, d->title[0] != '\0' ? "; " : "",
             d->sha256);
@@ -88,9 +87,10 @@ static double way(const json_t *legs)
     return sum;
 }
 
-static void write_orbit(FILE *out, const jlt_descriptor *d, const json_t *given, const json_t *shown)
+static void write_orbit(FILE *out, const jlt_theorem_subject *s)
 {
-    const json_t *legs = json_object_get(given, "legs"), *first = json_array_get(legs, 0);
+    const jlt_descriptor *d = s->descriptor;
+    const json_t *shown = s->shown, *legs = json_object_get(s->given, "legs"), *first = json_array_get(legs, 0);
     const size_t count = json_array_size(legs);
 
     fputs("Through the box ", out);
@@ -112,9 +112,9 @@ static void write_orbit(FILE *out, const jlt_descriptor *d, const json_t *given,
     jlt_theorem_turns_write_sense(out, legs, d);
 }
 
-static void write_multipliers(FILE *out, const json_t *shown)
+static void write_multipliers(FILE *out, const jlt_theorem_subject *s)
 {
-    const json_t *multipliers = json_object_get(shown, "multipliers");
+    const json_t *shown = s->shown, *multipliers = json_object_get(shown, "multipliers");
 
     fputs("On the levels, det DP = exp(integral of div f over the orbit) = ", out);
     jlt_theorem_text_ball(out, json_object_get(shown, "determinant"));
@@ -131,13 +131,14 @@ static void write_multipliers(FILE *out, const json_t *shown)
     fputc('.', out);
 }
 
-static void write_conditions(FILE *out, const jlt_descriptor *d, const json_t *conditions, const char *where)
+/* shown: the object with "conditions". */
+static void write_conditions(FILE *out, const jlt_descriptor *d, const json_t *shown, const char *where)
 {
     const char *name;
     json_t *bound;
     bool first = true;
 
-    json_object_foreach((json_t *)(uintptr_t)conditions, name, bound) {
+    json_object_foreach(json_object_get(shown, "conditions"), name, bound) {
         const char *meaning = "";
         for (unsigned i = 0; i < d->valid_count; i++)
             if (strcmp(d->valids[i].name, name) == 0) meaning = d->valids[i].meaning;
@@ -149,10 +150,10 @@ static void write_conditions(FILE *out, const jlt_descriptor *d, const json_t *c
     }
 }
 
-static void write_image(FILE *out, const jlt_descriptor *d)
+static void write_image(FILE *out, const jlt_theorem_subject *s)
 {
-    const jlt_reversor *reversor = jlt_theorem_reversor(d);
-    json_t *flipped = reversor == NULL ? NULL : jlt_theorem_flipped(d, reversor);
+    const jlt_reversor *reversor = jlt_theorem_reversor(s->descriptor);
+    json_t *flipped = reversor == NULL ? NULL : jlt_theorem_flipped(s->descriptor, reversor);
 
     if (flipped == NULL) return;
     fputs("The image of the orbit under the reversor ", out);
@@ -173,62 +174,8 @@ static bool add(json_t *words, FILE **out, char **text)
     return added;
 }
 
-typedef struct {
-    const jlt_descriptor *descriptor;
-    const json_t *given, *shown;
-} subject;
-
-typedef enum {
-    SETTING,
-    ORBIT,
-    MULTIPLIERS,
-    CONDITIONS,
-    ATTRACTS,
-    IMAGE,
-    SINK_MEASURE,
-    EXPANDS,
-    SADDLE,
-    HOMOCLINIC,
-    TRANSVERSAL,
-    WAY,
-    HORSESHOE,
-    FAMILY,
-    FAMILY_TRACE,
-    FAMILY_CONDITIONS,
-    FAMILY_MEASURE,
-    POLE,
-    POLE_END,
-    POLE_LIMITS,
-    POLE_CONDITIONS,
-    SYMMETRIC,
-    TWIST,
-    END
-} sentence;
-
-/* The sentences of each kind, in their order. */
-static const struct {
-    const char *kind;
-    sentence sentences[10];
-} contents[] = {
-    { "cycle", { SETTING, ORBIT, MULTIPLIERS, CONDITIONS, END } },
-    { "elliptic", { SETTING, ORBIT, MULTIPLIERS, CONDITIONS, SYMMETRIC, TWIST, END } },
-    { "equilibria", { FAMILY, FAMILY_TRACE, FAMILY_CONDITIONS, FAMILY_MEASURE, END } },
-    { "homoclinic", { SETTING, ORBIT, MULTIPLIERS, CONDITIONS, SADDLE, HOMOCLINIC, TRANSVERSAL, WAY, HORSESHOE, END } },
-    { "obstruction", { SETTING, ORBIT, MULTIPLIERS, CONDITIONS, EXPANDS, END } },
-    { "pole", { POLE, POLE_END, POLE_LIMITS, POLE_CONDITIONS, END } },
-    { "symmetric", { SETTING, ORBIT, MULTIPLIERS, CONDITIONS, SYMMETRIC, END } },
-    { "sink", { SETTING, ORBIT, MULTIPLIERS, CONDITIONS, ATTRACTS, IMAGE, SINK_MEASURE, END } },
-};
-
-bool jlt_theorem_is_kind(const char *kind)
-{
-    for (size_t i = 0; i < sizeof contents / sizeof *contents; i++)
-        if (strcmp(contents[i].kind, kind) == 0) return true;
-    return false;
-}
-
 /* Names the reversor if `given` does. */
-static void write_saddle(FILE *out, const subject *s)
+static void write_saddle(FILE *out, const jlt_theorem_subject *s)
 {
     const json_t *flipped = json_object_get(json_object_get(s->given, "homoclinic"), "reversor");
 
@@ -240,7 +187,7 @@ static void write_saddle(FILE *out, const subject *s)
     fputs("passes through the same box after the same time, hence is the orbit itself.", out);
 }
 
-static void write_homoclinic(FILE *out, const subject *s)
+static void write_homoclinic(FILE *out, const jlt_theorem_subject *s)
 {
     const json_t *asked = json_object_get(s->given, "homoclinic"), *found = json_object_get(s->shown, "homoclinic");
 
@@ -260,7 +207,7 @@ static void write_homoclinic(FILE *out, const subject *s)
           "homoclinic.", out);
 }
 
-static void write_tangent(FILE *out, const subject *s)
+static void write_tangent(FILE *out, const jlt_theorem_subject *s)
 {
     fputs("At the symmetric point a tangent of the unstable manifold on the section is ", out);
     jlt_theorem_text_named(out, json_object_get(json_object_get(s->shown, "homoclinic"), "tangent"));
@@ -268,7 +215,7 @@ static void write_tangent(FILE *out, const subject *s)
           "transversally in their levels.", out);
 }
 
-static void write_sink_measure(FILE *out, const subject *s)
+static void write_sink_measure(FILE *out, const jlt_theorem_subject *s)
 {
     const json_t *legs = json_object_get(s->given, "legs");
 
@@ -280,7 +227,7 @@ static void write_sink_measure(FILE *out, const subject *s)
           "under the flow to the cycles alone, a set of measure zero.", out);
 }
 
-static void write_expansion(FILE *out, const subject *s)
+static void write_expansion(FILE *out, const jlt_theorem_subject *s)
 {
     const json_t *legs = json_object_get(s->given, "legs");
 
@@ -292,65 +239,82 @@ static void write_expansion(FILE *out, const subject *s)
     fputs(jlt_theorem_turns_any(legs, s->descriptor) ? "x, and phi_T x is x but for these periods." : "x = phi_T x.", out);
 }
 
-static void write_sentence(FILE *out, const subject *s, sentence which)
+static void write_attraction(FILE *out, const jlt_theorem_subject *s)
 {
-    const json_t *homoclinic = json_object_get(s->shown, "homoclinic");
+    (void)s;
+    fputs("All multipliers lie inside the unit circle, |mu| < 1: the orbit attracts, exponentially and with asymptotic phase, "
+          "what begins near it on its levels, and so do its continuations on all levels nearby.", out);
+}
 
-    switch (which) {
-    case SETTING: write_setting(out, s->descriptor, s->given); break;
-    case ORBIT: write_orbit(out, s->descriptor, s->given, s->shown); break;
-    case MULTIPLIERS: write_multipliers(out, s->shown); break;
-    case CONDITIONS: write_conditions(out, s->descriptor, json_object_get(s->shown, "conditions"), "all along the orbit"); break;
-    case ATTRACTS:
-        fputs("All multipliers lie inside the unit circle, |mu| < 1: the orbit attracts, exponentially and with asymptotic phase, "
-              "what begins near it on its levels, and so do its continuations on all levels nearby.", out); break;
-    case IMAGE: write_image(out, s->descriptor); break;
-    case SINK_MEASURE: write_sink_measure(out, s); break;
-    case EXPANDS: write_expansion(out, s); break;
-    case SADDLE: write_saddle(out, s); break;
-    case HOMOCLINIC: write_homoclinic(out, s); break;
-    case TRANSVERSAL: write_tangent(out, s); break;
-    case WAY:
-        write_conditions(out, s->descriptor, json_object_get(homoclinic, "conditions"),
-                         "all along that orbit from its first point to the "
-                         "symmetric one");
-        break;
-    case HORSESHOE:
-        fputs(
-            "Hence, by the theorem of Smale and Birkhoff, a section across the flow on these levels has an iterate of its return "
-            "map with a horseshoe near this orbit: the flow there has positive topological entropy, and infinitely many periodic "
-            "orbits of saddle type. A transversal crossing remains on all levels nearby, so that no real-analytic function that "
-            "is defined on a connected neighbourhood of both orbits is a further integral: it depends on those named (J. Moser, "
-            "Stable and Random Motions, 1973).",
-            out);
-        break;
-    case FAMILY: jlt_theorem_family_setting(out, s->descriptor, s->given, s->shown); break;
-    case FAMILY_TRACE: jlt_theorem_family_trace(out, s->shown); break;
-    case FAMILY_CONDITIONS: write_conditions(out, s->descriptor, json_object_get(s->shown, "conditions"), "at each of them"); break;
-    case FAMILY_MEASURE: jlt_theorem_family_measure(out); break;
-    case POLE: jlt_theorem_pole_setting(out, s->descriptor, s->given); break;
-    case POLE_END: jlt_theorem_pole_end(out, s->descriptor, s->given, s->shown); break;
-    case POLE_LIMITS: jlt_theorem_pole_limits(out, s->shown); break;
-    case POLE_CONDITIONS: write_conditions(out, s->descriptor, json_object_get(s->shown, "conditions"), "all the way"); break;
-    case SYMMETRIC: jlt_theorem_symmetry_write(out, s->given, json_object_get(s->shown, "symmetry")); break;
-    case TWIST: jlt_theorem_symmetry_write_twist(out, json_object_get(s->shown, "twist")); break;
-    case END: break;
-    }
+static void write_horseshoe(FILE *out, const jlt_theorem_subject *s)
+{
+    (void)s;
+    fputs("Hence, by the theorem of Smale and Birkhoff, a section across the flow on these levels has an iterate of its return "
+          "map with a horseshoe near this orbit: the flow there has positive topological entropy, and infinitely many periodic "
+          "orbits of saddle type. A transversal crossing remains on all levels nearby, so that no real-analytic function that "
+          "is defined on a connected neighbourhood of both orbits is a further integral: it depends on those named (J. Moser, "
+          "Stable and Random Motions, 1973).", out);
+}
+
+static void write_conditions_of_orbit(FILE *out, const jlt_theorem_subject *s)
+{
+    write_conditions(out, s->descriptor, s->shown, "all along the orbit");
+}
+
+static void write_conditions_of_way(FILE *out, const jlt_theorem_subject *s)
+{
+    write_conditions(out, s->descriptor, json_object_get(s->shown, "homoclinic"),
+                     "all along that orbit from its first point to the symmetric one");
+}
+
+static void write_conditions_of_family(FILE *out, const jlt_theorem_subject *s)
+{
+    write_conditions(out, s->descriptor, s->shown, "at each of them");
+}
+
+static void write_conditions_of_pole(FILE *out, const jlt_theorem_subject *s)
+{
+    write_conditions(out, s->descriptor, s->shown, "all the way");
+}
+
+#define ORBIT write_setting, write_orbit, write_multipliers, write_conditions_of_orbit
+
+/* The sentences of each kind, in their order. */
+static const struct {
+    const char *kind;
+    jlt_theorem_sentence *sentences[10]; /* until NULL */
+} contents[] = {
+    { "cycle", { ORBIT } },
+    { "elliptic", { ORBIT, jlt_theorem_symmetry_write, jlt_theorem_symmetry_write_twist } },
+    { "equilibria", { jlt_theorem_family_setting, jlt_theorem_family_trace, write_conditions_of_family,
+                      jlt_theorem_family_measure } },
+    { "homoclinic", { ORBIT, write_saddle, write_homoclinic, write_tangent, write_conditions_of_way, write_horseshoe } },
+    { "obstruction", { ORBIT, write_expansion } },
+    { "pole", { jlt_theorem_pole_setting, jlt_theorem_pole_end, jlt_theorem_pole_limits, write_conditions_of_pole } },
+    { "symmetric", { ORBIT, jlt_theorem_symmetry_write } },
+    { "sink", { ORBIT, write_attraction, write_image, write_sink_measure } },
+};
+
+bool jlt_theorem_is_kind(const char *kind)
+{
+    for (size_t i = 0; i < sizeof contents / sizeof *contents; i++)
+        if (strcmp(contents[i].kind, kind) == 0) return true;
+    return false;
 }
 
 json_t *jlt_theorem_words(const char *kind, const jlt_descriptor *descriptor, const json_t *given, const json_t *shown)
 {
-    const subject s = { descriptor, given, shown };
-    const sentence *which = NULL;
+    const jlt_theorem_subject s = { descriptor, given, shown };
+    jlt_theorem_sentence *const *which = NULL;
     json_t *words = json_array();
 
     for (size_t i = 0; i < sizeof contents / sizeof *contents; i++)
         if (strcmp(contents[i].kind, kind) == 0) which = contents[i].sentences;
-    for (; words != NULL && *which != END; which++) {
+    for (; words != NULL && *which != NULL; which++) {
         char *text = NULL;
         size_t size = 0;
         FILE *out = open_memstream(&text, &size);
-        if (out != NULL) write_sentence(out, &s, *which);
+        if (out != NULL) (*which)(out, &s);
         if (out == NULL || !add(words, &out, &text)) {
             json_decref(words);
             words = NULL;

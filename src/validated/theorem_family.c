@@ -1,4 +1,4 @@
-#include "validated/theorem_family.h"
+#include "validated/theorem_sentence.h"
 
 #include "kernel/descriptor.h"
 #include "validated/theorem_text.h"
@@ -20,10 +20,12 @@ static void write_box(FILE *out, const json_t *box)
     }
 }
 
-void jlt_theorem_family_setting(FILE *out, const jlt_descriptor *d, const json_t *given, const json_t *shown)
+void jlt_theorem_family_setting(FILE *out, const jlt_theorem_subject *s)
 {
+    const jlt_descriptor *d = s->descriptor;
+    const json_t *given = s->given;
     const jlt_claim *claim = jlt_descriptor_claim(d, "equilibria", jlt_theorem_text_of(given, "family"));
-    const json_t *claims = json_object_get(shown, "claims");
+    const json_t *claims = json_object_get(s->shown, "claims");
     const char *name, *between = "";
     json_t *value;
 
@@ -33,7 +35,7 @@ void jlt_theorem_family_setting(FILE *out, const jlt_descriptor *d, const json_t
     fputs(", with all values ", out);
     write_box(out, json_object_get(given, "box"));
     fputs(" in the table's domain at which the family is defined, such as ", out);
-    json_object_foreach((json_t *)(uintptr_t)json_object_get(shown, "point"), name, value) {
+    json_object_foreach(json_object_get(s->shown, "point"), name, value) {
         fprintf(out, "%s%s = %s", between, name, jlt_theorem_text(value));
         between = ", ";
     }
@@ -43,9 +45,9 @@ void jlt_theorem_family_setting(FILE *out, const jlt_descriptor *d, const json_t
     fputc('.', out);
 }
 
-void jlt_theorem_family_trace(FILE *out, const json_t *shown)
+void jlt_theorem_family_trace(FILE *out, const jlt_theorem_subject *s)
 {
-    const json_t *trace = json_object_get(shown, "trace");
+    const json_t *trace = json_object_get(s->shown, "trace");
     const char *low = jlt_theorem_text_of(trace, "low"), *high = jlt_theorem_text_of(trace, "high");
     const bool is_negative = low[0] == '-';
 
@@ -54,8 +56,9 @@ void jlt_theorem_family_trace(FILE *out, const json_t *shown)
     if (!is_negative) fputs(" So an eigenvalue has a positive real part: each of them is unstable.", out);
 }
 
-void jlt_theorem_family_measure(FILE *out)
+void jlt_theorem_family_measure(FILE *out, const jlt_theorem_subject *s)
 {
+    (void)s;
     fputs(
         "Hence, whichever of these equilibria is x, no measure is invariant under the flow at its parameters that has a density "
         "rho which near x is continuous and positive, nor one which there lies between two positive numbers: rho(phi_t y) det "

@@ -1,4 +1,4 @@
-#include "validated/theorem_symmetry.h"
+#include "validated/theorem_sentence.h"
 
 #include "validated/theorem_text.h"
 
@@ -16,10 +16,11 @@ static const struct {
     { "not settled", "Whether it is elliptic or hyperbolic is not settled: |trace DP| may be 2" },
 };
 
-void jlt_theorem_symmetry_write(FILE *out, const json_t *given, const json_t *symmetry)
+void jlt_theorem_symmetry_write(FILE *out, const jlt_theorem_subject *s)
 {
+    const json_t *symmetry = json_object_get(s->shown, "symmetry");
     const json_t *flipped = json_object_get(symmetry, "reversor"), *rotation = json_object_get(symmetry, "rotation");
-    const bool many = json_array_size(json_object_get(given, "legs")) > 1;
+    const bool many = json_array_size(json_object_get(s->given, "legs")) > 1;
 
     fputs("The orbit is its own mirror image under the reversor ", out);
     jlt_theorem_text_flips(out, flipped);
@@ -32,8 +33,10 @@ void jlt_theorem_symmetry_write(FILE *out, const json_t *given, const json_t *sy
     fputc('.', out);
 }
 
-void jlt_theorem_symmetry_write_twist(FILE *out, const json_t *twist)
+void jlt_theorem_symmetry_write_twist(FILE *out, const jlt_theorem_subject *s)
 {
+    const json_t *twist = json_object_get(s->shown, "twist");
+
     fputs("No multiplier is a root of unity of order 1 to 4. So by an analytic change of coordinates the return map on these "
           "levels is z -> z exp(i (2 pi rho + beta |z|^2)) + O(|z|^4), where |z| is to first order the amplitude of ", out);
     fputs(jlt_theorem_text_of(twist, "coordinate"), out);
