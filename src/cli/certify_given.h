@@ -4,6 +4,8 @@
 #define JLT_CLI_CERTIFY_GIVEN_H
 
 #include "cli/motion.h"
+#include "cli/progress.h"
+#include "validated/step.h"
 
 #include <jansson.h>
 
@@ -12,6 +14,9 @@
  *  table's general field in its own time. */
 jlt_exit jlt_certify_given(json_t **given, const jlt_descriptor **of, const jlt_motion_options *options, const jlt_system *system,
                            const jlt_assign_list *spread, unsigned digits);
+
+/** Begin to show the steps of proofs on standard error; end with jlt_progress_end. */
+jlt_step_watch jlt_certify_watch(jlt_progress *progress);
 
 /** The exact default of a parameter in a table's text; NULL if it has none. The caller must free() it. */
 char *jlt_certify_default(const char *table, const char *name);

@@ -43,12 +43,14 @@ static jlt_exit put_params(json_t *params, const jlt_certify_pole_options *o, co
 
 /* Whether the proof succeeds with the instant of `given`, or, if that is absent, with one that is found. Out: that instant, or why
  * the proof does not succeed. */
-static bool settles(json_t *given, double *instant, const jlt_descriptor *d, char problem[JLT_GIVEN_PROBLEM_MAX])
+static bool settles(json_t *given, double *instant, const jlt_descriptor *d, jlt_step_watch *watch,
+                    char problem[JLT_GIVEN_PROBLEM_MAX])
 {
     jlt_given_pole question;
     jlt_pole_result result;
     bool found = jlt_given_pole_read(&question, given, d, true, problem);
 
+    question.question.watch = watch;
     jlt_pole_result_init(&result, d);
     if (found) {
         const jlt_status st = jlt_pole_prove(&result, &question.question, question.instant);
@@ -63,24 +65,24 @@ static bool settles(json_t *given, double *instant, const jlt_descriptor *d, cha
 
 /* Put an instant from which the motions settle into `given`: if possible four times as late as the first one that is found, since
  * limits are enclosed more tightly there. */
-static bool find_instant(json_t *given, const jlt_descriptor *d, char problem[JLT_GIVEN_PROBLEM_MAX])
+static bool find_instant(json_t *given, const jlt_descriptor *d, jlt_step_watch *watch, char problem[JLT_GIVEN_PROBLEM_MAX])
 {
     static const double factors[] = { 4, 2, 1.001 };
     double first = 0, instant;
     char text[32];
 
     json_object_del(given, "instant");
-    if (!settles(given, &first, d, problem)) return false;
+    if (!settles(given, &first, d, watch, problem)) return false;
     for (unsigned i = 0; i < sizeof factors / sizeof *factors; i++) {
         snprintf(text, sizeof text, "%.3e", factors[i] * first);
         json_object_set_new(given, "instant", json_string(text));
-        if (settles(given, &instant, d, problem)) return true;
+        if (settles(given, &instant, d, watch, problem)) return true;
     }
     return false;
 }
 
 /* Try all poles of the table, in all times that lift roots, until the proof succeeds. */
-static jlt_exit find_end(json_t *given, const jlt_descriptor *d)
+static jlt_exit find_end(json_t *given, const jlt_descriptor *d, jlt_step_watch *watch)
 {
     char problem[JLT_GIVEN_PROBLEM_MAX] = "";
     ttc_model *model = ttc_model_again(d->table, d->model);
@@ -91,7 +93,7 @@ static jlt_exit find_end(json_t *given, const jlt_descriptor *d)
             if (model->times[k].lifted_count == 0) continue;
             json_object_set_new(given, "pole", json_string(d->states[d->poles[i].state].name));
             json_object_set_new(given, "time", json_string(model->times[k].name));
-            found = find_instant(given, d, problem);
+            found = find_instant(given, d, watch, problem);
         }
     ttc_model_destroy(model);
     if (found) return JLT_EXIT_DONE;
@@ -110,7 +112,7 @@ jlt_exit jlt_certify_pole(json_t **given, const jlt_certify_pole_options *o, con
     code = put_box(box, o, d);
     if (code == JLT_EXIT_DONE) code = put_params(params, o, set, d);
     if (code == JLT_EXIT_DONE) code = jlt_certify_check_spread(o->spread, params, box, "a state");
-    if (code == JLT_EXIT_DONE) code = find_end(*given, d);
+    if (code == JLT_EXIT_DONE) code = find_end(*given, d, o->watch);
     if (code == JLT_EXIT_DONE) return code;
     json_decref(*given);
     *given = NULL;

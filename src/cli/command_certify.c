@@ -21,6 +21,7 @@ typedef struct {
     jlt_assign_list spread;
     const char *family, *box;
     unsigned long long typed; /* bit i: own_options[i] was typed */
+    jlt_step_watch watch;
 } options;
 
 #define KINDS "cycle, elliptic, equilibria, homoclinic, obstruction, pole, sink or symmetric"
@@ -239,7 +240,7 @@ static jlt_exit add_homoclinic(json_t *given, const jlt_given *question, const o
 }
 
 /* Make the question about an orbit: find it in doubles, refine it in balls, and put boxes around it. */
-static jlt_exit ask(json_t **given, const jlt_descriptor **d, const options *o, jlt_system *system)
+static jlt_exit ask(json_t **given, const jlt_descriptor **d, options *o, jlt_system *system)
 {
     double *x = calloc((size_t)JLT_PERIODIC_MAX * JLT_CHART_STATES_MAX, sizeof *x), T[JLT_PERIODIC_MAX], q[JLT_CHART_DIM_MAX],
            near_one = INFINITY;
@@ -256,7 +257,7 @@ static jlt_exit ask(json_t **given, const jlt_descriptor **d, const options *o, 
     if (st != JLT_OK) code = jlt_motion_no_orbit(st, system, o->motion.starts[0]);
     if (code == JLT_EXIT_DONE) code = jlt_certify_given(given, d, &o->motion, system, &o->spread, (unsigned)o->digits);
     if (code != JLT_EXIT_DONE) goto done;
-    if (!jlt_given_read(&question, *given, *d, problem)) code = jlt_command_fail(JLT_EXIT_INPUT, "%s", problem);
+    if (!jlt_given_read(&question, *given, *d, &o->watch, problem)) code = jlt_command_fail(JLT_EXIT_INPUT, "%s", problem);
     else if ((st = jlt_given_make_legs(&question, *given, legs, x, T, turns, o->radius, problem)) != JLT_OK && *problem != '\0')
         code = jlt_command_fail(JLT_EXIT_INPUT, "%s", problem);
     else if (st == JLT_ERR_DOMAIN)
@@ -278,7 +279,7 @@ done:
 static jlt_exit find_question(json_t **given, const jlt_descriptor **d, jlt_system **system, options *o)
 {
     const jlt_certify_family_options family = { o->family, o->box, o->limit, o->digits };
-    const jlt_certify_pole_options pole = { o->motion.starts[0], &o->spread, o->digits };
+    const jlt_certify_pole_options pole = { o->motion.starts[0], &o->spread, o->digits, &o->watch };
     jlt_common *common = &o->motion.common;
     const bool is_orbit = has_section(o->kind);
 
@@ -298,16 +299,18 @@ static jlt_exit run(int argc, char **argv)
     const jlt_descriptor *d = NULL;
     json_t *given = NULL, *certificate = NULL;
     jlt_certificate_report report;
+    jlt_progress progress;
     jlt_exit code;
 
     jlt_motion_begin(&o.motion, argc, argv);
     o.motion.flow.tolerance = tolerance;
     common->no_table = true;
     argp_parse(&parser, argc, argv, 0, NULL, &o);
+    o.watch = jlt_certify_watch(&progress);
     code = find_question(&given, &d, &system, &o);
-    if (code != JLT_EXIT_DONE) goto done;
-    certificate = jlt_certificate_make(&report, o.kind, given, d);
-    code = fail(&report);
+    if (code == JLT_EXIT_DONE) certificate = jlt_certificate_make(&report, o.kind, given, d, &o.watch);
+    jlt_progress_end(&progress);
+    if (code == JLT_EXIT_DONE) code = fail(&report);
     if (code != JLT_EXIT_DONE) goto done;
     if (json_dumpf(certificate, common->table.file, JSON_INDENT(1)) != 0 || fputc('\n', common->table.file) == EOF)
         code = jlt_command_no_memory();

@@ -1,4 +1,5 @@
 /* `jellett check`: replays the proofs of certificates. */
+#include "cli/certify_given.h"
 #include "cli/common.h"
 #include "cli/table.h"
 #include "validated/certificate.h"
@@ -47,6 +48,8 @@ static jlt_exit check(const char *path, const jlt_descriptor *own)
     json_error_t error;
     json_t *certificate = json_load_file(path, JSON_REJECT_DUPLICATES, &error);
     jlt_certificate_report report;
+    jlt_progress progress;
+    jlt_step_watch watch;
     FILE *file;
 
     if (certificate == NULL) {
@@ -55,7 +58,9 @@ static jlt_exit check(const char *path, const jlt_descriptor *own)
         fclose(file);
         return jlt_command_fail(JLT_EXIT_INPUT, "%s:%d: %s", path, error.line, error.text);
     }
-    jlt_certificate_check(&report, certificate, own);
+    watch = jlt_certify_watch(&progress);
+    jlt_certificate_check(&report, certificate, own, &watch);
+    jlt_progress_end(&progress);
     if (report.verdict == JLT_CERTIFICATE_GOOD) {
         const json_t *words = json_object_get(certificate, "theorem");
         printf("%s: proved\n", path);

@@ -18,11 +18,11 @@ void jlt_progress_show(jlt_progress *self, size_t done, size_t all)
     const double now = jlt_interrupt_clock(), seconds = now - self->started;
     if (now - self->shown < 0.2) goto done;
     self->shown = now;
-    fprintf(stderr, "\r%zu", done);
+    fprintf(stderr, "%zu", done);
     if (all > 0) fprintf(stderr, " of %zu", all);
     fprintf(stderr, " %s, %.3g a second", self->unit, (double)done / seconds);
     if (all > done && done > 0) fprintf(stderr, ", %.0f s to go", seconds * (double)(all - done) / (double)done);
-    fputs("\033[K", stderr);
+    fputs("\033[K\r", stderr); /* what else is printed begins on this line */
 done:
     __atomic_clear(&self->showing, __ATOMIC_RELEASE);
 }

@@ -36,11 +36,12 @@ typedef struct {
     char problem[JLT_GIVEN_PROBLEM_MAX]; /* "" if the verdict is GOOD */
 } jlt_certificate_report;
 
-/** Prove a theorem and write its certificate. In: kind; given, borrowed; own, a table that is not built in, or NULL. Returns a new
- *  reference, NULL if the report's verdict is not GOOD. Cost: seconds to minutes. */
-json_t *jlt_certificate_make(jlt_certificate_report *report, const char *kind, json_t *given, const jlt_descriptor *own);
+/** Prove a theorem and write its certificate. In: kind; given, borrowed; own, a table that is not built in, or NULL; watch, told of
+ *  the steps of the proof, or NULL. Returns a new reference, NULL if the report's verdict is not GOOD. Cost: seconds to minutes. */
+json_t *jlt_certificate_make(jlt_certificate_report *report, const char *kind, json_t *given, const jlt_descriptor *own,
+                             jlt_step_watch *watch);
 
-/** Replay a certificate: prove it again, and compare. In: certificate, borrowed; own, as above. */
-void jlt_certificate_check(jlt_certificate_report *report, json_t *certificate, const jlt_descriptor *own);
+/** Replay a certificate: prove it again, and compare. In: certificate, borrowed; own, watch, as above. */
+void jlt_certificate_check(jlt_certificate_report *report, json_t *certificate, const jlt_descriptor *own, jlt_step_watch *watch);
 
 #endif

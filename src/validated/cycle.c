@@ -20,7 +20,8 @@ jlt_status jlt_cycle_create(jlt_cycle **cycle, const jlt_cycle_question *questio
     self->unknowns = self->formulas->states - 1;
     self->state = _arb_vec_init((slong)self->formulas->dim);
     jlt_arrival_init(&self->arrival, self->formulas->dim);
-    JLT_TRY(jlt_step_create(&self->step, self->formulas, question->params, jlt_step_accuracy_for(question->digits)));
+    JLT_TRY(jlt_step_create(&self->step, self->formulas, question->params, jlt_step_accuracy_for(question->digits),
+                            question->watch));
     JLT_TRY(jlt_jets_create(&self->levels, self->formulas, self->formulas->levels, 0, 0));
     *cycle = self;
     self = NULL; /* ownership moved to the caller */

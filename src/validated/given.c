@@ -137,11 +137,12 @@ static bool read_coordinates(jlt_given *self, const json_t *given, char *problem
     return true;
 }
 
-bool jlt_given_read(jlt_given *self, const json_t *given, const jlt_descriptor *descriptor, char problem[JLT_GIVEN_PROBLEM_MAX])
+bool jlt_given_read(jlt_given *self, const json_t *given, const jlt_descriptor *descriptor, jlt_step_watch *watch,
+                    char problem[JLT_GIVEN_PROBLEM_MAX])
 {
     const json_int_t digits = json_integer_value(json_object_get(given, "digits"));
 
-    *self = (jlt_given){ .question = { .descriptor = descriptor } };
+    *self = (jlt_given){ .question = { .descriptor = descriptor, .watch = watch } };
     self->params = _arb_vec_init(descriptor->param_count + 1);
     self->level_values = _arb_vec_init(JLT_FORMULAS_LEVELS_MAX);
     arb_init(self->section);

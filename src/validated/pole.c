@@ -147,7 +147,7 @@ jlt_status jlt_pole_prove(jlt_pole_result *result, const jlt_pole_question *ques
     jlt_status st;
 
     JLT_TRY(jlt_formulas_create_lifted(&of, question->descriptor, question->time, question->state));
-    JLT_TRY(jlt_step_create(&step, of, question->params, jlt_step_accuracy_for(question->digits)));
+    JLT_TRY(jlt_step_create(&step, of, question->params, jlt_step_accuracy_for(question->digits), question->watch));
     x = _arb_vec_init((slong)of->dim);
     jlt_settle_result_init(&settled, of);
     for (unsigned i = 0; i < of->valid_count; i++) arf_pos_inf(result->least + i);

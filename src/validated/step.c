@@ -15,6 +15,7 @@ struct jlt_step {
     arb_ptr V, W;                           /* (dim, dim, order + 1): Taylor coefficients of the derivative over the set, and over
                                              * the rough enclosure */
     arb_mat_t image, slope, derivative, rest;
+    jlt_step_watch *watch;
 };
 
 jlt_rough_accuracy jlt_step_accuracy_for(unsigned digits)
@@ -23,7 +24,8 @@ jlt_rough_accuracy jlt_step_accuracy_for(unsigned digits)
     return (jlt_rough_accuracy){ .order = (unsigned)tolerance / 4 + 8, .bits = tolerance + 40, .tolerance = tolerance };
 }
 
-jlt_status jlt_step_create(jlt_step **step, const jlt_formulas *of, arb_srcptr params, jlt_rough_accuracy accuracy)
+jlt_status jlt_step_create(jlt_step **step, const jlt_formulas *of, arb_srcptr params, jlt_rough_accuracy accuracy,
+                           jlt_step_watch *watch)
 {
     jlt_step *self = calloc(1, sizeof *self);
     const slong n = (slong)of->dim;
@@ -33,6 +35,7 @@ jlt_status jlt_step_create(jlt_step **step, const jlt_formulas *of, arb_srcptr p
     if (self == NULL) return JLT_ERR_NOMEM;
     self->of = of;
     self->accuracy = accuracy;
+    self->watch = watch;
     self->params = _arb_vec_init((slong)of->params + 1);
     self->x = _arb_vec_init(n);
     self->V = _arb_vec_init(n * n * (accuracy.order + 1));
@@ -266,6 +269,7 @@ jlt_status jlt_step_advance(jlt_step *self, jlt_set *set, arf_t h, arb_t expansi
     expand(self, expansion, length);
     inside = watch(self, least, length);
     jlt_set_move(set, self->image, self->slope, self->derivative);
+    if (self->watch != NULL) self->watch->told(self->watch->context, ++self->watch->steps);
     return inside ? JLT_OK : JLT_ERR_DOMAIN;
 }
 

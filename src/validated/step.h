@@ -19,9 +19,17 @@ jlt_rough_accuracy jlt_step_accuracy_for(unsigned digits);
 
 typedef struct jlt_step jlt_step;
 
-/** Out: *step, NULL on failure; destroy it with jlt_step_destroy. In: of, borrowed; params, shape (of->params,), copied. Errors:
- *  as jlt_jets_create. */
-JLT_CHECKED jlt_status jlt_step_create(jlt_step **step, const jlt_formulas *of, arb_srcptr params, jlt_rough_accuracy accuracy);
+/** Is told after each step how many steps have been made; of several proofs, in all. */
+typedef struct {
+    void (*told)(void *context, size_t steps);
+    void *context;
+    size_t steps;
+} jlt_step_watch;
+
+/** Out: *step, NULL on failure; destroy it with jlt_step_destroy. In: of, borrowed; params, shape (of->params,), copied; watch,
+ *  borrowed, NULL: nobody is told. Errors: as jlt_jets_create. */
+JLT_CHECKED jlt_status jlt_step_create(jlt_step **step, const jlt_formulas *of, arb_srcptr params, jlt_rough_accuracy accuracy,
+                                       jlt_step_watch *watch);
 void jlt_step_destroy(jlt_step *step); /* legal on NULL */
 
 /** Move the set by one step. In/out: h, exact and positive, on input the largest length, on output the length of the step;

@@ -107,7 +107,7 @@ static void ten_returns_contain_the_quadruple_reference_and_stay_thin(void **unu
     (void)unused;
     assert_non_null(file);
     assert_int_equal(jlt_formulas_create(&formulas, d, NULL, 0, NULL, 0), JLT_OK);
-    assert_int_equal(jlt_step_create(&step, formulas, params, jlt_step_accuracy_for(12)), JLT_OK);
+    assert_int_equal(jlt_step_create(&step, formulas, params, jlt_step_accuracy_for(12), NULL), JLT_OK);
     jlt_arrival_init(&arrival, 4);
     arb_init(level);
     arf_init(instant);
@@ -241,7 +241,7 @@ static void derivative_encloses_differences(void **unused)
     arb_init(predicted);
     arb_init(level);
     assert_int_equal(jlt_formulas_create(&formulas, l.d, free_params, 1, NULL, 0), JLT_OK);
-    assert_int_equal(jlt_step_create(&step, formulas, l.params, jlt_step_accuracy_for(15)), JLT_OK);
+    assert_int_equal(jlt_step_create(&step, formulas, l.params, jlt_step_accuracy_for(15), NULL), JLT_OK);
     jlt_arrival_init(&box, 4);
     for (unsigned which = 0; which < 3; which++) {
         jlt_arrival *out = which < 2 ? &corners[which] : &box;

@@ -19,3 +19,9 @@ awk '$1 < last || $1 > $2 || $2 != 3000000 { print "after " last ": " $0; bad = 
 tr '\r' '\n' < "$scratch/terminal" | sed -n 's/^\([0-9]*\) of .* returns, \([-0-9.e+]*\) a second, .*/\1 \2/p' | tail -1 |
     awk -v seconds="$seconds" '{ least = $1/seconds; if (!($2 >= least &&
         $2 < 10*least)) { print $2 " a second, " $1 " in " seconds " s"; exit 1 } }'
+
+# So are the steps of a proof.
+script -qec "jellett check '$JLT_SOURCE_DIR/tools/certificates/turn_over.json'" "$scratch/terminal" < /dev/null > /dev/null ||
+    { echo "check ends with $?"; exit 1; }
+tr '\r' '\n' < "$scratch/terminal" | sed -n 's/^\([0-9]*\) validated steps, .*/\1/p' > "$scratch/shown"
+sort -nuc "$scratch/shown" && [ -s "$scratch/shown" ] || { echo "steps of a proof:"; cat "$scratch/shown"; exit 1; }
