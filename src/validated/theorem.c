@@ -1,8 +1,6 @@
 #include "validated/theorem.h"
 
 #include "validated/theorem_sentence.h"
-#include "validated/theorem_text.h"
-#include "validated/theorem_turns.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,7 +1,6 @@
 #include "validated/theorem_sentence.h"
 
 #include "kernel/descriptor.h"
-#include "validated/theorem_text.h"
 
 #include <stdbool.h>
 #include <stdint.h>

@@ -1,7 +1,5 @@
 #include "validated/theorem_sentence.h"
 
-#include "validated/theorem_text.h"
-
 #include <string.h>
 
 void jlt_theorem_pole_setting(FILE *out, const jlt_theorem_subject *s)

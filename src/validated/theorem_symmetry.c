@@ -1,7 +1,5 @@
 #include "validated/theorem_sentence.h"
 
-#include "validated/theorem_text.h"
-
 #include <stdbool.h>
 #include <string.h>
 

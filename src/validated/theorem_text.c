@@ -1,4 +1,4 @@
-#include "validated/theorem_text.h"
+#include "validated/theorem_sentence.h"
 
 #include <stdint.h>
 

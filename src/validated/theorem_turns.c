@@ -1,4 +1,4 @@
-#include "validated/theorem_turns.h"
+#include "validated/theorem_sentence.h"
 
 #include "read/model.h"
 
