@@ -108,9 +108,13 @@ ttc_search_result ttc_search_point(ttc_witness *point, const ttc_conditions *con
     if (conditions->failed) return TTC_POINT_NOT_DECIDED;
     if (try_numbers(point, conditions, 0, EARLY_ATTEMPTS)) return TTC_POINT_FOUND;
     choose(point, 0); /* simple values for variables that no condition uses, which the solver leaves as they are */
-    ttc_solver_answer answer = ttc_solver_ask(point, conditions);
+    ttc_solver_answer answer = ttc_solver_ask(point, conditions, false);
     if (answer == TTC_SOLVER_NO_POINT) return TTC_POINT_EXCLUDED;
     if (answer == TTC_SOLVER_POINT && meets_all(point, conditions)) return TTC_POINT_FOUND;
     if (try_numbers(point, conditions, EARLY_ATTEMPTS, LATE_ATTEMPTS)) return TTC_POINT_FOUND;
-    return TTC_POINT_NOT_DECIDED;
+    if (answer == TTC_SOLVER_SILENT) return TTC_POINT_NOT_DECIDED;
+    choose(point, 0);
+    answer = ttc_solver_ask(point, conditions, true); /* what it named was a point but for the values of functions */
+    if (answer == TTC_SOLVER_NO_POINT) return TTC_POINT_EXCLUDED;
+    return answer == TTC_SOLVER_POINT && meets_all(point, conditions) ? TTC_POINT_FOUND : TTC_POINT_NOT_DECIDED;
 }

@@ -12,8 +12,8 @@ typedef enum {
 } ttc_search_result;
 
 /** Try small rational numbers, then ask the solver, within a fixed amount of work, so that the answer is the same on every
- *  machine. point: initialized for the valuation of the conditions; meaningful if FOUND. To the solver, cosine and sine are any
- *  two numbers with c^2 + s^2 = 1: it may fail to exclude a point, but never excludes one that exists. */
+ *  machine. point: initialized for the valuation of the conditions; meaningful if FOUND. To the solver, functions
+ *  are numbers within bounds: it may fail to exclude a point, but never excludes one that exists. */
 ttc_search_result ttc_search_point(ttc_witness *point, const ttc_conditions *conditions);
 
 #endif

@@ -183,6 +183,93 @@ static void state_signs(question *q)
     fmpz_mpoly_clear(variable, ring->context);
 }
 
+/* State bound >= 0, with equality only where `at` is zero: where none of the two has a value, this says nothing. */
+static void state_bound(question *q, const ttc_ratio *bound, const ttc_ratio *at)
+{
+    const ttc_ring *ring = q->point->ring;
+    Z3_ast zero = Z3_mk_numeral(q->z3, "0", q->real);
+    fmpz_mpoly_t product;
+    fmpz_mpoly_init(product, ring->context);
+    fmpz_mpoly_mul(product, bound->numerator, bound->denominator, ring->context);
+    Z3_ast value = polynomial_of(q, product), ways[3] = { Z3_mk_gt(q->z3, value, zero) };
+    ways[1] = Z3_mk_eq(q->z3, polynomial_of(q, at->numerator), zero);
+    ways[2] = Z3_mk_eq(q->z3, polynomial_of(q, bound->denominator), zero);
+    if (!q->too_large) Z3_solver_assert(q->z3, q->solver, Z3_mk_ge(q->z3, value, zero));
+    if (!q->too_large) Z3_solver_assert(q->z3, q->solver, Z3_mk_or(q->z3, 3, ways));
+    fmpz_mpoly_clear(product, ring->context);
+}
+
+/* State how a = log(e) lies to e: 1 + a <= e, and 1 - a <= 1/e, that is e <= 1 + a e. */
+static void state_exponential(question *q, const ttc_ratio *a, const ttc_ratio *e)
+{
+    ttc_ring *ring = q->point->ring;
+    ttc_ratio bound, one;
+    ttc_ratio_init(ring, &bound);
+    ttc_ratio_init(ring, &one);
+    ttc_ratio_set_integer(ring, &one, 1);
+    ttc_ratio_subtract(ring, &bound, e, &one);
+    ttc_ratio_subtract(ring, &bound, &bound, a);
+    state_bound(q, &bound, a);
+    ttc_ratio_subtract(ring, &bound, &one, e);
+    ttc_ratio_add_product(ring, &bound, a, e);
+    state_bound(q, &bound, a);
+    ttc_ratio_clear(ring, &one);
+    ttc_ratio_clear(ring, &bound);
+}
+
+/* State that cos(a) >= 1 - a^2/2, or sin(a)^2 <= a^2. */
+static void state_circular(question *q, const ttc_ratio *a, const ttc_ratio *f, bool is_sine)
+{
+    ttc_ring *ring = q->point->ring;
+    ttc_ratio bound, term;
+    ttc_ratio_init(ring, &bound);
+    ttc_ratio_init(ring, &term);
+    ttc_ratio_multiply(ring, &bound, a, a);
+    ttc_ratio_set_integer(ring, &term, is_sine ? -1 : 2);
+    ttc_ratio_multiply(ring, &term, &term, f);
+    if (is_sine) ttc_ratio_multiply(ring, &term, &term, f);
+    ttc_ratio_add(ring, &bound, &bound, &term);
+    ttc_ratio_set_integer(ring, &term, is_sine ? 0 : -2);
+    ttc_ratio_add(ring, &bound, &bound, &term);
+    state_bound(q, &bound, a);
+    ttc_ratio_clear(ring, &term);
+    ttc_ratio_clear(ring, &bound);
+}
+
+static void state_function(question *q, slong v)
+{
+    ttc_valuation *valuation = q->point->valuation;
+    const ttc_model *model = ttc_valuation_model(valuation);
+    const size_t symbol = ttc_valuation_symbol(valuation, v);
+    if (!ttc_witness_is_function(q->point, v) || model->symbols[symbol].kind == TTC_PI) return;
+    ttc_ratio argument, value;
+    ttc_ratio_init(q->point->ring, &argument);
+    ttc_ratio_init(q->point->ring, &value);
+    ttc_evaluate(valuation, &argument, model->symbols[symbol].definition);
+    ttc_ratio_set_variable(q->point->ring, &value, v);
+    if (model->symbols[symbol].kind == TTC_EXP) state_exponential(q, &argument, &value);
+    else if (model->symbols[symbol].kind == TTC_LOG) state_exponential(q, &value, &argument);
+    else state_circular(q, &argument, &value, model->symbols[symbol].kind == TTC_SINE);
+    ttc_ratio_clear(q->point->ring, &value);
+    ttc_ratio_clear(q->point->ring, &argument);
+}
+
+/* Of functions, and of those that their arguments use. */
+static void state_functions(question *q)
+{
+    const size_t count = q->point->ring->variable_count;
+    bool *stated = calloc(count + 1, sizeof *stated), again = stated != NULL;
+    while (again && !q->too_large) {
+        again = false;
+        for (size_t v = 0; v < count; v++) {
+            if (stated[v] || q->variables[v] == NULL) continue;
+            stated[v] = again = true;
+            state_function(q, (slong)v);
+        }
+    }
+    free(stated);
+}
+
 static bool read_rational(Z3_context z3, Z3_ast value, fmpq_t out)
 {
     return fmpq_set_str(out, Z3_get_numeral_string(z3, value), 10) == 0;
@@ -231,10 +318,11 @@ static bool read_point(question *q)
     return ok;
 }
 
-static ttc_solver_answer ask(question *q, const ttc_conditions *conditions)
+static ttc_solver_answer ask(question *q, const ttc_conditions *conditions, bool with_functions)
 {
     for (size_t i = 0; i < conditions->count; i++)
         state_condition(q, conditions->items[i].polynomial, conditions->items[i].relation);
+    if (with_functions) state_functions(q);
     state_generators(q, conditions);
     state_signs(q);
     if (q->too_large) return TTC_SOLVER_SILENT;
@@ -260,7 +348,7 @@ static Z3_context context_of(ttc_ring *ring)
     return ring->solver;
 }
 
-ttc_solver_answer ttc_solver_ask(ttc_witness *point, const ttc_conditions *conditions)
+ttc_solver_answer ttc_solver_ask(ttc_witness *point, const ttc_conditions *conditions, bool with_functions)
 {
     question q = { .point = point };
     q.variables = calloc(point->ring->variable_count + 1, sizeof(Z3_ast));
@@ -275,7 +363,7 @@ ttc_solver_answer ttc_solver_ask(ttc_witness *point, const ttc_conditions *condi
     /* Otherwise Z3 catches SIGINT while it works, and the program does not receive it. */
     Z3_params_set_bool(q.z3, params, Z3_mk_string_symbol(q.z3, "ctrl_c"), false);
     Z3_solver_set_params(q.z3, q.solver, params);
-    ttc_solver_answer answer = ask(&q, conditions);
+    ttc_solver_answer answer = ask(&q, conditions, with_functions);
     Z3_params_dec_ref(q.z3, params);
     Z3_solver_dec_ref(q.z3, q.solver);
     free(q.variables);

@@ -77,8 +77,7 @@ static bool is_bound_angle(const ttc_witness *point, uint32_t cosine)
     return ttc_valuation_is_bound(point->valuation, cosine);
 }
 
-/* Returns true if the variable is a function whose value follows from its argument, or pi. */
-static bool is_function(const ttc_witness *point, slong variable)
+bool ttc_witness_is_function(const ttc_witness *point, slong variable)
 {
     const ttc_model *model = ttc_valuation_model(point->valuation);
     size_t symbol = ttc_valuation_symbol(point->valuation, variable);
@@ -93,35 +92,10 @@ static bool is_function(const ttc_witness *point, slong variable)
     }
 }
 
-/* The bound cosine whose angle is this variable; 0 if there is none. */
-static uint32_t angle_of(const ttc_witness *point, slong variable)
-{
-    const ttc_model *model = ttc_valuation_model(point->valuation);
-    size_t symbol = ttc_valuation_symbol(point->valuation, variable);
-    for (uint32_t i = 1; symbol < model->symbol_count && i < model->symbol_count; i++) {
-        bool is_given = model->symbols[i].kind == TTC_COSINE && is_bound_angle(point, i);
-        if (is_given && model->symbols[i].definition == model->symbols[symbol].node) return i;
-    }
-    return 0;
-}
-
-/* Returns true if a bound cosine has an angle that is not an unbound state. Nothing can be decided at a point then. */
-static bool has_obscure_angle(const ttc_witness *point)
-{
-    const ttc_model *model = ttc_valuation_model(point->valuation);
-    for (uint32_t i = 1; i < model->symbol_count; i++) {
-        if (model->symbols[i].kind != TTC_COSINE || !is_bound_angle(point, i)) continue;
-        if (ttc_kind_of(model->graph, model->symbols[i].definition) != TTC_SYMBOL) return true;
-        uint32_t angle = ttc_symbol_of(model->graph, model->symbols[i].definition);
-        if (model->symbols[angle].kind != TTC_STATE || ttc_valuation_is_bound(point->valuation, angle)) return true;
-    }
-    return false;
-}
-
 bool ttc_witness_is_free(const ttc_witness *point, slong variable)
 {
-    return generator_index(point, variable) == point->ring->generator_count && !is_function(point, variable)
-           && angle_of(point, variable) == 0;
+    return generator_index(point, variable) == point->ring->generator_count && !ttc_witness_is_function(point, variable)
+           && ttc_witness_angle_of(point, variable) == 0;
 }
 
 static void enclose_variable(ttc_witness *point, slong variable, slong precision);
@@ -253,7 +227,7 @@ static void enclose_function(ttc_witness *point, slong variable, ttc_symbol_kind
     balls->state[variable] = ENCLOSED;
 }
 
-/* Enclose the angle between -pi and pi of a bound cosine and its sine. */
+/* Enclose the angle of a bound cosine and its sine that is the first one above the lower end of its interval, where it has one. */
 static void enclose_angle(ttc_witness *point, slong variable, uint32_t cosine, slong precision)
 {
     const ttc_model *model = ttc_valuation_model(point->valuation);
@@ -267,6 +241,7 @@ static void enclose_angle(ttc_witness *point, slong variable, uint32_t cosine, s
     ttc_evaluate(point->valuation, &value, model->symbols[model->symbols[cosine].partner].node);
     ttc_witness_enclose(balls->ball + variable, point, &value, precision);
     arb_atan2(balls->ball + variable, balls->ball + variable, c, precision);
+    ttc_witness_add_turns(balls->ball + variable, model, ttc_valuation_symbol(point->valuation, variable), precision);
     balls->state[variable] = ENCLOSED;
     arb_clear(c);
     ttc_ratio_clear(point->ring, &value);
@@ -278,9 +253,9 @@ static void enclose_variable(ttc_witness *point, slong variable, slong precision
     if (balls->state[variable] == BUSY) arb_indeterminate(balls->ball + variable);
     if (balls->state[variable] != UNKNOWN) return;
     balls->state[variable] = BUSY;
-    uint32_t cosine = angle_of(point, variable);
+    uint32_t cosine = ttc_witness_angle_of(point, variable);
     size_t index = generator_index(point, variable);
-    if (is_function(point, variable)) {
+    if (ttc_witness_is_function(point, variable)) {
         enclose_function(point, variable, kind_of(point, variable), precision);
     } else if (cosine != 0) {
         enclose_angle(point, variable, cosine, precision);
@@ -320,6 +295,7 @@ static ttc_truth meets(ttc_witness *point, const ttc_condition *condition)
         if (!arb_is_finite(ball)) break; /* a radicand may be negative */
         if (arb_is_positive(ball)) truth = truth_of_sign(1, condition->relation);
         else if (arb_is_negative(ball)) truth = truth_of_sign(-1, condition->relation);
+        else if (arb_is_zero(ball)) truth = truth_of_sign(0, condition->relation); /* of functions as well: cos(0) - 1 */
         else if (exact_polynomial(value, point, condition->polynomial))
             truth = truth_of_sign(fmpq_sgn(value), condition->relation);
     }
@@ -336,7 +312,7 @@ static ttc_truth roots_are_real(ttc_witness *point)
     ttc_conditions_init(&c, point->valuation);
     for (size_t i = 0; i < point->ring->generator_count; i++) {
         const ttc_generator *generator = &point->ring->generators[i];
-        if (is_function(point, generator->variable)) continue;
+        if (ttc_witness_is_function(point, generator->variable)) continue;
         ttc_conditions_add(&c, &generator->square, generator->positive ? TTC_IS_POSITIVE : TTC_IS_NONNEGATIVE);
     }
     if (c.contradictory) truth = TTC_FAILS;
@@ -346,8 +322,8 @@ static ttc_truth roots_are_real(ttc_witness *point)
     return truth;
 }
 
-/* Check the sign that its interval gives to a state which is the angle of a bound cosine. Conditions omit such signs, as values of
- * other states are chosen within their intervals. */
+/* Check the sign that is known of a state or parameter which is the angle of a bound cosine. Conditions omit such signs, as other
+ * values are chosen with them. */
 static ttc_truth angles_have_their_signs(ttc_witness *point, const ttc_conditions *conditions)
 {
     ttc_truth truth = TTC_HOLDS;
@@ -356,13 +332,14 @@ static ttc_truth angles_have_their_signs(ttc_witness *point, const ttc_condition
     ttc_ratio_init(point->ring, &angle);
     arb_init(ball);
     for (slong v = 0; truth != TTC_FAILS && v < (slong)point->ring->variable_count; v++) {
-        if (angle_of(point, v) == 0) continue;
+        if (ttc_witness_angle_of(point, v) == 0) continue;
         ttc_ratio_set_variable(point->ring, &angle, v);
         const unsigned signs = ttc_conditions_signs(conditions, angle.numerator);
-        if (signs == TTC_CAN_BE_ANY) continue;
         ttc_witness_enclose(ball, point, &angle, FIRST_PRECISION);
-        if (signs == TTC_CAN_BE_POSITIVE ? arb_is_positive(ball) : arb_is_negative(ball)) continue;
-        truth = arb_contains_zero(ball) ? TTC_UNCLEAR : TTC_FAILS;
+        const bool may_be_zero = arb_contains_zero(ball) && !arb_is_zero(ball);
+        const unsigned nonzero = arb_is_positive(ball) ? TTC_CAN_BE_POSITIVE : TTC_CAN_BE_NEGATIVE;
+        if (signs != TTC_CAN_BE_ANY && may_be_zero) truth = TTC_UNCLEAR;
+        else if (!may_be_zero && !(signs & (arb_is_zero(ball) ? (unsigned)TTC_CAN_BE_ZERO : nonzero))) truth = TTC_FAILS;
     }
     arb_clear(ball);
     ttc_ratio_clear(point->ring, &angle);
@@ -372,7 +349,7 @@ static ttc_truth angles_have_their_signs(ttc_witness *point, const ttc_condition
 ttc_truth ttc_witness_meets_all(ttc_witness *point, const ttc_conditions *conditions)
 {
     if (conditions->contradictory) return TTC_FAILS;
-    if (has_obscure_angle(point)) return TTC_UNCLEAR;
+    if (ttc_witness_has_obscure_angle(point)) return TTC_UNCLEAR;
     ttc_truth truth = roots_are_real(point);
     if (truth == TTC_HOLDS) truth = angles_have_their_signs(point, conditions);
     for (size_t i = 0; truth != TTC_FAILS && i < conditions->count; i++) {

@@ -28,14 +28,27 @@ void ttc_witness_clear(ttc_witness *point);
 /* Returns true if `values` gives the variable's value: it is no generator, no function, and no angle of a bound cosine. */
 bool ttc_witness_is_free(const ttc_witness *point, slong variable);
 
+/* Returns true if the variable is a function whose value follows from its argument, or pi. */
+bool ttc_witness_is_function(const ttc_witness *point, slong variable);
+
 /* Discard computed values. Call this after changing `values` or `negative`. */
 void ttc_witness_changed(ttc_witness *point);
 
 /* HOLDS if all conditions and the relations of the ring hold, FAILS if one is known to fail, UNCLEAR otherwise. */
 ttc_truth ttc_witness_meets_all(ttc_witness *point, const ttc_conditions *conditions);
 
+/* The bound cosine whose angle is this variable; 0 if there is none. */
+uint32_t ttc_witness_angle_of(const ttc_witness *point, slong variable);
+
+/* Returns true if a bound cosine has an angle that is no unbound state, parameter or level: nothing is decided at a point then. */
+bool ttc_witness_has_obscure_angle(const ttc_witness *point);
+
 /* HOLDS if each sine whose sign ring->choices selects has, at this point, the sign of the sine of its angle. */
 ttc_truth ttc_witness_sines(ttc_witness *point);
+
+/* Add the whole turns with which an angle, the value of a state or parameter, is the first above the lower end of its interval, or
+ * the last below the upper one if there is no lower one. It stays as it is where it has no such end or may lie on it. */
+void ttc_witness_add_turns(arb_t angle, const ttc_model *model, size_t symbol, slong precision);
 
 /* Enclose a ratio in a ball of `precision` bits, which is not finite if the denominator may be zero. */
 void ttc_witness_enclose(arb_t out, ttc_witness *point, const ttc_ratio *ratio, slong precision);

@@ -68,7 +68,7 @@ static void write_digits(description *d, const ttc_ratio *ratio)
     arb_init(ball);
     ttc_witness_enclose(ball, d->point, ratio, PRECISION);
     char *digits = arb_get_str(ball, DIGITS, ARB_STR_NO_RADIUS);
-    fprintf(d->stream, "%s...", digits);
+    fprintf(d->stream, "%s%s", digits, arb_is_int(ball) ? "" : "...");
     flint_free(digits);
     arb_clear(ball);
 }
@@ -111,7 +111,7 @@ static void explain_roots(description *d)
             d->written[v] = 1;
             again = true;
             bool negative = !ring->generators[i].positive && (d->point->negative >> i & 1);
-            fprintf(d->stream, ", %s = %ssqrt(", ring->names[v], negative ? "-" : "");
+            fprintf(d->stream, "%s%s = %ssqrt(", ftell(d->stream) > 0 ? ", " : "", ring->names[v], negative ? "-" : "");
             write_ratio(d, &ring->generators[i].square);
             fputc(')', d->stream);
         }

@@ -339,6 +339,16 @@ static void prove_tested(ttc_task *task, ttc_prover prover, const ttc_subcase *s
     task->point = NULL;
 }
 
+/* Where what must not be zero is zero, a claim is false. Such points are often no rational numbers, and are not found as points of
+ * a larger set; so what is not settled is looked at once more with this as a level of its own. */
+static void look_at_zeros(cover *c, ttc_subcase *start)
+{
+    if (c->task->status != TTC_UNSETTLED || c->task->unexcluded == TTC_NONE) return;
+    if (c->task->claim->kind == TTC_CLAIM_EMBEDDING) return; /* it is claimed for parameters in general, which a level may set */
+    start->goals[start->goal_count++] = c->task->unexcluded;
+    descend(c, start);
+}
+
 void ttc_task_run(ttc_task *task, ttc_prover prover)
 {
     const ttc_claim *claim = task->claim;
@@ -355,5 +365,6 @@ void ttc_task_run(ttc_task *task, ttc_prover prover)
     for (size_t i = task->level_count; i-- > 0;) start.goals[start.goal_count++] = task->levels[i];
     if (task->tested != NULL) prove_tested(task, prover, &start);
     if (task->status == TTC_PROVED) descend(&c, &start);
+    look_at_zeros(&c, &start);
     draw_verdict(&c);
 }

@@ -1,4 +1,5 @@
 #include "prove/question.h"
+#include "prove/subcase.h"
 
 #include "ball/ball.h"
 
@@ -282,6 +283,8 @@ void ttc_task_require(ttc_task *task, const ttc_ratio *ratio, ttc_relation relat
         return;
     }
     free(point);
+    if (task->unexcluded == TTC_NONE && relation != TTC_IS_NONNEGATIVE)
+        task->unexcluded = ttc_subcase_expression(task, ratio->numerator);
     ttc_task_unsettle(task, "%s: %s", what == NULL ? "" : what,
                       result == TTC_POINT_FOUND
                           ? "so at a point that may lie outside the domain, as conditions use what is in question"

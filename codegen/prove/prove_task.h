@@ -55,6 +55,7 @@ struct ttc_task {
     size_t map_count;
     size_t kept;    /* number of leaves that the flow was shown to keep, or whose image was shown to have its dimension */
     char why_empty[160]; /* why the last leaf without points has none; "" if that is not evident */
+    ttc_id unexcluded; /* an expression that must not be zero, and may be for all that is known; TTC_NONE: none */
     /* the verdict so far */
     ttc_proof_status status;
     bool relies_on_solver;
