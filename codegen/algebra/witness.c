@@ -346,6 +346,24 @@ static ttc_truth angles_have_their_signs(ttc_witness *point, const ttc_condition
     return truth;
 }
 
+/* What is bound must have a value: where a denominator of its normal form vanishes, no value need meet the levels by which it is
+ * bound. */
+static ttc_truth bound_values_exist(ttc_witness *point)
+{
+    ttc_truth truth = TTC_HOLDS;
+    ttc_ratio value;
+    ttc_ratio_init(point->ring, &value);
+    for (uint32_t i = 1; truth == TTC_HOLDS && i < ttc_valuation_model(point->valuation)->symbol_count; i++) {
+        if (!ttc_valuation_is_bound(point->valuation, i) || !ttc_valuation_has_value(point->valuation, i)) continue;
+        ttc_condition defined = { .relation = TTC_IS_NONZERO };
+        ttc_evaluate(point->valuation, &value, ttc_valuation_model(point->valuation)->symbols[i].node);
+        *defined.polynomial = *value.denominator; /* a shallow copy */
+        truth = meets(point, &defined);
+    }
+    ttc_ratio_clear(point->ring, &value);
+    return truth == TTC_HOLDS ? TTC_HOLDS : TTC_UNCLEAR;
+}
+
 ttc_truth ttc_witness_meets_all(ttc_witness *point, const ttc_conditions *conditions)
 {
     if (conditions->contradictory) return TTC_FAILS;
@@ -356,7 +374,7 @@ ttc_truth ttc_witness_meets_all(ttc_witness *point, const ttc_conditions *condit
         ttc_truth one = meets(point, &conditions->items[i]);
         if (one != TTC_HOLDS) truth = one;
     }
-    return truth;
+    return truth == TTC_HOLDS ? bound_values_exist(point) : truth;
 }
 
 bool ttc_witness_coordinate(fmpq_t out, ttc_witness *point, slong variable)

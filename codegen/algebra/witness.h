@@ -34,7 +34,8 @@ bool ttc_witness_is_function(const ttc_witness *point, slong variable);
 /* Discard computed values. Call this after changing `values` or `negative`. */
 void ttc_witness_changed(ttc_witness *point);
 
-/* HOLDS if all conditions and the relations of the ring hold, FAILS if one is known to fail, UNCLEAR otherwise. */
+/* HOLDS if all conditions and the relations of the ring hold and bound symbols have values, FAILS if one is known to fail, UNCLEAR
+ * otherwise. */
 ttc_truth ttc_witness_meets_all(ttc_witness *point, const ttc_conditions *conditions);
 
 /* The bound cosine whose angle is this variable; 0 if there is none. */

@@ -30,7 +30,7 @@ bool ttc_divided_by_zero(ttc_task *task, const ttc_subcase *leaf, char **at)
     bool divided = false;
     task->ring->status = TTC_RING_OK;
     ttc_conditions_init(&task->domain, task->field);
-    ttc_subcase_add_leads(task, leaf);
+    ttc_subcase_add_conditions(task, leaf);
     ttc_domain_add(task, &task->domain, TTC_DOMAIN_WITHOUT_CLAIM);
     if (task->ring->status == TTC_RING_OK && !task->domain.contradictory) {
         const ttc_search_result result = ttc_task_search(task, NULL, TTC_IS_ZERO, at);

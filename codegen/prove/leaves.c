@@ -46,7 +46,7 @@ static bool look_for_point(cover *c, const ttc_subcase *b)
 {
     ttc_task *task = c->task;
     char *text = NULL;
-    ttc_subcase_add_leads(task, b);
+    ttc_subcase_add_conditions(task, b);
     ttc_domain_add(task, &task->domain, task->extent);
     if (ttc_ring_has_no_value(task->ring->status)) {
         c->why_empty = ttc_ring_status_text(task->ring->status);

@@ -46,8 +46,9 @@ bool ttc_subcase_solve(ttc_subcase *subcase, ttc_id *lead, ttc_task *task, const
 bool ttc_subcase_open(ttc_task *task, const ttc_subcase *subcase, unsigned choices);
 void ttc_subcase_close(ttc_task *task);
 
-/* Add to the task's conditions that the leading coefficients by which solutions divide are not zero. */
-void ttc_subcase_add_leads(ttc_task *task, const ttc_subcase *subcase);
+/* Add to the task's conditions that the leading coefficients by which solutions divide are not zero, and that squares are not
+ * negative: the root of one may be an element of the field, real or not where its denominator is zero. */
+void ttc_subcase_add_conditions(ttc_task *task, const ttc_subcase *subcase);
 
 /* The claim is not settled unless the claims of its `modulo` are proved, under conditions that hold in the present field. */
 void ttc_subcase_check_foundations(ttc_task *task);

@@ -36,15 +36,20 @@ void ttc_subcase_close(ttc_task *task)
     task->ring = NULL;
 }
 
-void ttc_subcase_add_leads(ttc_task *task, const ttc_subcase *subcase)
+void ttc_subcase_add_conditions(ttc_task *task, const ttc_subcase *subcase)
 {
-    ttc_ratio lead;
-    ttc_ratio_init(task->ring, &lead);
+    ttc_ratio value;
+    ttc_ratio_init(task->ring, &value);
     for (size_t i = 0; i < subcase->lead_count; i++) {
-        ttc_evaluate(task->field, &lead, subcase->leads[i]);
-        ttc_conditions_add(&task->domain, &lead, TTC_IS_NONZERO);
+        ttc_evaluate(task->field, &value, subcase->leads[i]);
+        ttc_conditions_add(&task->domain, &value, TTC_IS_NONZERO);
     }
-    ttc_ratio_clear(task->ring, &lead);
+    for (size_t i = 0; i < subcase->solution_count; i++) {
+        if (!subcase->solutions[i].square) continue;
+        ttc_evaluate(task->field, &value, subcase->solutions[i].expression);
+        ttc_conditions_add(&task->domain, &value, TTC_IS_NONNEGATIVE);
+    }
+    ttc_ratio_clear(task->ring, &value);
 }
 
 void ttc_subcase_check_foundations(ttc_task *task)
