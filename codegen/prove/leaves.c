@@ -258,6 +258,7 @@ static void descend(cover *c, const ttc_subcase *b)
     ttc_task *task = c->task;
     bool again = true;
     unsigned most = 0;
+    if (task->is_integral && c->with_point > 0) return;
     if (b->goal_count == 0) {
         visit(c, b);
         return;

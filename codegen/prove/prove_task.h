@@ -55,6 +55,7 @@ struct ttc_task {
     size_t map_count;
     size_t kept;    /* number of leaves that the flow was shown to keep, or whose image was shown to have its dimension */
     char why_empty[160]; /* why the last leaf without points has none; "" if that is not evident */
+    bool is_integral;  /* an invariant whose level is kept as one of an integral: what is left to show is that it has a point */
     ttc_id unexcluded; /* an expression that must not be zero, and may be for all that is known; TTC_NONE: none */
     /* the verdict so far */
     ttc_proof_status status;
@@ -129,6 +130,10 @@ void ttc_prove_same_observations(ttc_task *task, const ttc_model *target, ttc_va
 /* Require that an integral has the same value at points that differ by the periods which the table claims, except that of state
  * `but`, which was eliminated; UINT32_MAX: of none. */
 void ttc_prove_level_is_periodic(ttc_task *task, const ttc_claim *integral, uint32_t but);
+
+/* Returns true if the expression of an invariant is shown to be constant along all motions of the level to which it is restricted:
+ * each of its own levels is then kept, whatever its components are. */
+bool ttc_prove_is_integral(ttc_task *task);
 
 /* The provers, one for each kind of claim. */
 void ttc_prove_integral(ttc_task *task);
