@@ -121,10 +121,11 @@ static void require_first_order(const ttc_pole_end *end, const ttc_symbol_entry 
 
 typedef void (*in_time)(const ttc_pole_end *end, const ttc_symbol_entry *root, const ttc_time *time);
 
+/* First of the state: where it does not rest, the root's rate, which has the root below, may grow without bounds. */
 static void require_rest_of_both(const ttc_pole_end *end, const ttc_symbol_entry *root, const ttc_time *time)
 {
-    require_rest(end, root, time);
     require_rest(end, end->task->model->symbols + end->state, time);
+    require_rest(end, root, time);
 }
 
 /* The limit of a root. If only its inverse can be followed, as for a root that grows without bound, it does not go to zero. */
