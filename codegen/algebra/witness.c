@@ -322,8 +322,32 @@ static ttc_truth roots_are_real(ttc_witness *point)
     return truth;
 }
 
-/* What is bound must have a value: where a denominator of its normal form vanishes, it may be none that meets the levels by which it
- * is bound. */
+/* Check the sign that is known of a state or parameter which is the angle of a bound cosine. Conditions omit such signs, as other
+ * values are chosen with them. */
+static ttc_truth angles_have_their_signs(ttc_witness *point, const ttc_conditions *conditions)
+{
+    ttc_truth truth = TTC_HOLDS;
+    ttc_ratio angle;
+    arb_t ball;
+    ttc_ratio_init(point->ring, &angle);
+    arb_init(ball);
+    for (slong v = 0; truth != TTC_FAILS && v < (slong)point->ring->variable_count; v++) {
+        if (ttc_witness_angle_of(point, v) == 0) continue;
+        ttc_ratio_set_variable(point->ring, &angle, v);
+        const unsigned signs = ttc_conditions_signs(conditions, angle.numerator);
+        ttc_witness_enclose(ball, point, &angle, FIRST_PRECISION);
+        const bool may_be_zero = arb_contains_zero(ball) && !arb_is_zero(ball);
+        const unsigned nonzero = arb_is_positive(ball) ? TTC_CAN_BE_POSITIVE : TTC_CAN_BE_NEGATIVE;
+        if (signs != TTC_CAN_BE_ANY && may_be_zero) truth = TTC_UNCLEAR;
+        else if (!may_be_zero && !(signs & (arb_is_zero(ball) ? (unsigned)TTC_CAN_BE_ZERO : nonzero))) truth = TTC_FAILS;
+    }
+    arb_clear(ball);
+    ttc_ratio_clear(point->ring, &angle);
+    return truth;
+}
+
+/* What is bound must have a value: where a denominator of its normal form vanishes, no value need meet the levels by which it is
+ * bound. */
 static ttc_truth bound_values_exist(ttc_witness *point)
 {
     ttc_truth truth = TTC_HOLDS;
@@ -345,7 +369,7 @@ ttc_truth ttc_witness_meets_all(ttc_witness *point, const ttc_conditions *condit
     if (conditions->contradictory) return TTC_FAILS;
     if (ttc_witness_has_obscure_angle(point)) return TTC_UNCLEAR;
     ttc_truth truth = roots_are_real(point);
-    if (truth == TTC_HOLDS) truth = ttc_witness_angles_have_signs(point, conditions);
+    if (truth == TTC_HOLDS) truth = angles_have_their_signs(point, conditions);
     for (size_t i = 0; truth != TTC_FAILS && i < conditions->count; i++) {
         ttc_truth one = meets(point, &conditions->items[i]);
         if (one != TTC_HOLDS) truth = one;

@@ -41,12 +41,8 @@ ttc_truth ttc_witness_meets_all(ttc_witness *point, const ttc_conditions *condit
 /* The bound cosine whose angle is this variable; 0 if there is none. */
 uint32_t ttc_witness_angle_of(const ttc_witness *point, slong variable);
 
-/* Returns true if a bound cosine has an angle that is not an unbound state, parameter or level: nothing is decided at a point then. */
+/* Returns true if a bound cosine has an angle that is no unbound state, parameter or level: nothing is decided at a point then. */
 bool ttc_witness_has_obscure_angle(const ttc_witness *point);
-
-/* Check the sign that is known of a state or parameter which is the angle of a bound cosine. Conditions omit such signs, as other
- * values are chosen with them. */
-ttc_truth ttc_witness_angles_have_signs(ttc_witness *point, const ttc_conditions *conditions);
 
 /* HOLDS if each sine whose sign ring->choices selects has, at this point, the sign of the sine of its angle. */
 ttc_truth ttc_witness_sines(ttc_witness *point);

@@ -111,7 +111,7 @@ static void explain_roots(description *d)
             d->written[v] = 1;
             again = true;
             bool negative = !ring->generators[i].positive && (d->point->negative >> i & 1);
-            fprintf(d->stream, ", %s = %ssqrt(", ring->names[v], negative ? "-" : "");
+            fprintf(d->stream, "%s%s = %ssqrt(", ftell(d->stream) > 0 ? ", " : "", ring->names[v], negative ? "-" : "");
             write_ratio(d, &ring->generators[i].square);
             fputc(')', d->stream);
         }

@@ -150,6 +150,7 @@ static void prove_task(ttc_proof_run *run, size_t index, ttc_task *task, const c
     task->verdict_of = verdict_of;
     task->verdict_context = run;
     ttc_graph_clear_error(run->model->graph);
+    task->is_integral = task->claim->kind == TTC_CLAIM_INVARIANT && ttc_prove_is_integral(task);
     ttc_task_run(task, prove);
     proof->status = task->status;
     proof->remainder = task->remainder;

@@ -92,3 +92,22 @@ void ttc_prove_positive(ttc_task *task)
 {
     ttc_signs_require(task, task->field, task->claim->expression, TTC_IS_POSITIVE, "not positive: %s", task->claim->name);
 }
+
+bool ttc_prove_is_integral(ttc_task *task)
+{
+    ttc_graph *graph = task->model->graph;
+    if (ttc_task_restricts_states(task)) return false;
+    ttc_claim rest = *task->claim;
+    rest.kind = TTC_CLAIM_EQUAL;
+    rest.expression = ttc_derive_field(task->model, task->claim->expression);
+    rest.other = ttc_integer(graph, 0);
+    ttc_task inner = { .model = task->model, .claim = &rest, .role = task->role, .owner = task->owner, .outer = task,
+                       .verdict_of = task->verdict_of, .verdict_context = task->verdict_context };
+    if (rest.expression != TTC_NONE) ttc_task_run(&inner, ttc_prove_equal);
+    free(inner.remainder);
+    free(inner.point);
+    free(inner.note);
+    if (rest.expression == TTC_NONE || inner.status != TTC_PROVED) return false;
+    task->relies_on_solver |= inner.relies_on_solver;
+    return true;
+}

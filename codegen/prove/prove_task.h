@@ -135,6 +135,10 @@ void ttc_prove_same_observations(ttc_task *task, const ttc_model *target, ttc_va
  * `but`, which was eliminated; UINT32_MAX: of none. */
 void ttc_prove_level_is_periodic(ttc_task *task, const ttc_claim *integral, uint32_t but);
 
+/* Returns true if the expression of an invariant is shown to be constant along all motions of the level to which it is restricted:
+ * each of its own levels is then kept, whatever its components are. */
+bool ttc_prove_is_integral(ttc_task *task);
+
 /* The provers, one for each kind of claim. */
 void ttc_prove_integral(ttc_task *task);
 void ttc_prove_rate(ttc_task *task);

@@ -47,7 +47,7 @@ bool ttc_subcase_open(ttc_task *task, const ttc_subcase *subcase, unsigned choic
 void ttc_subcase_close(ttc_task *task);
 
 /* Add to the task's conditions that the leading coefficients by which solutions divide are not zero, and that squares are not
- * negative: the root of one may be an element of the field, of which nothing says that it is real where its denominator vanishes. */
+ * negative: the root of one may be an element of the field, real or not where its denominator is zero. */
 void ttc_subcase_add_conditions(ttc_task *task, const ttc_subcase *subcase);
 
 /* The claim is not settled unless the claims of its `modulo` are proved, under conditions that hold in the present field. */

@@ -125,7 +125,10 @@ static void roots_and_functions_have_their_own_values(void **unused)
     require(&q, "f", TTC_IS_POSITIVE);
     require(&q, "g", TTC_IS_POSITIVE);
     assert_int_equal(answer(&q), TTC_POINT_FOUND);
-    q = ask(PLANE "exp e = exp(x)\nlet f = 1 + x - e\n"); /* e^x >= 1 + x: the solver cannot know, and says nothing */
+    q = ask(PLANE "exp e = exp(x)\nlet f = 1 + x - e\n"); /* e^x >= 1 + x, as the solver is told */
+    require(&q, "f", TTC_IS_POSITIVE);
+    assert_int_equal(answer(&q), TTC_POINT_EXCLUDED);
+    q = ask(PLANE "exp e = exp(x)\nlet f = 2*x - e\n"); /* e^x > 2 x: the solver cannot know, and says nothing */
     require(&q, "f", TTC_IS_POSITIVE);
     assert_int_equal(answer(&q), TTC_POINT_NOT_DECIDED);
 }
