@@ -144,22 +144,3 @@ void ttc_task_require_kept(ttc_task *task, const char *hint)
     ttc_task_free(task, slopes, task->ring->variable_count);
     task->kept += ttc_task_open(task);
 }
-
-bool ttc_task_is_integral(ttc_task *task)
-{
-    ttc_graph *graph = task->model->graph;
-    if (ttc_task_restricts_states(task)) return false;
-    ttc_claim rest = *task->claim;
-    rest.kind = TTC_CLAIM_EQUAL;
-    rest.expression = ttc_derive_field(task->model, task->claim->expression);
-    rest.other = ttc_integer(graph, 0);
-    ttc_task inner = { .model = task->model, .claim = &rest, .role = task->role, .owner = task->owner, .outer = task,
-                       .verdict_of = task->verdict_of, .verdict_context = task->verdict_context };
-    if (rest.expression != TTC_NONE) ttc_task_run(&inner, ttc_prove_equal);
-    free(inner.remainder);
-    free(inner.point);
-    free(inner.note);
-    if (rest.expression == TTC_NONE || inner.status != TTC_PROVED) return false;
-    task->relies_on_solver |= inner.relies_on_solver;
-    return true;
-}

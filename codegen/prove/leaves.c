@@ -359,7 +359,6 @@ void ttc_task_run(ttc_task *task, ttc_prover prover)
         ttc_task_unsettle(task, "more than %d zero levels", TTC_SUBCASE_RELATIONS_MAX - 1);
         return;
     }
-    task->is_integral = is_invariant(task) && ttc_task_is_integral(task);
     /* Goals are met from the last to the first: the invariant's own level after those to which `modulo` restricts it. */
     if (claim->kind == TTC_CLAIM_INVARIANT) start.goals[start.goal_count++] = claim->expression;
     for (size_t i = claim->modulo_count; i-- > 0;)

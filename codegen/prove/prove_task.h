@@ -113,10 +113,6 @@ void ttc_task_free(ttc_task *task, ttc_ratio *ratios, size_t count);
 /* Returns true for a cosine whose sine is zero: its rate, a multiple of the sine, is zero at whatever rate its angle changes. */
 bool ttc_task_is_at_turn(ttc_task *task, const ttc_symbol_entry *entry);
 
-/* Returns true if the expression of an invariant is shown to be constant along all motions of the level to which it is restricted:
- * each of its own levels is then kept, whatever its components are. */
-bool ttc_task_is_integral(ttc_task *task);
-
 /* Require that the flow keeps the set that the leaf describes, that is, is tangent to it. hint: NULL, or advice for a condition
  * that is not kept, with which the claim is then not settled. */
 void ttc_task_require_kept(ttc_task *task, const char *hint);
