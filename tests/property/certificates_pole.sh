@@ -93,6 +93,8 @@ table 'root r = sqrt((1 - x)^2*(1 + x))' 'eq x = + (1 - x)*r' 'pole x' 'time reg
 expect 1 'not shown to lie in the domain' jellett certify pole "$scratch/other.tt" --start x=3/2
 table 'root r = sqrt(1 - x^2)' 'eq x = - r' 'pole x' 'time regular : -r lifting r'
 expect 1 'not proved to run forwards' jellett certify pole "$scratch/other.tt" --start x=1/2
+table 'root r = sqrt(1 - x^2)' 'eq x = 1' 'pole x' 'time regular : r lifting r'
+expect 1 'the pole claim x of this table is not proved: orbits run through' jellett certify pole "$scratch/other.tt" --start x=1/2
 
 # NAME STATEMENT: a copy of turn_over changed by a statement of Python on its question g and what is shown, s, with a good digest.
 change() {
