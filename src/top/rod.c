@@ -4,6 +4,7 @@
 #include "kernel/descriptor.h"
 #include "kernel/way.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -141,6 +142,38 @@ static void take_coefficients(jlt_rod *rod)
     rod->barrier = 2 * rotation_energy(&rod->top, JLT_TOP_OMEGA_N, 0) * rod->turning * rod->turning;
 }
 
+static bool near(double value, double wanted, double size)
+{
+    return fabs(value - wanted) <= 64 * DBL_EPSILON * size;
+}
+
+/* Whether E1, E2, G and the rates of gamma3 and v_nu have the form that rod.h says, at a few tilts. An edited table may prove other
+ * integrals of these names; with E1, E2 and G constant, these rates determine all. */
+static bool has_form(const jlt_top *top)
+{
+    static const double tilts[] = { -0.8, -0.28, 0.6 };
+    jlt_rod rod = { .top = *top, .G = 1 };
+
+    take_coefficients(&rod);
+    for (unsigned i = 0; i < sizeof tilts / sizeof *tilts; i++) {
+        const double gamma3 = tilts[i], s = jlt_top_sine(gamma3), x[JLT_TOP_STATES] = { gamma3, 1, 1, 1, 1 };
+        const double v_tau = jlt_top_v_tau(top, x), reach = fabs(top->a3) + 2 * fabs(top->R); /* of v_tau */
+        const double potential = rod.weight * gamma3, tilting = rod.inertia_pole * gamma3 * gamma3 + rod.inertia_equator * s * s;
+        const double upright = rod.barrier / (rod.turning * rod.turning), lever = 1 / rod.turning;
+        double rates[JLT_TOP_STATES];
+        if (!jlt_top_rates(top, variant, rates, x)) return false;
+        if (!near(rates[JLT_TOP_GAMMA3], s, s) || !near(rates[JLT_TOP_V_NU], v_tau / s, reach / s)
+            || !near(rotation_energy(top, JLT_TOP_GAMMA3, gamma3), potential, fabs(potential))
+            || !near(2 * rotation_energy(top, JLT_TOP_OMEGA_TAU, gamma3), tilting, tilting)
+            || !near(2 * jlt_top_integral(top, variant, "E2", x), tilting + upright + 2 * potential,
+                     tilting + upright + 2 * fabs(potential))
+            || !near(2 * jlt_top_integral(top, variant, "E1", x), top->m * (1 + v_tau * v_tau), top->m * (1 + reach * reach))
+            || !near(jlt_top_integral(top, variant, "G", x), lever * s, fabs(lever)))
+            return false;
+    }
+    return true;
+}
+
 /* Compute all quantities of the orbit of rod->top through x. */
 static jlt_status measure(jlt_rod *out, const double *x)
 {
@@ -274,6 +307,7 @@ const char *jlt_rod_refuses(const jlt_claim **broken, const jlt_descriptor *mode
     if (!has_level() || jlt_counterpart_open(&found, broken, model, jlt_rod_table, params, x) != JLT_OK)
         return *broken != NULL ? unproved : "no way leads to the table whose equations they solve";
     if (found.top.I3 != 0) return "I3 is not 0";
+    if (!has_form(&found.top)) return "the table that is built in has other equations at I3 = 0 than those that they solve";
     if (x != NULL) jlt_counterpart_look(&found, of_top, x);
     if (x != NULL && jlt_top_jellett(&found.top, of_top) == 0) return "G = 0: the orbit runs through the poles";
     return jlt_top_serves(broken, jlt_rod_table, integrals) ? NULL : unproved;

@@ -8,7 +8,7 @@
  *  The turning points are stored as their distances from the poles, so that 1/s^2 keeps its digits where an orbit passes close to
  *  a pole. Near the start, which may be a double root of P, P is expanded about the start, where it is D (s omega_tau)^2. Orbits
  *  with G = 0 run through the poles and are refused. Only this form of the equations is written here; coefficients, integrals and
- *  states are values of kernels. */
+ *  states are values of kernels, and tables with equations of another form are refused. */
 #ifndef JLT_TOP_ROD_H
 #define JLT_TOP_ROD_H
 

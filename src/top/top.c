@@ -106,6 +106,20 @@ double jlt_top_integral(const jlt_top *top, const char *variant, const char *nam
     return values[i];
 }
 
+bool jlt_top_rates(const jlt_top *top, const char *variant, double *rates, const double *x)
+{
+    const jlt_descriptor *field = find_field(variant);
+    double lifted[LIFTED], params[JLT_WAY_VALUES_MAX], block[JLT_WAY_VALUES_MAX], slow[LIFTED];
+
+    if (field == NULL) return false;
+    add_sine(lifted, x);
+    jlt_top_write(params, field, top);
+    field->prepare(params, block);
+    field->rhs.call(lifted, block, slow);
+    for (unsigned i = 0; i < JLT_TOP_STATES; i++) rates[i] = slow[i] / lifted[JLT_TOP_STATES]; /* dt = s dtau */
+    return true;
+}
+
 const jlt_way *jlt_top_way(const char *model)
 {
     const jlt_descriptor *field = find_field(NULL);

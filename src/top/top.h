@@ -41,6 +41,10 @@ double jlt_top_sine(double gamma3);
  *  NaN if it does not exist. Cost: preparing parameters, and one kernel. */
 double jlt_top_integral(const jlt_top *top, const char *variant, const char *name, const double *x);
 
+/** Compute the rates of the states at x, both of shape (JLT_TOP_STATES,), by JLT_DEFAULT_MODEL in a variant. Returns false if there
+ *  is no such field. */
+bool jlt_top_rates(const jlt_top *top, const char *variant, double *rates, const double *x);
+
 /** The way from JLT_DEFAULT_MODEL to the table of this name, both in the time in which s is a state; NULL if there is none. */
 const jlt_way *jlt_top_way(const char *model);
 

@@ -201,9 +201,7 @@ static bool is_defined(jlt_certificate_report *report, jlt_certificate_verdict o
 
     if (doubted == NULL) return true;
     *report = jlt_judge_say(otherwise, "");
-    snprintf(report->problem, sizeof report->problem, "the %s claim %s of this table is not proved: %s", doubted->kind,
-             doubted->name, doubted->reason);
-    return false;
+    return jlt_refuse_claim(report->problem, doubted);
 }
 
 /* SHA-256 of the certificate without `digest`. Returns false if memory is out. */

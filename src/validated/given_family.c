@@ -27,7 +27,7 @@ static bool read_family(jlt_given_family *self, const char *name, char *problem)
         self->question.trace = claim_of(self->model, TTC_CLAIM_TRACE, name);
     if (self->question.family == NULL)
         return jlt_refuse(problem, "%s has no family of equilibria '%s'", self->descriptor->model, name == NULL ? "" : name);
-    if (claim->verdict != JLT_PROVED) return jlt_refuse(problem, "it is not proved that the points of '%s' are equilibria", name);
+    if (claim->verdict != JLT_PROVED) return jlt_refuse_claim(problem, claim);
     for (size_t i = 0; i < self->question.family->when.count; i++) self->is_given[self->question.family->when.items[i].symbol] = 1;
     for (size_t i = 0; i < self->question.family->bindings.count; i++)
         self->is_given[self->question.family->bindings.items[i].symbol] = 1;

@@ -16,8 +16,7 @@ static bool read_pole(jlt_given_pole *self, const json_t *given, char *problem)
 
     if (claim == NULL || !jlt_descriptor_state(d, name, &state))
         return jlt_refuse(problem, "%s has no pole '%s'", d->model, name == NULL ? "" : name);
-    if (claim->verdict != JLT_PROVED || claim->condition[0] != '\0')
-        return jlt_refuse(problem, "the pole %s of %s is not proved", name, d->model);
+    if (claim->verdict != JLT_PROVED) return jlt_refuse_claim(problem, claim);
     self->question.state = (unsigned)state;
     self->question.time = time;
     if (runs == NULL) return jlt_refuse(problem, "time: %s has no such time", d->model);

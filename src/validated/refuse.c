@@ -12,3 +12,8 @@ bool jlt_refuse(char problem[JLT_GIVEN_PROBLEM_MAX], const char *format, ...)
     va_end(arguments);
     return false;
 }
+
+bool jlt_refuse_claim(char problem[JLT_GIVEN_PROBLEM_MAX], const jlt_claim *claim)
+{
+    return jlt_refuse(problem, "the %s claim %s of this table is not proved: %s", claim->kind, claim->name, claim->reason);
+}

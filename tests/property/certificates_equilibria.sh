@@ -134,6 +134,9 @@ certify 1 'no point of the box is shown to be in the table' "$table" --family re
 certify 4 'has no sign that is shown in x in [0.70710678' "$table" --family still --box c=1/2,x=0.3:0.9
 certify 0 '"high"' "$table" --family still --box c=1/2,x=0.3:0.7
 certify 3 'does not allow' "$table" --family rest --box x=-2:1
+sed 's/^eq x = + y/& + k/' "$table" > "$scratch/edited.tt"
+certify 3 'the equilibria claim rest of this table is not proved: dx/dt on the family = k' \
+    "$scratch/edited.tt" --family rest --box x=0
 certify 3 'say which family of ledge: --family, one of rest, still' "$table" --box x=0
 
 # A formula of the trace that has no value for w > 0, where the field is zero, though what is left of it when cancelled has one.

@@ -121,6 +121,8 @@ table 'root r = sqrt((1 - x)^2*(1 + x))' 'eq x = + (1 - x)*r' 'pole x' 'time reg
 expect 1 'not shown to lie in the domain' jellett certify pole "$scratch/other.tt" --start x=3/2
 table 'root r = sqrt(1 - x^2)' 'eq x = - r' 'pole x' 'time regular : -r lifting r'
 expect 1 'not proved to run forwards' jellett certify pole "$scratch/other.tt" --start x=1/2
+table 'root r = sqrt(1 - x^2)' 'eq x = 1' 'pole x' 'time regular : r lifting r'
+expect 1 'the pole claim x of this table is not proved: orbits run through' jellett certify pole "$scratch/other.tt" --start x=1/2
 
 refuse() { change tools/certificates/turn_over.json "$1" "$3"; expect "$4" "$2" jellett check "$scratch/$1.json"; }
 refuse end 'does not follow' 's["end"] = "-1"' 1

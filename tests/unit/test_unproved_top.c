@@ -13,6 +13,8 @@ typedef struct {
 
 static claim_name refuted;
 static const char *led_to; /* the table that no way is proved to lead to */
+static const char *other;  /* the integral that is another one: the tables have other equations, of which all is proved */
+static bool turns_faster;  /* the rate of v_nu is another one */
 
 const jlt_claim *__real_jlt_descriptor_claim(const jlt_descriptor *of, const char *kind, const char *name);
 const jlt_claim *__wrap_jlt_descriptor_claim(const jlt_descriptor *of, const char *kind, const char *name);
@@ -37,6 +39,27 @@ bool __wrap_jlt_way_holds(const jlt_claim **broken, const jlt_descriptor *from, 
     if (led_to == NULL || strcmp(way->model, led_to) != 0) return __real_jlt_way_holds(broken, from, way, target);
     *broken = &altered;
     return false;
+}
+
+double __real_jlt_top_integral(const jlt_top *top, const char *variant, const char *name, const double *x);
+double __wrap_jlt_top_integral(const jlt_top *top, const char *variant, const char *name, const double *x);
+bool __real_jlt_top_rates(const jlt_top *top, const char *variant, double *rates, const double *x);
+bool __wrap_jlt_top_rates(const jlt_top *top, const char *variant, double *rates, const double *x);
+
+/* Another one has a spring in gamma3 as well; a rotor on the axis adds such a term to G. */
+double __wrap_jlt_top_integral(const jlt_top *top, const char *variant, const char *name, const double *x)
+{
+    const double value = __real_jlt_top_integral(top, variant, name, x), gamma3 = x[JLT_TOP_GAMMA3];
+
+    return other != NULL && strcmp(name, other) == 0 ? value + gamma3 * gamma3 / 8 : value;
+}
+
+bool __wrap_jlt_top_rates(const jlt_top *top, const char *variant, double *rates, const double *x)
+{
+    const bool found = __real_jlt_top_rates(top, variant, rates, x);
+
+    if (turns_faster) rates[JLT_TOP_V_NU] *= 1.0625;
+    return found;
 }
 
 /* Why quadratures refuse the paper's rod, I3 = 0; NULL: they serve. */
@@ -85,6 +108,26 @@ static void quadratures_need_their_integrals_and_the_level(void **unused)
     assert_string_equal(broken->kind, "reduction");
 }
 
+static void quadratures_need_the_equations_that_they_solve(void **unused)
+{
+    static const char *const names[] = { "E1", "E2", "G" };
+    const jlt_claim *broken;
+
+    (void)unused;
+    refuted = (claim_name){ NULL, NULL };
+    led_to = NULL;
+    for (unsigned i = 0; i < 3; i++) {
+        other = names[i];
+        assert_non_null(rod_refuses(&broken));
+        assert_null(broken);
+    }
+    other = NULL;
+    turns_faster = true;
+    assert_non_null(rod_refuses(&broken));
+    assert_null(broken);
+    turns_faster = false;
+}
+
 static void the_surface_needs_integrals_reductions_and_its_fixed_points(void **unused)
 {
     static const claim_name needed[] = { { "integral", "E" }, { "integral", "G" }, { "integral", "F0" }, { "trace", "spin" },
@@ -115,6 +158,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(all_serve_where_claims_are_proved),
         cmocka_unit_test(quadratures_need_their_integrals_and_the_level),
+        cmocka_unit_test(quadratures_need_the_equations_that_they_solve),
         cmocka_unit_test(the_surface_needs_integrals_reductions_and_its_fixed_points),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
