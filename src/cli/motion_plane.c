@@ -101,8 +101,8 @@ static jlt_exit read_modulo(jlt_motion_plane *out, const char *text, const jlt_d
             return jlt_command_fail(JLT_EXIT_INPUT, "--modulo: the period of %s must be positive, or 0 for none", name);
         if (numbers[i] > 0 && is_solved_for(out, states[i]))
             return jlt_command_fail(JLT_EXIT_INPUT,
-                                    "--solve: %s is an angle by --modulo, of which levels know many: solve for another "
-                                    "state",
+                                    "--solve: %s is an angle by --modulo, for which a level has many solutions: solve for "
+                                    "another state",
                                     name);
     }
     return code;
@@ -137,8 +137,9 @@ static jlt_exit find_integral(unsigned *index, const char *name, const jlt_descr
                                 name, d->model);
     if (*index == d->integral_count)
         return jlt_command_fail(JLT_EXIT_INPUT,
-                                "--level: %s is an integral of %s when %s alone: --set that, with a variant of it in the table",
-                                name, d->model, claim->condition);
+                                "--level: %s is an integral of %s only when %s: give these values by --set, and write "
+                                "'variant NAME : %s' in the table",
+                                name, d->model, claim->condition, claim->condition);
     return JLT_EXIT_DONE;
 }
 
@@ -160,7 +161,7 @@ static jlt_exit read_levels(jlt_motion_plane *out, const jlt_motion_options *opt
     if (code != JLT_EXIT_DONE) return code;
     if (count != list->count)
         return jlt_command_fail(JLT_EXIT_USAGE,
-                                "levels determine as many states: --level names %zu, and --solve %zu (write --solve "
+                                "each level needs a state to solve for: --level names %zu, and --solve %zu (write --solve "
                                 "STATE=GUESS,...)",
                                 list->count, count);
     for (size_t i = 0; i < count; i++) {
@@ -234,7 +235,7 @@ jlt_exit jlt_motion_plane_read(jlt_motion_plane *out, const jlt_motion_options *
     /* Take the most special variant: integrals and densities that hold only for these parameters belong to it. */
     code = choose(out, descriptor, running, count);
     if (code == JLT_EXIT_DONE && strcmp(options->contact, "ignore") != 0 && descriptor->family[0]->valid_count == 0)
-        code = jlt_command_fail(JLT_EXIT_USAGE, "--contact %s: %s has no condition to lose; its table says none by 'valid'",
+        code = jlt_command_fail(JLT_EXIT_USAGE, "--contact %s: %s has no record 'valid': leave out --contact",
                                 options->contact, descriptor->model);
     if (code == JLT_EXIT_DONE) code = read_section(out, options, out->descriptor);
     if (code == JLT_EXIT_DONE && descriptor->state_count > JLT_CHART_STATES_MAX)
@@ -323,13 +324,10 @@ jlt_exit jlt_motion_plane_system(jlt_system **system, const jlt_motion_options *
 
 jlt_exit jlt_motion_project(jlt_system *system)
 {
-    const jlt_descriptor *d = system->instance->descriptor;
-    const jlt_exit code = jlt_common_project(d);
+    jlt_exit code = jlt_common_project(system->instance->descriptor);
 
+    if (code == JLT_EXIT_DONE) code = jlt_common_one_step(system->flow.method);
     if (code != JLT_EXIT_DONE) return code;
-    if (system->flow.method != NULL && system->flow.method->multistep)
-        return jlt_command_fail(JLT_EXIT_USAGE, "--project: %s lives on past steps: take a one-step method",
-                                system->flow.method->name);
     const jlt_status st = jlt_system_invariants(&system->flow.kept, system);
     return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, system, "--project");
 }
