@@ -197,6 +197,14 @@ static unsigned coordinate(const jlt_chart *chart, const char *name)
     return k;
 }
 
+jlt_exit jlt_motion_no_coordinate(const jlt_chart *chart, const char *option, const char *name, size_t length)
+{
+    fprintf(stderr, "jellett: %s: the section has no coordinate '%.*s'; it has", option, (int)length, name);
+    for (unsigned k = 0; k < chart->dim; k++) fprintf(stderr, "%s %s", k == 0 ? "" : ",", chart->names[k]);
+    fputc('\n', stderr);
+    return JLT_EXIT_INPUT;
+}
+
 jlt_exit jlt_motion_start(double *q, const jlt_system *system, const char *text)
 {
     const jlt_chart *chart = system->flow.chart;
@@ -210,7 +218,7 @@ jlt_exit jlt_motion_start(double *q, const jlt_system *system, const char *text)
     for (size_t i = 0; code == JLT_EXIT_DONE && i < count; i++) {
         const unsigned k = coordinate(chart, axes[i].name);
         if (k == chart->dim)
-            return jlt_command_fail(JLT_EXIT_INPUT, "--start: the section has no coordinate '%s'", axes[i].name);
+            return jlt_motion_no_coordinate(chart, "--start", axes[i].name, strlen(axes[i].name));
         q[k] = axes[i].low;
         given[k] = true;
     }

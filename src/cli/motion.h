@@ -91,6 +91,9 @@ const char *jlt_motion_method(const jlt_motion_options *options);
  *  filled. */
 unsigned jlt_motion_levels(const jlt_system *system, const char **names, double *values);
 
+/** Refuse the name, shape (length,), in `option`, and print those of the section's coordinates. Returns JLT_EXIT_INPUT. */
+jlt_exit jlt_motion_no_coordinate(const jlt_chart *chart, const char *option, const char *name, size_t length);
+
 /** Read one start, NAME=VALUE,... with a value for every coordinate of the section. Out: q, shape (dim,). */
 jlt_exit jlt_motion_start(double *q, const jlt_system *system, const char *text);
 

@@ -52,6 +52,8 @@ refuse 3 "--cells: the range of the angle eta is longer than its period" \
 refuse 3 "needs a section of two coordinates, not of 1$" jellett separation lotka_volterra --section x=1 --grid y=0.5:1:3
 refuse 3 "--near: '-1' is not positive" jellett orbits --near -1
 refuse 2 "is no section \(write STATE=VALUE\)" jellett section lorenz --start x=1,y=1 --section z
+refuse 3 "--section: gamma3 must lie strictly between -1 and 1" jellett section --section gamma3=2 \
+    --start v_nu=0,omega_tau=0,omega_n=0,omega3=0
 refuse 2 "is no section \(write STATE=VALUE\)" jellett section lorenz --start x=1,y=1 --section z=1:2:3
 
 lorenz=(jellett orbits lorenz --section z=27 --start x=1,y=1 --period 1)
@@ -79,7 +81,7 @@ refuse 3 "more points than can be counted" jellett fates --sweep E=1:2:4194304,G
 refuse 2 "--hold keeps coordinates of --start" jellett orbits --hold eta
 refuse 2 "--start and --grid exclude each other" jellett orbits --start "$point" --grid 3x3
 refuse 2 "--start and --grid exclude each other" jellett lyapunov --start "$point" --grid 3x3
-refuse 3 "--line: the section has no coordinate 'x'" jellett orbits --start "$point" --line x=0:1:3
+refuse 3 "--line: the section has no coordinate 'x'; it has eta, gamma3" jellett orbits --start "$point" --line x=0:1:3
 refuse 2 "exclude each other" jellett manifolds --no-crossings --crossings file
 refuse 2 "--times and --until exclude each other" jellett simulate --start "$start" --times 1 --until 2
 refuse 2 "two tables" jellett portrait --level E=1,G=-0.2,F0=0.15 --trajectories -
@@ -111,6 +113,12 @@ refuse 5 "cannot write 'none/crossings'" jellett manifolds --output folder/out -
 [ -z "$(ls folder)" ] || fail "left in the folder: $(ls folder)"
 refuse 5 "Is a directory" jellett run folder
 refuse 5 "Is a directory" jellett plan folder
+refuse 5 "cannot read 'none': No such file" jellett check none
+refuse 3 "expected a certificate that .jellett certify. wrote" jellett check "$JLT_SOURCE_DIR/README.md"
+printf 'model = lorenz;\n' > folder/bare.scene
+refuse 3 "bare.scene:1: error: syntax error \(expected NAME = VALUE; each name once, texts in quotation marks" \
+    jellett run folder/bare.scene
+rm folder/bare.scene
 
 # ttc generate: why it cannot.
 mkdir .tables
