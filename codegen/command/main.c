@@ -111,14 +111,14 @@ static const char exit_text[] =
     "\vExit status: 0 done; 1 a claim is refuted; 2 the command line is wrong; 3 a table is wrong, or a claim is not settled; "
     "4 memory is out; 5 a file cannot be read or written; 70 a point contradicts a verdict, which is an error of this program.";
 
-static uint64_t parse_number(const char *text, uint64_t least, uint64_t most, struct argp_state *state)
+static uint64_t parse_number(const char *option, const char *text, uint64_t least, uint64_t most, struct argp_state *state)
 {
     char *end = NULL;
     errno = 0;
     unsigned long long value = strtoull(text, &end, 10);
     if (*text < '0' || *text > '9' || *end != '\0' || errno != 0 || value < least || value > most)
-        argp_error(state, "'%s' is no number (expected a whole one from %llu to %llu)", text, (unsigned long long)least,
-                   (unsigned long long)most);
+        argp_error(state, "%s: '%s' is no number (expected a whole one from %llu to %llu)", option, text,
+                   (unsigned long long)least, (unsigned long long)most);
     return value;
 }
 
@@ -163,10 +163,10 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
         options->mutate = true;
         return 0;
     case OPTION_CHALLENGE:
-        options->challenge = parse_number(argument, 1, TTC_CHALLENGE_POINT_LIMIT, state);
+        options->challenge = parse_number("--challenge", argument, 1, TTC_CHALLENGE_POINT_LIMIT, state);
         return 0;
     case OPTION_SEED:
-        options->seed = parse_number(argument, 0, UINT64_MAX, state);
+        options->seed = parse_number("--seed", argument, 0, UINT64_MAX, state);
         options->seeded = true;
         return 0;
     case OPTION_KEEP:
@@ -176,7 +176,7 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
         options->unproved = true;
         return 0;
     case OPTION_LANES:
-        options->lanes = (unsigned)parse_number(argument, 2, 8, state);
+        options->lanes = (unsigned)parse_number("--lanes", argument, 2, 8, state);
         if (options->lanes != 2 && options->lanes != 4 && options->lanes != 8)
             argp_error(state, "there are no vectors of %s (expected 2, 4 or 8)", argument);
         return 0;
@@ -184,10 +184,10 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
         options->out = argument;
         return 0;
     case OPTION_DEGREE:
-        options->degree = (int)parse_number(argument, 1, DEGREE_MAX, state);
+        options->degree = (int)parse_number("--degree", argument, 1, DEGREE_MAX, state);
         return 0;
     case OPTION_MEMORY:
-        options->memory = (int)parse_number(argument, 1, MEMORY_MAX, state);
+        options->memory = (int)parse_number("--memory", argument, 1, MEMORY_MAX, state);
         return 0;
     case OPTION_WHEN:
         options->when = argument;

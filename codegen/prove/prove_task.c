@@ -215,7 +215,7 @@ void ttc_task_refute(ttc_task *task, const ttc_ratio *remainder, const char *for
     char *point = NULL;
     if (!ttc_task_open(task)) return;
     if (search(task, NULL, TTC_IS_ZERO, false, &point) != TTC_POINT_FOUND) {
-        ttc_task_unsettle(task, "false on a leaf of which no point of the domain is known");
+        ttc_task_unsettle(task, "false in one case of its conditions, in which no point of the domain is known");
         return;
     }
     va_list arguments;
@@ -287,7 +287,8 @@ void ttc_task_require(ttc_task *task, const ttc_ratio *ratio, ttc_relation relat
         task->unexcluded = ttc_subcase_expression(task, ratio->numerator);
     ttc_task_unsettle(task, "%s: %s", what == NULL ? "" : what,
                       result == TTC_POINT_FOUND
-                          ? "so at a point that may lie outside the domain, as conditions use what is in question"
+                          ? "false at a point that may lie outside the domain: conditions with a root or logarithm in question do "
+                            "not count here, so write a 'domain' record without it"
                           : "neither shown nor refuted at a point");
     free(what);
 }

@@ -184,6 +184,7 @@ static bool lex_mark(lexer *l)
     if (c == '!' && next == '=') return lex_pair(l, TTC_TOKEN_NOT_EQUAL);
     if (c == '*' && next == '*') hint = " (a power is written ^)";
     else if (c == '.' && is_digit(next)) hint = " (a number opens with a digit: 0.5)";
+    else if (c == '<') hint = " (a condition is written with >: 1 - x > 0)";
     else if (strchr(marks, c) != NULL) {
         l->at++;
         return push(l, TTC_TOKEN_MARK, TTC_KEYWORD_NONE, start, start, 1);

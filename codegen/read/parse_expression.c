@@ -67,17 +67,19 @@ static bool is_integer(const ttc_token *token)
 /* integer, with a sign or in parentheses */
 static bool parse_exponent(ttc_parser *parser, long *exponent)
 {
+    static const char integer_exponent[] = "an integer exponent: roots and exponentials have records of their own";
     bool enclosed = ttc_parse_accept_mark(parser, '(');
     bool negative = ttc_parse_accept_mark(parser, '-');
     if (!negative) ttc_parse_accept_mark(parser, '+');
     const ttc_token *token = ttc_parse_peek(parser);
-    if (!is_integer(token)) return ttc_parse_unexpected(parser, "an integer exponent");
+    if (!is_integer(token)) return ttc_parse_unexpected(parser, integer_exponent);
     parser->at++;
     long value = 0;
     for (uint32_t i = 0; i < token->length && value <= TTC_EXPONENT_LIMIT; i++) value = 10 * value + (token->text[i] - '0');
     if (value > TTC_EXPONENT_LIMIT)
         return ttc_parse_error(parser, ttc_token_place(token), "the exponent is too large (expected at most %d)",
                                TTC_EXPONENT_LIMIT);
+    if (enclosed && ttc_parse_at_mark(parser, '/')) return ttc_parse_unexpected(parser, integer_exponent);
     if (enclosed && !ttc_parse_expect_mark(parser, ')', "the exponent")) return false;
     if (ttc_parse_at_mark(parser, '^')) return ttc_parse_unexpected(parser, "parentheses around a power of a power");
     *exponent = negative ? -value : value;

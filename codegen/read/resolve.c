@@ -106,11 +106,13 @@ static void solve_elimination(ttc_parser *parser, ttc_elimination *elimination)
     ttc_id slope = ttc_model_partial(model, integral->expression, elimination->state);
     if (slope != TTC_NONE && ttc_model_depends(model, slope, elimination->state)) slope = ttc_model_expand(model, slope);
     if (slope != TTC_NONE && ttc_model_depends(model, slope, elimination->state)) {
-        ttc_parse_error(parser, elimination->place, "the integral '%s' is not linear in '%s'", integral->name, state);
+        ttc_parse_error(parser, elimination->place, "the integral '%s' is not linear in '%s' (expected a state in which it is)",
+                        integral->name, state);
         return;
     }
     if (slope != TTC_NONE && ttc_is_number(model->graph, slope, 0)) {
-        ttc_parse_error(parser, elimination->place, "the integral '%s' does not depend on '%s'", integral->name, state);
+        ttc_parse_error(parser, elimination->place, "the integral '%s' does not depend on '%s' (expected a state on which it does)",
+                        integral->name, state);
         return;
     }
     ttc_id rest = ttc_substitute_through(model->graph, integral->expression, let_definition, at_zero, &c);

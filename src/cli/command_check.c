@@ -4,7 +4,9 @@
 #include "cli/table.h"
 #include "validated/certificate.h"
 
+#include <errno.h>
 #include <stdlib.h>
+#include <string.h>
 
 typedef struct {
     const char *model;
@@ -54,9 +56,10 @@ static jlt_exit check(const char *path, const jlt_descriptor *own)
 
     if (certificate == NULL) {
         file = fopen(path, "r");
-        if (file == NULL) return jlt_command_fail(JLT_EXIT_IO, "cannot read '%s'", path);
+        if (file == NULL) return jlt_command_fail(JLT_EXIT_IO, "cannot read '%s': %s", path, strerror(errno));
         fclose(file);
-        return jlt_command_fail(JLT_EXIT_INPUT, "%s:%d: %s", path, error.line, error.text);
+        return jlt_command_fail(JLT_EXIT_INPUT, "%s:%d: %s (expected a certificate that 'jellett certify' wrote)", path, error.line,
+                                error.text);
     }
     watch = jlt_certify_watch(&progress);
     jlt_certificate_check(&report, certificate, own, &watch);

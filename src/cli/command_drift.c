@@ -168,9 +168,6 @@ static void pass_on(FILE *to, FILE **from, const char *const *text)
 static jlt_exit verdict(const part *self)
 {
     if (self->status == JLT_OK) return JLT_EXIT_DONE;
-    if (self->status == JLT_ERR_UNSUPPORTED)
-        return jlt_command_fail(JLT_EXIT_INPUT, "--project: one-step methods alone, not the multistep method %s",
-                                self->method->name);
     return jlt_command_fail(jlt_command_exit(self->status), "%s: %s", self->method->name, jlt_status_text(self->status));
 }
 
@@ -343,6 +340,7 @@ static jlt_exit run(int argc, char **argv)
     code = jlt_motion_system(&system, &o.motion);
     r.drift = (jlt_drift){ .system = system, .returns = o.returns };
     if (code == JLT_EXIT_DONE) code = open_integrals(&r, &o);
+    if (code == JLT_EXIT_DONE && o.project) code = jlt_common_one_step(o.motion.flow.method);
     if (code == JLT_EXIT_DONE && o.project && r.whole.instance == NULL) code = jlt_motion_project(system);
     if (code == JLT_EXIT_DONE) code = jlt_common_write(common);
     if (code != JLT_EXIT_DONE) goto done;

@@ -44,7 +44,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case 'j': r->json = true; break;
     case 'c': r->csv = true; break;
     case ARGP_KEY_END:
-        if (r->processes > 0 && r->axis_count == 0) argp_error(state, "--threads are of a sweep: add --sweep");
+        if (r->processes > 0 && r->axis_count == 0) argp_error(state, "--threads needs --sweep: add it, or leave out --threads");
         if (r->json && r->csv) argp_error(state, "--json and --csv exclude each other");
         if (r->question.digits > 0 && (r->question.fast || r->csv || r->axis_count > 0))
             argp_error(state, "--digits excludes --fast, --csv and --sweep");

@@ -168,10 +168,9 @@ static jlt_exit draw_sweep(const options *o, const jlt_system *system, const jlt
 static jlt_exit read_sweep(jlt_grid_axis *axes, size_t *count, size_t *all, const options *o)
 {
     JLT_PASS(jlt_grid_parse(axes, count, JLT_FAMILY_AXES_MAX, o->motion.common.own_sweep, "--sweep"));
-    if (*count == 0) return jlt_command_fail(JLT_EXIT_USAGE, "--sweep: nothing runs (write NAME=LOW:HIGH:COUNT,...)");
     if (jlt_grid_size(all, axes, *count, o->motion.common.own_sweep, "--sweep") != JLT_EXIT_DONE) return JLT_EXIT_INPUT;
     if (o->motion.common.plot != NULL && *count != 1)
-        return jlt_command_fail(JLT_EXIT_USAGE, "--plot draws against what one --sweep runs over");
+        return jlt_command_fail(JLT_EXIT_USAGE, "--plot needs a --sweep of one quantity: vary one, or leave out --plot");
     return JLT_EXIT_DONE;
 }
 

@@ -44,7 +44,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case THREADS: jlt_common_count(&o->threads, value, 1, 1024, "--threads"); return 0;
     case ARGP_KEY_END:
         if (o->motion.starts[0] != NULL && o->motion.grid != NULL) argp_error(state, "--start and --grid exclude each other");
-        if (o->motion.grid == NULL && o->threads > 0) argp_error(state, "--threads are of a chart: add --grid");
+        if (o->motion.grid == NULL && o->threads > 0) argp_error(state, "--threads needs --grid: add it, or leave out --threads");
         if (o->motion.grid == NULL && o->motion.common.axes != NULL && o->motion.common.sweep == NULL)
             argp_error(state, "--axes are those of a chart: add --grid");
         if (o->motion.grid == NULL && o->motion.common.sweep == NULL) jlt_plot_check_log(&o->motion.common, "x", state);

@@ -69,6 +69,7 @@ typedef struct {
     size_t over_count, outer;
     jlt_table_form form;
     char *names; /* the line that begins every piece's rows; owned */
+    size_t named; /* the piece that it was taken from */
     jlt_merged outputs[OUTPUTS_MAX];
     size_t output_count;
     bool counts; /* the first column of the command's rows is the number of an orbit */
@@ -140,7 +141,8 @@ static jlt_exit open_gather(merge *self, const file_list *files)
 
     if (message != NULL) fputs(message, stderr);
     free(message);
-    if (st == JLT_ERR_EMPTY) return jlt_command_fail(JLT_EXIT_FAILED, "no shard has begun");
+    if (st == JLT_ERR_EMPTY)
+        return jlt_command_fail(JLT_EXIT_FAILED, "no file holds a study yet: run jellett sweep STUDY.scene first");
     if (st == JLT_ERR_NOMEM) return jlt_command_no_memory();
     if (st != JLT_OK) return jlt_command_exit(st);
     const size_t missing = jlt_gather_missing(self->gather, &first);
@@ -184,7 +186,18 @@ static jlt_exit begin_form(merge *self, const char *line)
     return st == JLT_OK ? JLT_EXIT_DONE : jlt_command_fail(JLT_EXIT_INPUT, "there are more than %d columns", COLUMNS_MAX);
 }
 
-static jlt_exit bad_row(size_t piece) { return jlt_command_fail(JLT_EXIT_INPUT, "piece %zu has rows of another form", piece); }
+/* Refuse a piece whose columns, or else the `count` fields of a row of it, are not those of the table. */
+static jlt_exit bad_piece(const merge *self, size_t piece, const char *columns, size_t count)
+{
+    const char *path = jlt_gather_path(self->gather, piece);
+
+    if (strcmp(columns, self->names) == 0)
+        return jlt_command_fail(JLT_EXIT_INPUT, "%s: a row of piece %zu has %zu fields for the columns %s: remove the file, and "
+                                "run jellett sweep --resume", path, piece, count, columns);
+    jlt_command_fail(JLT_EXIT_INPUT, "%s: piece %zu has the columns %s", path, piece, columns);
+    return jlt_command_fail(JLT_EXIT_INPUT, "%s: piece %zu has the columns %s: remove the file with the wrong ones, and run "
+                            "jellett sweep --resume", jlt_gather_path(self->gather, self->named), self->named, self->names);
+}
 
 /* Take a row: the first pass learns the kinds of columns from it, the second writes it. */
 static jlt_exit take_row(merge *self, char *const *fields, bool is_second)
@@ -213,12 +226,15 @@ static jlt_exit take_rows(merge *self, char *text, char *over, size_t piece, boo
     size_t next = self->base;
     jlt_exit code = JLT_EXIT_DONE;
 
-    if (self->names == NULL) code = begin_form(self, line);
-    if (code == JLT_EXIT_DONE && strcmp(line, self->names) != 0) code = bad_row(piece);
+    if (self->names == NULL) {
+        self->named = piece;
+        code = begin_form(self, line);
+    }
+    if (code == JLT_EXIT_DONE && strcmp(line, self->names) != 0) code = bad_piece(self, piece, line, 0);
     if (before > 0) (void)jlt_table_cut(fields, before, over);
     while (code == JLT_EXIT_DONE && (line = strsep(&text, "\n")) != NULL && *line != '\0') {
         const size_t count = jlt_table_cut(fields + before, COLUMNS_MAX, line);
-        if (before + count != self->form.count) return bad_row(piece);
+        if (before + count != self->form.count) return bad_piece(self, piece, self->names, count);
         if (self->counts) renumber(self, &fields[before], number, &next);
         code = take_row(self, fields, is_second);
     }

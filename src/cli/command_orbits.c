@@ -138,7 +138,7 @@ static jlt_exit held_mask(unsigned char *held, const options *o, const jlt_chart
         unsigned k = 0;
         while (k < chart->dim && (strlen(chart->names[k]) != length || strncmp(chart->names[k], text, length) != 0)) k++;
         if (k == chart->dim)
-            return jlt_command_fail(JLT_EXIT_INPUT, "--hold: the section has no coordinate '%.*s'", (int)length, text);
+            return jlt_motion_no_coordinate(chart, "--hold", text, length);
         held[k] = 1;
         text += length;
         if (*text == ',') text++;
@@ -182,7 +182,7 @@ static jlt_exit from_start(jlt_orbits *list, jlt_map *map, const options *o, jlt
     JLT_PASS(jlt_grid_axis_parse(&axis, o->line, strlen(o->line), "--line"));
     while (line.free < chart->dim && strcmp(chart->names[line.free], axis.name) != 0) line.free++;
     if (line.free == chart->dim)
-        return jlt_command_fail(JLT_EXIT_INPUT, "--line: the section has no coordinate '%s'", axis.name);
+        return jlt_motion_no_coordinate(chart, "--line", axis.name, strlen(axis.name));
     line.low = axis.low, line.high = axis.high, line.samples = axis.count;
     st = jlt_orbits_search(list, map, &search);
     if (st == JLT_ERR_UNSUPPORTED)

@@ -98,18 +98,17 @@ static jlt_exit open_course(jlt_simulate_request *r, const char *tier)
     if (st == JLT_ERR_ARG || st == JLT_ERR_UNSUPPORTED) return jlt_planned_refuse(plan, &question, st, s->common.plan);
     if (st == JLT_OK && options.project) {
         const jlt_descriptor *field = plan->candidates[plan->chosen].descriptor;
-        if (field == NULL) return jlt_command_fail(JLT_EXIT_USAGE, "--project: by quadratures there are no steps to go back after");
+        if (field == NULL) return jlt_command_fail(JLT_EXIT_USAGE, "--project: the tier %s takes no steps: leave out --project, or "
+                                                   "take a --tier that does ('jellett plan simulate' lists them)",
+                                                   jlt_plan_tier(plan));
         JLT_PASS(plan->candidates[plan->chosen].tier.way_count > 0 ? jlt_common_proved(field) : jlt_common_project(field));
+        JLT_PASS(jlt_common_one_step(s->method));
     }
     if (st == JLT_OK) st = jlt_course_create(&r->courses[r->course_count], plan, &question, &options);
-    if (st == JLT_ERR_UNSUPPORTED && options.project && s->method->multistep)
-        return jlt_command_fail(JLT_EXIT_INPUT, "--project: one-step methods alone, not the multistep method %s", s->method->name);
     if (st == JLT_ERR_UNSUPPORTED && options.project)
         return jlt_command_fail(JLT_EXIT_INPUT, "--project: not with the tier %s, which has more than %d integrals",
                                 jlt_plan_tier(plan), JLT_INVARIANTS_MAX);
-    if (st == JLT_ERR_UNSUPPORTED)
-        return jlt_command_fail(JLT_EXIT_INPUT, "the kernels of %s have not what the method %s needs", s->descriptor->model,
-                                s->method->name);
+    if (st == JLT_ERR_UNSUPPORTED) return jlt_common_no_kernels(s->descriptor, s->method);
     if (st != JLT_OK) return jlt_session_fail(st, jlt_plan_tier(plan));
     r->course_count++;
     return JLT_EXIT_DONE;

@@ -206,6 +206,19 @@ jlt_exit jlt_common_proved(const jlt_descriptor *d)
     return jlt_command_fail(JLT_EXIT_INPUT, "--project: %s is not proved to be an integral of this table", doubted->name);
 }
 
+jlt_exit jlt_common_one_step(const jlt_method *method)
+{
+    if (method == NULL || !method->multistep) return JLT_EXIT_DONE;
+    return jlt_command_fail(JLT_EXIT_USAGE, "--project cannot be used with the multistep method %s: take gauss or dop853",
+                            method->name);
+}
+
+jlt_exit jlt_common_no_kernels(const jlt_descriptor *d, const jlt_method *method)
+{
+    return jlt_command_fail(JLT_EXIT_INPUT, "%s has no kernels for --method %s: take another, such as gauss", d->model,
+                            method != NULL ? method->name : jlt_method_find(NULL)->name);
+}
+
 jlt_exit jlt_common_project(const jlt_descriptor *d)
 {
     if (d->integral_count == 0)

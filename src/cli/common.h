@@ -78,6 +78,12 @@ jlt_exit jlt_common_project(const jlt_descriptor *field);
 /** Check only that all integrals of the field are proved. */
 jlt_exit jlt_common_proved(const jlt_descriptor *field);
 
+/** Check that --project serves with this method; NULL: the default. */
+jlt_exit jlt_common_one_step(const jlt_method *method);
+
+/** Print that the kernels of a table do not serve this method; NULL: the default. Returns JLT_EXIT_INPUT. */
+jlt_exit jlt_common_no_kernels(const jlt_descriptor *field, const jlt_method *method);
+
 /** Open self->table for rows and, with --plot, self->points for data of the picture. */
 jlt_exit jlt_common_write(jlt_common *self);
 

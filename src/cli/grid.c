@@ -151,7 +151,9 @@ jlt_exit jlt_grid_parse(jlt_grid_axis *axes, size_t *count, size_t room, const c
         text += length;
         if (*text == ',') text++;
     }
-    return code == JLT_EXIT_DONE && *text == '@' && *count > 0 ? read_part(axes, text + 1, option) : code;
+    if (code == JLT_EXIT_DONE && *count == 0)
+        return jlt_command_fail(JLT_EXIT_USAGE, "%s: no range is given (write NAME=LOW:HIGH:COUNT,...)", option);
+    return code == JLT_EXIT_DONE && *text == '@' ? read_part(axes, text + 1, option) : code;
 }
 
 double jlt_grid_value(const jlt_grid_axis *axis, size_t index, double period)

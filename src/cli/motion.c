@@ -140,13 +140,16 @@ jlt_exit jlt_motion_fail(jlt_status status, const jlt_system *system, const char
                                 "%s: %s, or a return left the branch of --solve: try another --direction or section", what,
                                 jlt_status_text(status));
     if (status == JLT_ERR_DOMAIN && system != NULL && system->surface != NULL)
-        return jlt_motion_refuse_point(system, what);
+        return jlt_command_fail(JLT_EXIT_INPUT, "%s: the orbit ends before it returns: take another start ('jellett fates' shows "
+                                "which return)", what);
     if (status == JLT_ERR_DOMAIN && system != NULL)
         return jlt_command_fail(JLT_EXIT_INPUT, "%s: the map has no derivative there: the orbit crosses the section the other way "
                                 "(--direction), leaves the model's domain, or does not come back", what);
     if (status == JLT_ERR_UNSUPPORTED && system != NULL)
-        return jlt_command_fail(JLT_EXIT_INPUT, "%s: the kernels of %s have not what the method needs", what,
-                                system->instance->descriptor->model);
+        return system->flow.end_where_invalid
+                   ? jlt_command_fail(JLT_EXIT_INPUT, "--contact end: %s has more records 'valid' than can end an orbit: take "
+                                      "--contact report", system->instance->descriptor->model)
+                   : jlt_common_no_kernels(system->instance->descriptor, system->flow.method);
     return jlt_command_fail(jlt_command_exit(status), "%s: %s", what, jlt_status_text(status));
 }
 
@@ -194,6 +197,14 @@ static unsigned coordinate(const jlt_chart *chart, const char *name)
     return k;
 }
 
+jlt_exit jlt_motion_no_coordinate(const jlt_chart *chart, const char *option, const char *name, size_t length)
+{
+    fprintf(stderr, "jellett: %s: the section has no coordinate '%.*s'; it has", option, (int)length, name);
+    for (unsigned k = 0; k < chart->dim; k++) fprintf(stderr, "%s %s", k == 0 ? "" : ",", chart->names[k]);
+    fputc('\n', stderr);
+    return JLT_EXIT_INPUT;
+}
+
 jlt_exit jlt_motion_start(double *q, const jlt_system *system, const char *text)
 {
     const jlt_chart *chart = system->flow.chart;
@@ -207,13 +218,13 @@ jlt_exit jlt_motion_start(double *q, const jlt_system *system, const char *text)
     for (size_t i = 0; code == JLT_EXIT_DONE && i < count; i++) {
         const unsigned k = coordinate(chart, axes[i].name);
         if (k == chart->dim)
-            return jlt_command_fail(JLT_EXIT_INPUT, "--start: the section has no coordinate '%s'", axes[i].name);
+            return jlt_motion_no_coordinate(chart, "--start", axes[i].name, strlen(axes[i].name));
         q[k] = axes[i].low;
         given[k] = true;
     }
     for (unsigned k = 0; code == JLT_EXIT_DONE && k < chart->dim; k++)
         if (!given[k]) code = jlt_command_fail(JLT_EXIT_INPUT, "--start: give %s as well", chart->names[k]);
-    return code;
+    return code == JLT_EXIT_DONE ? jlt_motion_refuse_point(system->surface, q, text) : code;
 }
 
 /* Print why no orbit can begin at a start. If it lies outside the domain on a plane section, names the condition that fails. */
@@ -269,7 +280,7 @@ jlt_exit jlt_motion_axes(jlt_grid_axis *axes, const jlt_system *system, const ch
     if (code == JLT_EXIT_DONE) code = jlt_grid_size(&(size_t){ 0 }, axes, chart->dim, text, option);
     for (unsigned k = 0; code == JLT_EXIT_DONE && k < chart->dim; k++)
         if (axes[k].low_text == NULL && (named || (text != NULL && !runs[k])))
-            return jlt_command_fail(JLT_EXIT_INPUT, "%s: where %s runs is not known: add %s=LOW:HIGH:COUNT, or %s=VALUE", option,
+            return jlt_command_fail(JLT_EXIT_INPUT, "%s: %s has no range: add %s=LOW:HIGH:COUNT, or %s=VALUE", option,
                                     chart->names[k], chart->names[k], chart->names[k]);
     return code;
 }
@@ -290,7 +301,8 @@ jlt_exit jlt_motion_cells(jlt_grid_axis *axes, const jlt_system *system, const c
             return jlt_command_fail(JLT_EXIT_INPUT, "%s: %s has no width (write %s=LOW:HIGH:COUNT)", option, chart->names[k],
                                     chart->names[k]);
         if (period != 0 && high - low > period * (1 + 1e-12))
-            return jlt_command_fail(JLT_EXIT_INPUT, "%s: %s goes round more than once", option, chart->names[k]);
+            return jlt_command_fail(JLT_EXIT_INPUT, "%s: the range of the angle %s is longer than its period, %.10g: shorten it",
+                                    option, chart->names[k], period);
     }
     return code;
 }

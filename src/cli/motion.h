@@ -91,6 +91,9 @@ const char *jlt_motion_method(const jlt_motion_options *options);
  *  filled. */
 unsigned jlt_motion_levels(const jlt_system *system, const char **names, double *values);
 
+/** Refuse the name, shape (length,), in `option`, and print those of the section's coordinates. Returns JLT_EXIT_INPUT. */
+jlt_exit jlt_motion_no_coordinate(const jlt_chart *chart, const char *option, const char *name, size_t length);
+
 /** Read one start, NAME=VALUE,... with a value for every coordinate of the section. Out: q, shape (dim,). */
 jlt_exit jlt_motion_start(double *q, const jlt_system *system, const char *text);
 
@@ -141,9 +144,9 @@ jlt_exit jlt_motion_surface(jlt_surface *surface, bool *has, const jlt_motion_op
 /** Make the system on that section, with the parameters and levels of the options. Out: *system, for jlt_system_destroy. */
 jlt_exit jlt_motion_surface_system(jlt_system **system, const jlt_motion_options *options, const jlt_surface *surface);
 
-/** Print that the start `what` lies at or beyond the end of a coordinate's interval, or that its orbit ends before it returns; and
- *  the intervals. Returns JLT_EXIT_INPUT. */
-jlt_exit jlt_motion_refuse_point(const jlt_system *system, const char *what);
+/** Refuse the start `text`, q (coordinates,), if it lies at or beyond the end of a coordinate's interval. surface NULL: there are
+ *  none. */
+jlt_exit jlt_motion_refuse_point(const jlt_surface *surface, const double *q, const char *text);
 
 /** Print why jlt_surface_system returned `status` for these values of parameters and levels, shape (surface->count,). what: the
  *  option or point to name in front; NULL: none. Returns the exit status for it. */

@@ -38,7 +38,8 @@ jlt_exit jlt_motion_family_fail(const jlt_motion_family *self, jlt_status status
                                  *self->entries[i]);
     if (self->surface != NULL) return jlt_motion_refuse(self->surface, self->values, status, where);
     if (self->no_angle < self->plane.descriptor->state_count)
-        return jlt_command_fail(JLT_EXIT_INPUT, "%s: %s is no angle any more", where,
+        return jlt_command_fail(JLT_EXIT_INPUT, "%s, growing %s by its period changes the equations: narrow the range, or add "
+                                "--modulo %s=0", where, self->plane.descriptor->states[self->no_angle].name,
                                 self->plane.descriptor->states[self->no_angle].name);
     if (status == JLT_ERR_DOMAIN && jlt_region_check(&region, &value, self->plane.descriptor, self->plane.params, NULL) == status)
         return jlt_assign_refuse_region(where, self->plane.descriptor, region, value);
@@ -56,8 +57,8 @@ static jlt_exit refuse(const jlt_motion_family *self, const jlt_descriptor *d, c
     }
     for (unsigned i = 0; i < d->integral_count; i++)
         if (strcmp(d->integrals[i].name, name) == 0)
-            return jlt_command_fail(JLT_EXIT_INPUT, "%s: the level of %s runs from a value: --level %s=VALUE, with --solve", option,
-                                    name, name);
+            return jlt_command_fail(JLT_EXIT_INPUT, "%s: to vary the level %s, fix it first: add --level %s=VALUE --solve "
+                                    "STATE=GUESS", option, name, name);
     fprintf(stderr, "jellett: %s: there is no '%s'; there are the parameters", option, name);
     for (unsigned i = 0; i < d->param_count; i++) fprintf(stderr, "%s %s", i == 0 ? "" : ",", d->params[i].name);
     fputs(d->param_count == 0 ? " (none)" : "", stderr);

@@ -53,16 +53,18 @@ static jlt_exit set_projection(jlt_section_batch_options *batch_options, const j
     const jlt_descriptor *d = system->instance->descriptor;
     jlt_exit code;
 
+    if (!options->in_lanes && system->surface != NULL && options->alone == NULL)
+        return jlt_command_fail(JLT_EXIT_USAGE, "--project works on this section only without --method: leave out --method");
     if (!options->in_lanes && system->surface != NULL)
         return jlt_command_fail(JLT_EXIT_USAGE,
-                                "--project: orbits of this section are put back in lanes alone, and %s: ask for one of the table "
-                                "itself, --section STATE=VALUE, with all other states as coordinates",
-                                options->alone != NULL ? options->alone : "by --method they go one at a time");
+                                "--project works on this section only in lanes, and %s: ask for one of the table itself, --section "
+                                "STATE=VALUE, with all other states as coordinates", options->alone);
     if (!options->in_lanes) return jlt_motion_project(system);
     code = jlt_common_project(d);
     if (code == JLT_EXIT_DONE && d->integral_count == JLT_INVARIANTS_MAX)
-        return jlt_command_fail(JLT_EXIT_USAGE, "--project: %s has %u integrals, of which lanes serve fewer", d->model,
-                                d->integral_count);
+        return jlt_command_fail(JLT_EXIT_USAGE, "--project: lanes serve at most %d integrals, and %s has %u: add --method gauss%s",
+                                JLT_INVARIANTS_MAX - 1, d->model, d->integral_count,
+                                system->surface != NULL ? " and --section STATE=VALUE" : "");
     batch_options->project = system->instance;
     return code;
 }

@@ -21,7 +21,11 @@ static jlt_exit read_section(jlt_motion_plane *out, const jlt_motion_options *op
     code = jlt_grid_axis_parse(&out->section, text, strlen(text), "--section");
     if (code == JLT_EXIT_DONE && !jlt_descriptor_state(d, out->section.name, &out->column))
         code = jlt_command_fail(JLT_EXIT_INPUT, "--section: %s has no state '%s'", d->model, out->section.name);
-    return code;
+    if (code != JLT_EXIT_DONE) return code;
+    const jlt_quantity *state = &d->states[out->column];
+    if (out->section.low > state->low && out->section.low < state->high) return JLT_EXIT_DONE;
+    return jlt_command_fail(JLT_EXIT_INPUT, "--section: %s must lie strictly between %.10g and %.10g", state->name, state->low,
+                            state->high);
 }
 
 /* The first reversor that the table proves and whose fixed points lie on the section; NULL: none. */
@@ -101,8 +105,8 @@ static jlt_exit read_modulo(jlt_motion_plane *out, const char *text, const jlt_d
             return jlt_command_fail(JLT_EXIT_INPUT, "--modulo: the period of %s must be positive, or 0 for none", name);
         if (numbers[i] > 0 && is_solved_for(out, states[i]))
             return jlt_command_fail(JLT_EXIT_INPUT,
-                                    "--solve: %s is an angle by --modulo, of which levels know many: solve for another "
-                                    "state",
+                                    "--solve: %s is an angle by --modulo, for which a level has many solutions: solve for "
+                                    "another state",
                                     name);
     }
     return code;
@@ -137,8 +141,9 @@ static jlt_exit find_integral(unsigned *index, const char *name, const jlt_descr
                                 name, d->model);
     if (*index == d->integral_count)
         return jlt_command_fail(JLT_EXIT_INPUT,
-                                "--level: %s is an integral of %s when %s alone: --set that, with a variant of it in the table",
-                                name, d->model, claim->condition);
+                                "--level: %s is an integral of %s only when %s: give these values by --set, and write "
+                                "'variant NAME : %s' in the table",
+                                name, d->model, claim->condition, claim->condition);
     return JLT_EXIT_DONE;
 }
 
@@ -158,7 +163,7 @@ static jlt_exit read_levels(jlt_motion_plane *out, const jlt_motion_options *opt
     JLT_PASS(read_states(states, guesses, &count, options->solve, d, "--solve"));
     if (count != list->count)
         return jlt_command_fail(JLT_EXIT_USAGE,
-                                "levels determine as many states: --level names %zu, and --solve %zu (write --solve "
+                                "each level needs a state to solve for: --level names %zu, and --solve %zu (write --solve "
                                 "STATE=GUESS,...)",
                                 list->count, count);
     for (size_t i = 0; i < count; i++) {
@@ -230,7 +235,7 @@ jlt_exit jlt_motion_plane_read(jlt_motion_plane *out, const jlt_motion_options *
     /* Take the most special variant: integrals and densities that hold only for these parameters belong to it. */
     JLT_PASS(choose(out, descriptor, running, count));
     if (strcmp(options->contact, "ignore") != 0 && descriptor->family[0]->valid_count == 0)
-        return jlt_command_fail(JLT_EXIT_USAGE, "--contact %s: %s has no condition to lose; its table says none by 'valid'",
+        return jlt_command_fail(JLT_EXIT_USAGE, "--contact %s: %s has no record 'valid': leave out --contact",
                                 options->contact, descriptor->model);
     JLT_PASS(read_section(out, options, out->descriptor));
     if (descriptor->state_count > JLT_CHART_STATES_MAX)
@@ -319,12 +324,8 @@ jlt_exit jlt_motion_plane_system(jlt_system **system, const jlt_motion_options *
 
 jlt_exit jlt_motion_project(jlt_system *system)
 {
-    const jlt_descriptor *d = system->instance->descriptor;
-
-    JLT_PASS(jlt_common_project(d));
-    if (system->flow.method != NULL && system->flow.method->multistep)
-        return jlt_command_fail(JLT_EXIT_USAGE, "--project: %s lives on past steps: take a one-step method",
-                                system->flow.method->name);
+    JLT_PASS(jlt_common_project(system->instance->descriptor));
+    JLT_PASS(jlt_common_one_step(system->flow.method));
     const jlt_status st = jlt_system_invariants(&system->flow.kept, system);
     return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, system, "--project");
 }

@@ -36,8 +36,9 @@ static jlt_exit refuse_empty(const jlt_surface *surface, const double *values, c
                          : i + 1 == surface->count ? " and"
                                                    : ",",
                          surface->names[i], values[i]);
-    if (!jlt_surface_nearest_level(surface, values, &level)) return jlt_command_fail(JLT_EXIT_INPUT, "%s%s", what, text);
-    return jlt_command_fail(JLT_EXIT_INPUT, "%s%s: %s %s %s %.10g, or take others", what, text,
+    if (!jlt_surface_nearest_level(surface, values, &level))
+        return jlt_command_fail(JLT_EXIT_INPUT, "%s%s: change a level or parameter", what, text);
+    return jlt_command_fail(JLT_EXIT_INPUT, "%s%s: %s %s %s %.10g, or change another level or parameter", what, text,
                             level > values[surface->params] ? "raise" : "lower", surface->names[surface->params],
                             level > values[surface->params] ? "above" : "below", level);
 }
@@ -63,6 +64,9 @@ static jlt_exit refuse_large(const jlt_surface *surface)
                             section->name, table->model, what, table->states[section->column].name, section->level);
 }
 
+/* How far a value is from 1, on a logarithmic scale; 0 is not far. */
+static double distance_from_one(double value) { return value == 0 ? 0 : fabs(log(fabs(value))); }
+
 jlt_exit jlt_motion_refuse(const jlt_surface *surface, const double *values, jlt_status status, const char *what)
 {
     char where[256] = "";
@@ -85,42 +89,35 @@ jlt_exit jlt_motion_refuse(const jlt_surface *surface, const double *values, jlt
             "%sthe section %s covers the half of %s = %.10g that is crossed the other way; crossings in this --direction lie on "
             "the other half",
             where, surface->section->name, surface->table->states[surface->section->column].name, surface->section->level);
-    if (status == JLT_ERR_DOMAIN)
-        return jlt_command_fail(JLT_EXIT_INPUT,
-                                "%sthe parameters are so far apart that products of them leave the range of doubles", where);
+    if ((status == JLT_ERR_DOMAIN || status == JLT_ERR_NONFINITE) && surface->count > 0) {
+        unsigned farthest = 0;
+        for (unsigned i = 1; i < surface->count; i++)
+            if (distance_from_one(values[i]) > distance_from_one(values[farthest])) farthest = i;
+        return jlt_command_fail(jlt_command_exit(status), "%sproducts leave the range of doubles; %s = %.10g is the farthest from "
+                                "1: rescale the units, or take another value", where, surface->names[farthest], values[farthest]);
+    }
     return jlt_command_fail(jlt_command_exit(status), "%sthe section %s of %s: %s", where, surface->section->name,
                             surface->table->model, jlt_status_text(status));
 }
 
-jlt_exit jlt_motion_refuse_point(const jlt_system *system, const char *what)
+jlt_exit jlt_motion_refuse_point(const jlt_surface *surface, const double *q, const char *text)
 {
-    const jlt_section_chart *section = system->surface->section;
-    char text[512];
-    size_t used = 0;
-
-    for (unsigned k = 0; k < section->coordinate_count && used < sizeof text; k++) {
-        const jlt_quantity *q = &section->coordinates[k];
-        if (section->is_angle[k] || (isinf(q->low) && isinf(q->high))) continue;
-        if (isinf(q->low) || isinf(q->high))
-            used += (size_t)snprintf(text + used, sizeof text - used, "%s must lie %s %.10g, and ", q->name,
-                                     isinf(q->low) ? "below" : "above", isinf(q->low) ? q->high : q->low);
-        else
-            used += (size_t)snprintf(text + used, sizeof text - used, "%s must lie strictly between %.10g and %.10g, and ", q->name,
-                                     q->low, q->high);
+    for (unsigned k = 0; surface != NULL && k < surface->section->coordinate_count; k++) {
+        const jlt_quantity *c = &surface->section->coordinates[k];
+        if (surface->section->is_angle[k] || c->period != 0 || (q[k] > c->low && q[k] < c->high)) continue;
+        if (isinf(c->low) || isinf(c->high))
+            return jlt_command_fail(JLT_EXIT_INPUT, "%s: %s must lie %s %.10g", text, c->name, isinf(c->low) ? "below" : "above",
+                                    isinf(c->low) ? c->high : c->low);
+        return jlt_command_fail(JLT_EXIT_INPUT, "%s: %s must lie strictly between %.10g and %.10g", text, c->name, c->low, c->high);
     }
-    return jlt_command_fail(JLT_EXIT_INPUT, "%s: %sthe orbit return before it ends at a pole or at rest", what,
-                            used > 0 ? text : "");
+    return JLT_EXIT_DONE;
 }
 
-/* Refuse the section of a smaller table to which a claim gives the parameter `name` by something other than what has that name in
- * the table asked for. */
-static jlt_exit refuse_renamed(const jlt_surface *surface, const jlt_claim *claim, const char *name)
+/* Print that a claim of a table gives the parameter `name` of the table `to` by something other than what has that name. */
+static void tell_renamed(const jlt_descriptor *table, const jlt_claim *claim, const char *name, const jlt_descriptor *to)
 {
-    return jlt_command_fail(JLT_EXIT_INPUT,
-                            "the %s %s gives %s of %s otherwise than by what is called %s in this table: ask for the section %s of "
-                            "%s itself, or for one of this table, --section %s=%.10g, with all other states as coordinates",
-                            claim->kind, claim->name, name, surface->table->model, name, surface->section->name,
-                            surface->table->model, surface->table->states[surface->section->column].name, surface->section->level);
+    jlt_command_fail(JLT_EXIT_INPUT, "the %s %s sets %s of %s to something other than %s of %s: rename one of the two, or ask %s",
+                     claim->kind, claim->name, name, to->model, name, table->model, to->model);
 }
 
 /* Refuse a section that rests on an unproved claim: its levels must be integrals, and its table stand for the asked one. */
@@ -131,14 +128,14 @@ static jlt_exit refuse_broken(const jlt_surface *surface, const jlt_claim *broke
     bool told = false;
     char levels[256];
 
-    if (renamed != NULL) return refuse_renamed(surface, broken, renamed);
-    for (unsigned i = surface->params; i < surface->count; i++) {
+    if (renamed != NULL) tell_renamed(asked, broken, renamed, table);
+    for (unsigned i = surface->params; renamed == NULL && i < surface->count; i++) {
         const jlt_claim *claim = jlt_descriptor_claim(asked, "integral", surface->names[i]);
         if (claim == NULL || claim->verdict == JLT_PROVED) continue;
         jlt_command_fail(JLT_EXIT_INPUT, "%s is no integral of this table any more: %s", claim->name, claim->reason);
         told = true;
     }
-    if (!told)
+    if (renamed == NULL && !told)
         jlt_command_fail(JLT_EXIT_INPUT, "%s %s is not proved of this table: %s", broken->kind, broken->name, broken->reason);
     list_names(levels, sizeof levels, surface, surface->params, surface->count, " and ");
     return jlt_command_fail(JLT_EXIT_INPUT, "there is no section%s%s, then: ask for one of the table itself, --section %s=%.10g, "
@@ -147,16 +144,14 @@ static jlt_exit refuse_broken(const jlt_surface *surface, const jlt_claim *broke
 }
 
 /* If a proved reduction gives a parameter in a way that sections cannot follow, print it. Returns whether it does. */
-static bool tell_renamed(const jlt_descriptor *table, const jlt_claim *claim, const jlt_way_tables *others)
+static bool renames(const jlt_descriptor *table, const jlt_claim *claim, const jlt_way_tables *others)
 {
     const bool leads = claim->target != NULL && strcmp(claim->kind, "reduction") == 0 && claim->condition[0] == '\0';
     const jlt_descriptor *to = leads ? jlt_way_target(&(jlt_way){ .sha256 = claim->target }, others) : NULL;
     const char *renamed = to != NULL ? jlt_link_renames(table, claim, to) : NULL;
 
-    if (renamed == NULL) return false;
-    jlt_command_fail(JLT_EXIT_INPUT, "the reduction %s gives %s of %s otherwise than by what is called %s in %s", claim->name,
-                     renamed, to->model, renamed, table->model);
-    return true;
+    if (renamed != NULL) tell_renamed(table, claim, renamed, to);
+    return renamed != NULL;
 }
 
 /* Print the claims of a table that would lead to a section but are not proved or not followed. Returns whether there are any. */
@@ -166,7 +161,7 @@ static bool tell_lost(const jlt_descriptor *table, const char *of, const jlt_way
 
     for (const jlt_claim *claim = table->claims; claim->kind != NULL; claim++) {
         const bool leads = strcmp(claim->kind, "reduction") == 0 || strcmp(claim->kind, "section") == 0;
-        if (claim->verdict == JLT_PROVED) is_lost |= tell_renamed(table, claim, others);
+        if (claim->verdict == JLT_PROVED) is_lost |= renames(table, claim, others);
         if (!leads || claim->verdict == JLT_PROVED) continue;
         jlt_command_fail(JLT_EXIT_INPUT, "%s %s is not proved of %s: %s", claim->kind, claim->name, of, claim->reason);
         is_lost = true;

@@ -196,8 +196,7 @@ static jlt_exit refuse_all(const jlt_plan *plan, const jlt_descriptor *asked)
     if (own == NULL) return jlt_command_fail(JLT_EXIT_INPUT, "no tier of %s can answer", asked->model);
     jlt_plan_refusal(refusal, sizeof refusal, own);
     return jlt_command_fail(JLT_EXIT_INPUT,
-                            "no tier of %s can answer; its own, %s: %s (use units in which parameters are nearer one, and none "
-                            "that divides at zero)",
+                            "no tier of %s can answer; its own, %s: %s: rescale the units, or change --set or --start",
                             asked->model, own->tier.name, refusal);
 }
 
@@ -229,5 +228,6 @@ jlt_exit jlt_planned_refuse(const jlt_plan *plan, const jlt_question *question, 
     if (question->tier == NULL && question->more) return refuse_more(plan, asked);
     if (question->tier == NULL) return refuse_all(plan, asked);
     jlt_plan_refusal(refusal, sizeof refusal, &plan->candidates[plan->chosen]);
-    return jlt_command_fail(JLT_EXIT_INPUT, "the tier %s cannot answer: %s", question->tier, refusal);
+    return jlt_command_fail(JLT_EXIT_INPUT, "the tier %s cannot answer: %s: leave out --tier, or change --set or --start",
+                            question->tier, refusal);
 }

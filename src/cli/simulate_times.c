@@ -36,7 +36,7 @@ static jlt_exit regular_times(jlt_simulate_request *r)
     const double every = !isnan(r->every) ? r->every : fabs(r->until) / 100;
     const double steps = r->until == 0 ? 0 : floor(fabs(r->until) / every * (1 + 4e-16));
 
-    if (!(steps < TIMES_MAX)) return jlt_command_fail(JLT_EXIT_INPUT, "--every: more than %d rows", TIMES_MAX);
+    if (!(steps < TIMES_MAX)) return jlt_command_fail(JLT_EXIT_INPUT, "--every: more than %d rows: take a larger step", TIMES_MAX);
     r->time_count = (size_t)steps + 1;
     r->times = calloc(r->time_count + 1, sizeof *r->times);
     if (r->times == NULL) return jlt_session_fail(JLT_ERR_NOMEM, "--until");

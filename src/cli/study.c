@@ -43,6 +43,8 @@ static jlt_exit refuse(const jlt_study *self, unsigned line, const char *format,
 static jlt_exit find_dealt(jlt_study *self, size_t *least)
 {
     const jlt_scene_job *job = self->job;
+    char names[256];
+    size_t used = 0;
     bool is_known = false;
 
     self->dealt = job->count;
@@ -55,10 +57,13 @@ static jlt_exit find_dealt(jlt_study *self, size_t *least)
             if (strcmp(job->options[k].name, kinds[i].dealt) == 0) self->dealt = k;
         if (self->dealt < job->count) return JLT_EXIT_DONE;
     }
-    if (!is_known) return refuse(self, job->line, "rows of %s do not stand for themselves: it is no study", job->what);
+    for (size_t i = 0; !is_known && i < KINDS; i++)
+        if (i == 0 || strcmp(kinds[i].command, kinds[i - 1].command) != 0)
+            used += (size_t)snprintf(names + used, sizeof names - used, "%s%s", i == 0 ? "" : ", ", kinds[i].command);
+    if (!is_known) return refuse(self, job->line, "%s cannot be a study; these can: %s", job->what, names);
     for (size_t i = 0; i < KINDS; i++)
         if (strcmp(kinds[i].command, job->what) == 0)
-            return refuse(self, job->line, "a study of %s is dealt out by its '%s', which is missing", job->what, kinds[i].dealt);
+            return refuse(self, job->line, "add '%s': a study of %s is cut into pieces along it", kinds[i].dealt, job->what);
     return JLT_EXIT_DONE;
 }
 
@@ -93,8 +98,8 @@ static jlt_exit check_over(const jlt_study *self, const jlt_assign_list *set)
             const jlt_scene_option *option = &job->options[k];
             const bool gives = k == self->dealt || strcmp(option->name, "set") == 0 || strcmp(option->name, "level") == 0;
             if (gives && jlt_assign_names(option->value, self->over[i].name))
-                return refuse(self, scene->over_line, "'over' runs over %s, which has a value, or runs, elsewhere in the scene",
-                              self->over[i].name);
+                return refuse(self, scene->over_line, "'over' runs over %s, which the scene also sets or sweeps elsewhere: remove "
+                              "one of the two", self->over[i].name);
         }
     return JLT_EXIT_DONE;
 }

@@ -118,7 +118,6 @@ static jlt_exit open_sweep(sweep *self)
     self->rows.model = self->model;
     JLT_PASS(jlt_grid_parse(self->rows.axes, &self->rows.count, JLT_SWEPT_AXES_MAX, common->sweep, "--sweep"));
     JLT_PASS(jlt_grid_size(&self->all, self->rows.axes, self->rows.count, common->sweep, "--sweep"));
-    if (self->rows.count == 0) return jlt_command_fail(JLT_EXIT_USAGE, "--sweep: nothing runs (write NAME=LOW:HIGH:COUNT,...)");
     for (size_t k = 0; k < self->rows.count; k++) {
         if (self->form->has_levels || jlt_descriptor_param(self->model, self->rows.axes[k].name, &(size_t){ 0 })) continue;
         fprintf(stderr, "jellett: --sweep: %s has no parameter '%s'; there are", self->model->model, self->rows.axes[k].name);

@@ -69,7 +69,7 @@ static jlt_status try_tier(jlt_candidate *c, const jlt_question *question)
     }
     c->descriptor = jlt_descriptor_sibling(c->tier.table, NULL, c->tier.time, c->tier.elimination);
     if (st == JLT_ERR_NOMEM) return st;
-    if (st != JLT_ERR_UNSUPPORTED) snprintf(c->refusal, sizeof c->refusal, "its parameters would not be: %s", jlt_status_text(st));
+    if (st != JLT_ERR_UNSUPPORTED) snprintf(c->refusal, sizeof c->refusal, "its kernel overflows or divides by zero there");
     return JLT_OK;
 }
 

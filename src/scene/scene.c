@@ -204,7 +204,8 @@ jlt_status jlt_scene_read(jlt_scene **out, char *message, const char *path, cons
     config_init(&config);
     JLT_TRY(jlt_source_read(&text, &r));
     if (config_read_string(&config, text) == CONFIG_FALSE) {
-        st = jlt_value_complain(&r, config_error_line(&config), "%s", config_error_text(&config));
+        st = jlt_value_complain(&r, config_error_line(&config), "%s (expected NAME = VALUE; each name once, texts in quotation "
+                                "marks, every bracket closed)", config_error_text(&config));
         goto done;
     }
     scene = calloc(1, sizeof *scene);

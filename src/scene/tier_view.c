@@ -24,6 +24,18 @@ static jlt_status refuse_param(char *refusal, const jlt_quantity *param)
     return refuse(refusal, "its table asks for %s%s", param->name, jlt_descriptor_condition(param));
 }
 
+static jlt_status refuse_size(char *refusal, const jlt_descriptor *table)
+{
+    return refuse(refusal, "%s has %u states and %u parameters; a tier serves at most %d of each", table->model, table->state_count,
+                  table->param_count, JLT_WAY_VALUES_MAX);
+}
+
+static jlt_status refuse_eliminated(char *refusal, const jlt_descriptor *table, const jlt_descriptor *kernel)
+{
+    return refuse(refusal, "%s does not depend on %s there, so that it cannot be eliminated",
+                  table->integrals[kernel->level_integral].name, table->states[kernel->eliminated_state].name);
+}
+
 static bool is_counted(const jlt_tier *tier) { return tier->units.mass != 0 || tier->units.length != 0 || tier->units.time != 0; }
 
 /* The condition of a way that does not hold, evaluated in the table's units; NULL: all hold. at: a state of the table where the way
@@ -70,8 +82,8 @@ static jlt_status follow_ways(jlt_tier_view *view, double *at, char *refusal)
         size_t index;
 
         if (way->param_count > JLT_WAY_VALUES_MAX || way->state_count > JLT_WAY_VALUES_MAX)
-            return refuse(refusal, "its table is too large");
-        if (broken != NULL) return refuse(refusal, "the %s %s serves where %s", way->kind, way->name, broken->text);
+            return refuse_size(refusal, target);
+        if (broken != NULL) return refuse(refusal, "the %s %s serves only where %s", way->kind, way->name, broken->text);
         if (at == NULL) {
             double *params = view->params[i + 1];
             jlt_way_params(way, params, NULL, view->params[i]);
@@ -83,7 +95,7 @@ static jlt_status follow_ways(jlt_tier_view *view, double *at, char *refusal)
         }
         st = jlt_way_follow(way, next, view->params[i + 1], at, view->params[i]);
         if (st == JLT_ERR_DOMAIN) return refuse(refusal, "an angle of the %s %s has no value at the start", way->kind, way->name);
-        if (st != JLT_OK) return refuse(refusal, "the %s %s leads nowhere from the start", way->kind, way->name);
+        if (st != JLT_OK) return refuse(refusal, "the %s %s has no finite value at the start", way->kind, way->name);
         if (jlt_descriptor_check_params(target, view->params[i + 1], &index) != JLT_OK)
             return refuse_param(refusal, &target->params[index]);
         jlt_units_restore(told, next, target->states, target->state_count, &tier->units);
@@ -128,8 +140,9 @@ static jlt_status bind_kernel(jlt_tier_view *view, char *refusal, const double *
     jlt_status st = JLT_OK;
     size_t index;
 
-    if (general == NULL || general->param_count > JLT_WAY_VALUES_MAX || general->state_count > JLT_WAY_VALUES_MAX)
-        return refuse(refusal, "its kernel is not built in, or too large");
+    if (general == NULL) return refuse(refusal, "its kernel is not built in");
+    if (general->param_count > JLT_WAY_VALUES_MAX || general->state_count > JLT_WAY_VALUES_MAX)
+        return refuse_size(refusal, general);
     if (general->tier_condition_count > JLT_TIER_EDGES_MAX)
         return refuse(refusal, "its coordinates end at more than %d edges", JLT_TIER_EDGES_MAX);
     if (is_eliminated(tier)) st = find_level(&level, view, general, x);
@@ -144,8 +157,7 @@ static jlt_status bind_kernel(jlt_tier_view *view, char *refusal, const double *
     if (st == JLT_ERR_DOMAIN && jlt_descriptor_check_params(kernel, params, &index) != JLT_OK)
         return refuse_param(refusal, &kernel->params[index]);
     if ((st == JLT_ERR_NONFINITE || st == JLT_ERR_DOMAIN) && is_eliminated(tier))
-        return refuse(refusal, "%s does not contain %s at these parameters", tier->table->integrals[kernel->level_integral].name,
-                      tier->table->states[kernel->eliminated_state].name);
+        return refuse_eliminated(refusal, tier->table, kernel);
     return st;
 }
 
@@ -162,11 +174,7 @@ static jlt_status place(const jlt_tier_view *view, double *y, char *refusal, con
         for (unsigned i = 0; i < tier->table->state_count; i++)
             if (i != view->instance->descriptor->eliminated_state) y[used++] = at[i];
         view->instance->descriptor->eliminated.call(y, view->instance->prepared, values);
-        if (!isfinite(*values))
-            return refuse(refusal, "%s does not contain %s here",
-                          tier->table->integrals[view->instance->descriptor->level_integral].name,
-                          tier->table->states[view->instance->descriptor->eliminated_state].name);
-        return JLT_OK;
+        return isfinite(*values) ? JLT_OK : refuse_eliminated(refusal, tier->table, view->instance->descriptor);
     }
     if (general->lifted != NULL) general->lifted(at, params, y);
     else memcpy(y, at, general->state_count * sizeof *y);
@@ -177,8 +185,8 @@ static jlt_status place(const jlt_tier_view *view, double *y, char *refusal, con
     return JLT_OK;
 }
 
-/* Choose the ways in the tier's time, where tables have it. Returns false if a table on the way is too large. */
-static bool choose_backs(jlt_tier_view *view)
+/* Choose the ways in the tier's time, where tables have it. */
+static jlt_status choose_backs(jlt_tier_view *view, char *refusal)
 {
     const jlt_tier *tier = &view->tier;
 
@@ -186,9 +194,9 @@ static bool choose_backs(jlt_tier_view *view)
         const jlt_descriptor *timed = jlt_descriptor_sibling(tier->from[i], NULL, tier->time, NULL);
         const size_t index = (size_t)(tier->ways[i] - tier->from[i]->ways);
         view->back[i] = timed != NULL && index < timed->way_count ? &timed->ways[index] : tier->ways[i];
-        if (timed != NULL && timed->state_count > JLT_WAY_VALUES_MAX) return false;
+        if (timed != NULL && timed->state_count > JLT_WAY_VALUES_MAX) return refuse_size(refusal, timed);
     }
-    return true;
+    return JLT_OK;
 }
 
 static jlt_status open_from(jlt_tier_view *view, double *y, char *refusal, const jlt_tier *tier, const double *params,
@@ -204,7 +212,7 @@ static jlt_status open_from(jlt_tier_view *view, double *y, char *refusal, const
     JLT_TRY(follow_ways(view, x != NULL ? at : NULL, refusal));
     JLT_TRY(bind_kernel(view, refusal, x != NULL ? start : NULL));
     if (x != NULL) JLT_TRY(place(view, y, refusal, at));
-    if (!choose_backs(view)) st = refuse(refusal, "a table on the way is too large");
+    st = choose_backs(view, refusal);
 done:
     if (st != JLT_OK) jlt_tier_close(view);
     return st;
@@ -225,7 +233,7 @@ jlt_status jlt_tier_open(jlt_tier_view *out, double *y, char *refusal, const jlt
 
     if (tier->table == NULL) return JLT_ERR_ARG;
     if (tier->asked->state_count > JLT_WAY_VALUES_MAX || tier->asked->param_count > JLT_WAY_VALUES_MAX)
-        return refuse(refusal, "more than %d states or parameters", JLT_WAY_VALUES_MAX);
+        return refuse_size(refusal, tier->asked);
     st = open_from(out, y, refusal, tier, params, x, NULL);
     if (st != JLT_ERR_UNSUPPORTED || x == NULL || mirror == NULL || tier->way_count == 0 || tier->is_larger) return st;
     st = open_from(out, y, second, tier, params, x, mirror);

@@ -150,7 +150,8 @@ static jlt_status append_number(const jlt_value_reader *r, const config_setting_
     case JLT_ERR_NONFINITE:
         return jlt_value_complain(r, jlt_value_line(at), "'%s' is beyond the range of numbers: %s", name, string);
     default:
-        return jlt_value_complain(r, jlt_value_line(at), "'%s' is no number: \"%s\"", name, string);
+        return jlt_value_complain(r, jlt_value_line(at), "'%s' is no number: \"%s\" (write 2, -0.51, 1e-3, 1/3, pi or 2*pi/3)",
+                                  name, string);
     }
 }
 

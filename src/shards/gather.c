@@ -168,6 +168,8 @@ size_t jlt_gather_missing(const jlt_gather *self, size_t *first)
     return missing;
 }
 
+const char *jlt_gather_path(const jlt_gather *self, size_t piece) { return self->paths[self->places[piece].file - 1]; }
+
 jlt_status jlt_gather_piece(jlt_gather *self, jlt_shard_record *record, size_t piece)
 {
     const place *at = &self->places[piece];

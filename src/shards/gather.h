@@ -20,6 +20,9 @@ const char *jlt_gather_study(const jlt_gather *self);
 size_t jlt_gather_pieces(const jlt_gather *self);
 size_t jlt_gather_missing(const jlt_gather *self, size_t *first);
 
+/** The path of the file that a piece is read from; the piece is not missing. */
+const char *jlt_gather_path(const jlt_gather *self, size_t piece);
+
 /** Read a piece; the bytes of *record are valid until the next call. Errors: EMPTY, the piece is missing; IO; NOMEM. */
 JLT_CHECKED jlt_status jlt_gather_piece(jlt_gather *self, jlt_shard_record *record, size_t piece);
 

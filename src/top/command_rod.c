@@ -264,7 +264,7 @@ static jlt_exit run(int argc, char **argv)
     if (code == JLT_EXIT_DONE) code = jlt_session_start(&r.session);
     if (code == JLT_EXIT_DONE) code = bind_axes(&r);
     if (code == JLT_EXIT_DONE && r.session.common.plot != NULL && r.axis_count != 1)
-        code = jlt_command_fail(JLT_EXIT_USAGE, "--plot draws against what one --sweep runs over");
+        code = jlt_command_fail(JLT_EXIT_USAGE, "--plot needs a --sweep of one quantity: vary one, or leave out --plot");
     if (code == JLT_EXIT_DONE) code = check_start(&r);
     if (code == JLT_EXIT_DONE && r.session.common.plan) {
         puts("  * quadrature: nothing is integrated in time");

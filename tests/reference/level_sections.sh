@@ -39,7 +39,7 @@ SCENE
 jellett run described.scene 2> err < /dev/null || fail "the scene: $(cat err)"
 grep -v '^#' scene.csv | cmp - <(cut -d, -f1-7 described) || fail "the scene has other rows"
 expect 2 "'nope' is no section" jellett section ./henon.tt --section nope --start y=0.1,py=0.05
-expect 3 'where py runs is not known' jellett section ./henon.tt --grid y=-0.3:0.3:3
+expect 3 'py has no range' jellett section ./henon.tt --grid y=-0.3:0.3:3
 expect 0 'crossing +x = 0 in y, py on levels H = 0.125$' jellett models ./henon.tt
 sed -i 's/px = px/px = -px/' henon_section.tt # the lift goes to the other half
 expect 0 ',-0.48[0-9]*,alive$' jellett section ./henon.tt --start y=0.1,py=0.05 --direction down --returns 1
@@ -89,8 +89,8 @@ paste -d, rows.csv turned/rows.csv |
 # Refused by name.
 section=(jellett section ./henon_heiles.tt --section x=0 --start y=0.1,py=0)
 expect 3 "henon_heiles claims no integral 'L'; it has E" "${section[@]}" --level L=1 --solve px=1
-expect 2 "levels determine as many states: --level names 1, and --solve 0" "${section[@]}" --level E=1/12
-expect 2 "levels determine as many states: --level names 0, and --solve 1" "${section[@]}" --solve px=1
+expect 2 "each level needs a state to solve for: --level names 1, and --solve 0" "${section[@]}" --level E=1/12
+expect 2 "each level needs a state to solve for: --level names 0, and --solve 1" "${section[@]}" --solve px=1
 expect 3 "crosses the section the other way" jellett orbits lorenz --section z=20 --set rho=22 --start x=7,y=5
 expect 3 "has no state 'p'" "${section[@]}" --level E=1/12 --solve p=1
 expect 3 "x is fixed by --section already" "${section[@]}" --level E=1/12 --solve x=1
@@ -103,7 +103,8 @@ expect 0 "^0,1," "${section[@]}" --level E=1/12 --solve px=-1 --returns 1
 awk -F, '/^0,0,/ { exit !($6 < 0) }' out || fail "the guess's sign does not choose the branch: $(cat out)"
 expect 0 "points of the grid have no state" jellett section ./henon_heiles.tt "${level[@]}" --grid y=0:2:5,py=0 --returns 1
 expect 2 "--project: roessler has no integrals" jellett section roessler --section y=0 --start x=-7,z=0.02 --project
-expect 2 "lives on past steps" jellett section ./henon_heiles.tt --section x=0 --start y=0.1,py=0,px=1 --project --method msadams
+expect 2 "--project cannot be used with the multistep method msadams" \
+    jellett section ./henon_heiles.tt --section x=0 --start y=0.1,py=0,px=1 --project --method msadams
 # On the other branch of the level DP is not known: a check that checks nothing does not pass.
 expect 1 "DP could not be computed at 3 of 3 returns" jellett section ./henon_heiles.tt --section x=0 --level E=1/12 \
     --solve px=0.3 \

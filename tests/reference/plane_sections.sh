@@ -20,12 +20,12 @@ awk -F, '/^0,0,/ { for (i = 4; i <= 14; i++) q[i] = $i }
 expect 0 '^1,1,0.1,0.2,.*degenerate' jellett orbits ./oscillators.tt --section q1=0 --start p1=1,$others --period 1
 
 # A coordinate that is not named is no number.
-expect 3 "where p6 runs is not known: add p6=LOW:HIGH:COUNT, or p6=VALUE" \
+expect 3 "p6 has no range: add p6=LOW:HIGH:COUNT, or p6=VALUE" \
     jellett section ./oscillators.tt --section q1=0 --grid p1=1:2:3,${others%,p6=1}
 expect 3 "no coordinate 'r'" jellett section ./oscillators.tt --section q1=0 --grid p1=1:2:3,r=1,$others
 expect 0 '^2,1,' jellett section ./oscillators.tt --section q1=0 --grid p1=1:2:3,$others --returns 1
-expect 3 "where x runs is not known" jellett section lorenz --section z=27 --grid 3x3
-expect 3 "where y runs is not known" jellett lyapunov lorenz --section z=27 --grid x=1:2:3 --returns 1
+expect 3 "x has no range" jellett section lorenz --section z=27 --grid 3x3
+expect 3 "y has no range" jellett lyapunov lorenz --section z=27 --grid x=1:2:3 --returns 1
 expect 2 "say where to search: --start or --grid" jellett orbits lorenz --section z=27
-expect 3 "where q runs is not known" jellett separation nose_hoover --section z=0 --mirror p,z
+expect 3 "q has no range" jellett separation nose_hoover --section z=0 --mirror p,z
 exit $status

@@ -166,7 +166,7 @@ refused() { # STATUS WORDS OPTION...
     [ ! -e never.csv ] || fail "$*: a file is left"
 }
 at=(--start eta=0.1,gamma3=-0.6)
-refused 2 'in lanes alone.*: ask for one of the table itself, --section STATE=VALUE' --project --method gauss "${at[@]}"
+refused 2 '--project works on this section only without --method: leave out --method' --project --method gauss "${at[@]}"
 refused 2 'no integrals' --project roessler --section y=0 --start x=-7,z=0.02
 refused 3 'threads' --threads 0 "${at[@]}"
 TMPDIR=/no/such/folder refused 5 TMPDIR "${at[@]}" --returns 3000 --start eta=0.44,gamma3=-0.62

@@ -109,14 +109,15 @@ expect 4 'could not be refined .* a multiplier is 1 to within .* families' jelle
 sed 's/integral K = z/integral K = 2*z/; s/K = K,/K = K\/2,/' mapped.tt > other.tt
 sed 's/model mapped/model other/' -i other.tt
 for command in 'section --returns 1' 'orbits --period 1' lyapunov 'certify sink'; do
-    expect 3 'the reduction held gives K of hard otherwise than by what is called K' jellett $command --start x=-1 ./other.tt
+    expect 3 'the reduction held sets K of hard to something other than K of other: rename one' \
+        jellett $command --start x=-1 ./other.tt
 done
 # So where that happens on the way, in a table between the two.
 sed 's/^reduction/embedding up : into wide.tt with x = x, p = p, z = z, w = J\n&/' -i other.tt
 sed 's/model other/model wide/; /J > 0/d; /default/d; s/J\*x/w*x/; /^integral/d; /^embedding/d; /^reduction/d
     s/^state x/state w in (0, inf)\n&/' other.tt > wide.tt
 printf 'eq w = 0*w\nreduction fixed : by other.tt with x = x, p = p, z = z, J = w\n' >> wide.tt
-expect 3 'the reduction held gives K of hard otherwise' jellett section ./wide.tt --start x=-1 --returns 1
+expect 3 'the reduction held sets K of hard to something other' jellett section ./wide.tt --start x=-1 --returns 1
 # A claim that is refuted hides none that is proved.
 sed 's/^reduction held/reduction wrong : by hard.tt with x = -x, p = p, K = K, c = J\/2\n&/' mapped.tt > first.tt
 expect 0 '^# c=1 K=1$' jellett section ./first.tt --start x=-1 --returns 1

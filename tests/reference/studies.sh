@@ -91,7 +91,7 @@ expect 2 "name a scene" jellett plan --set rho=28
 
 expect 3 "there is no 'q'" jellett fates --sweep a3=0.1:0.3:2,q=1:2:2
 expect 3 "more than 3 names" jellett fates --sweep a3=0:1:2,E=1:2:2,G=0:1:2,m=1:2:2
-expect 2 "draws against what one --sweep runs over" jellett fates --sweep a3=0.1:0.3:2,E=2:3:2 --plot p.svg
+expect 2 "--plot needs a --sweep of one quantity" jellett fates --sweep a3=0.1:0.3:2,E=2:3:2 --plot p.svg
 
 # Rows after a transient are those of the whole run.
 orbit=(roessler --section y=0 --direction down --start x=-7,z=0.02)

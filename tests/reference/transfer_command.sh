@@ -117,7 +117,7 @@ done
 refuse 3 "nothing stays in them" --boxes eta=0:0.01:4,gamma3=-0.9:-0.89:4
 refuse 3 "eigenvalues are of 3 boxes" --boxes 1x2
 refuse 3 "cannot be taken 3 together" --boxes 10x10 --coarse 3
-refuse 3 "goes round more than once" --boxes eta=-9:9:4,gamma3=-0.5:0.5:4
+refuse 3 "longer than its period" --boxes eta=-9:9:4,gamma3=-0.5:0.5:4
 refuse 3 "has no width" --boxes eta=0,gamma3=-0.5:0.5:4
 refuse 3 "nothing stays in them" --set I3=0 --boxes eta=-0.5:0.5:20,gamma3=-0.61:-0.59:4 --strata 4
 refuse 3 "points of a box" routh_sphere --section omega_tau=0 --boxes gamma3=-0.9:0.9:2,omega_n=-1:1:2,omega3=-1:1:2 --strata 101

@@ -31,6 +31,7 @@ for command in section fates "lyapunov --returns 5" "continue --along E=2:2.2" "
         refuse 2 "is no start" jellett $command --start eta=0.1,gamma3=-0.6:-0.5:3
     }
 done
+refuse 3 "eta=1,gamma3=0.9: the orbit ends before it returns: take another start" jellett orbits --start eta=1,gamma3=0.9
 refuse 3 "gamma3 must lie" jellett section --start "$point" --start eta=0,gamma3=2
 refuse 3 "--grid: no state has these levels" jellett section --grid eta=0,gamma3=2:3:3 --output rows
 refuse 3 "--grid: no state has these levels" jellett fates --grid eta=0,gamma3=2:3:3 --output rows
@@ -41,15 +42,18 @@ refuse 2 "say where to start" jellett lyapunov lorenz --section z=27
 # Ranges.
 for range in E E=1 E=1:2:5 E=2:1; do refuse 2 "is no range \(write NAME=LOW:HIGH, LOW below HIGH\)" jellett continue \
     --along $range; done
-refuse 3 "outside of the range" jellett continue --along E=3:4
+refuse 3 "the branch starts at E=2.15: choose LOW:HIGH around it" jellett continue --along E=3:4
 refuse 3 "I1 = -1: spherical_top needs I1 > 0" jellett rod --start "$start" --sweep I1=-1:1:3
 refuse 3 "--sweep: more than 3 names" jellett rod --start "$start" --sweep v_nu=0:1:2,omega_n=1:2:2,gamma3=0:1:2,I1=1:2:2
 refuse 3 "--cells: '0' is no whole number" jellett separation --grid 2x2 --cells 0x0
 refuse 3 "--cells: eta has no width" jellett separation --grid 2x2 --cells eta=0.3,gamma3=-1:1:20
-refuse 3 "--cells: eta goes round more than once" jellett separation --grid 2x2 --cells eta=-4:4:20,gamma3=-1:1:20
+refuse 3 "--cells: the range of the angle eta is longer than its period" \
+    jellett separation --grid 2x2 --cells eta=-4:4:20,gamma3=-1:1:20
 refuse 3 "needs a section of two coordinates, not of 1$" jellett separation lotka_volterra --section x=1 --grid y=0.5:1:3
 refuse 3 "--near: '-1' is not positive" jellett orbits --near -1
 refuse 2 "is no section \(write STATE=VALUE\)" jellett section lorenz --start x=1,y=1 --section z
+refuse 3 "--section: gamma3 must lie strictly between -1 and 1" jellett section --section gamma3=2 \
+    --start v_nu=0,omega_tau=0,omega_n=0,omega3=0
 refuse 2 "is no section \(write STATE=VALUE\)" jellett section lorenz --start x=1,y=1 --section z=1:2:3
 
 lorenz=(jellett orbits lorenz --section z=27 --start x=1,y=1 --period 1)
@@ -59,25 +63,39 @@ refuse 4 "finds no periodic orbit from .*: try another --start or --period" "${l
 # Options that say nothing here.
 refuse 2 "--mirror goes with --section" jellett section --start "$point" --mirror v_nu
 refuse 3 "--level: lorenz claims no integral .E." jellett section lorenz --start x=1,y=1 --section z=27 --level E=1 --solve x=1
-refuse 2 "lorenz has no condition to lose" jellett section lorenz --start x=1,y=1 --section z=27 --contact report
+refuse 2 "lorenz has no record .valid.: leave out --contact" jellett section lorenz --start x=1,y=1 --section z=27 --contact report
 refuse 2 "unrecognized option '--contact" jellett orbits --contact report
 refuse 2 "unrecognized option '--contact" jellett lyapunov --contact end
-refuse 2 "nothing runs" jellett fates --sweep ""
+for command in fates eigen lyapunov "rod --start $start"; do
+    # shellcheck disable=SC2086
+    refuse 2 "--sweep: no range is given" jellett $command --sweep ""
+done
+refuse 4 "a3 = 1e.300 is the farthest from 1: rescale the units" jellett section --set a3=1e300 --start "$point"
+refuse 2 "--threads needs --sweep: add it" jellett eigen --threads 2
+refuse 2 "--threads needs --grid: add it" jellett lyapunov --threads 2
+refuse 2 "the tier quadrature takes no steps: leave out --project" jellett simulate --set I3=0 --start "$start" --until 1 \
+    --tier quadrature --project
 refuse 3 "more points than can be counted" jellett rod --start "$start" --sweep \
     omega_n=1:2:4194304,v_nu=0:1:4194304,gamma3=0:0.1:2097152
 refuse 3 "more points than can be counted" jellett fates --sweep E=1:2:4194304,G=0:1:2097152,a3=0:1:2097152
 refuse 2 "--hold keeps coordinates of --start" jellett orbits --hold eta
 refuse 2 "--start and --grid exclude each other" jellett orbits --start "$point" --grid 3x3
 refuse 2 "--start and --grid exclude each other" jellett lyapunov --start "$point" --grid 3x3
-refuse 3 "--line: the section has no coordinate 'x'" jellett orbits --start "$point" --line x=0:1:3
+refuse 3 "--line: the section has no coordinate 'x'; it has eta, gamma3" jellett orbits --start "$point" --line x=0:1:3
 refuse 2 "exclude each other" jellett manifolds --no-crossings --crossings file
 refuse 2 "--times and --until exclude each other" jellett simulate --start "$start" --times 1 --until 2
 refuse 2 "two tables" jellett portrait --level E=1,G=-0.2,F0=0.15 --trajectories -
 refuse 2 "two tables" jellett manifolds --length 0.01 --crossings -
-refuse 3 "--project: one-step methods alone, not the multistep method msadams" jellett simulate --start "$start" --until 1 \
-    --project --method msadams
+refuse 2 "--project cannot be used with the multistep method msadams: take gauss or dop853" \
+    jellett simulate --start "$start" --until 1 --project --method msadams
 refuse 2 "say which section of lorenz" jellett fates lorenz
 refuse 2 "say where orbits start" jellett fates lorenz --section z=27
+{
+    printf '%s\n' 'model many' 'state x' 'state y' 'eq x = y' 'eq y = -x'
+    for i in {1..20}; do echo "valid v$i : x + $i > 0"; done
+} > .many.tt
+XDG_CACHE_HOME=$scratch/.cache refuse 3 "many has more records .valid. than can end an orbit: take --contact report" \
+    jellett section ./.many.tt --section x=0 --start y=0.5 --returns 1 --contact end
 data=$JLT_SOURCE_DIR/tests/reference/data
 refuse 2 "jacobian knows no --method" jellett bench jacobian --method gauss
 refuse 2 "slope knows no --form" jellett bench slope --reference "$data/slopes_regular_51.csv" --form five
@@ -95,6 +113,12 @@ refuse 5 "cannot write 'none/crossings'" jellett manifolds --output folder/out -
 [ -z "$(ls folder)" ] || fail "left in the folder: $(ls folder)"
 refuse 5 "Is a directory" jellett run folder
 refuse 5 "Is a directory" jellett plan folder
+refuse 5 "cannot read 'none': No such file" jellett check none
+refuse 3 "expected a certificate that .jellett certify. wrote" jellett check "$JLT_SOURCE_DIR/README.md"
+printf 'model = lorenz;\n' > folder/bare.scene
+refuse 3 "bare.scene:1: error: syntax error \(expected NAME = VALUE; each name once, texts in quotation marks" \
+    jellett run folder/bare.scene
+rm folder/bare.scene
 
 # ttc generate: why it cannot.
 mkdir .tables

@@ -179,7 +179,8 @@ grep -qxF "['t', 'x', 'X_2', 'fate']" out || fail "names in SQL: $(cat out)"
 # What runs has no value beside.
 sed 's/^levels/over = { a3 = (0.1, 0.3, 2); }; levels/' ends.scene > over.scene
 expect 2 "over.scene runs over a3" jellett sweep over.scene --set a3=0.5 --into=none
-expect 3 ":1: error: 'over' runs over a3" jellett sweep <(sed 's/^over/parameters = { a3 = 0.2; }; over/' over.scene) --into=none
+expect 3 ":1: error: 'over' runs over a3, which the scene also sets or sweeps elsewhere: remove one" \
+    jellett sweep <(sed 's/^over/parameters = { a3 = 0.2; }; over/' over.scene) --into=none
 sed 's/returns = 3/sweep = { E = (2, 3, 2); }; &/; s/ E = 2.15;//' over.scene > inner.scene
 expect 3 "'over' runs over E" jellett sweep <(sed 's/ a3 = (0.1/ E = (0.1/' inner.scene) --into=none
 [ ! -e none ] || fail "a study that is refused has begun"
@@ -195,11 +196,36 @@ rows out | tail -n +2 > inside.rows
 for a3 in 0.3 0.5; do
     jellett lyapunov --set a3=$a3 --sweep E=2.15:2.2:2 --start eta=0.02,gamma3=-0.61 --returns 4 | rows | sed "1d; s/^/$a3,/"
 done 2> /dev/null | diff - inside.rows || fail "a sweep within a study has other rows than alone"
-expect 3 "is no study" jellett sweep <(sed 's/"section"/"portrait"/; s/grid = .*; returns = 3;//' map.scene)
+expect 3 "portrait cannot be a study; these can: section, fates, lyapunov, eigen" jellett sweep \
+    <(sed 's/"section"/"portrait"/; s/grid = .*; returns = 3;//' map.scene)
+expect 3 "add 'grid': a study of section is cut into pieces along it" jellett sweep <(sed 's/grid = .*; returns/returns/' map.scene)
 expect 3 "leave out 'output'" jellett sweep <(sed 's/returns = 3;/& output = "o.csv";/' map.scene)
 expect 3 "a second entry" jellett sweep "$JLT_SOURCE_DIR/tools/scenes/fig3a.scene"
 expect 5 "" jellett sweep map.scene --into=own.tt
+# A piece with rows as another program might write them: one column has another name, or a row has one field more.
+for change in gamma3/gamma4 alive/alive,1; do
+    rm -rf other
+    cp -r map.3 other
+    python3 - other/2-of-3.shard $change << 'END' || fail "$change: the shard is not rewritten"
+import sys, zlib
+data = open(sys.argv[1], "rb").read()
+at = data.rindex(b"\npiece ", 0, data.index(b",alive")) + 1
+head, rest = data[at:].split(b"\n", 1)
+head = head.split(b" ")[:6]
+size = int(head[3])
+rows = rest[:size].replace(*sys.argv[2].encode().split(b"/"), 1)
+head[3] = b"%d" % len(rows)
+head = b" ".join(head)
+rest = rest[size:]
+line = b"%s %08x\n" % (head, zlib.crc32(rows + rest[:int(head.split(b" ")[4])], zlib.crc32(head)))
+open(sys.argv[1], "wb").write(data[:at] + line + rows + rest)
+END
+    expect 3 "and run jellett sweep --resume" jellett merge other
+    grep -q '^jellett: other/2-of-3.shard: .*gamma' err || fail "$change: $(cat err)"
+done
 expect 3 "no files" jellett merge cache
+: > empty.shard
+expect 1 "no file holds a study yet: run jellett sweep STUDY.scene first" jellett merge empty.shard
 expect 2 "no .csv" jellett merge map.1 -o rows.txt
 
 # Parts of a grid by hand.

@@ -71,9 +71,12 @@ static const mistake mistakes[] = {
     { HEAD "let b = a^65\n", "7:11: error: the exponent is too large (expected at most 64)" },
     { HEAD "let b = a^-65\n", "7:12: error: the exponent is too large (expected at most 64)" },
     { HEAD "let b = a^99999999999999999999\n", "7:11: error: the exponent is too large (expected at most 64)" },
-    { HEAD "let b = a^x\n", "7:11: error: unexpected 'x' (expected an integer exponent)" },
-    { HEAD "let b = a^0.5\n", "7:11: error: unexpected '0.5' (expected an integer exponent)" },
-    { HEAD "let b = a^(1/2)\n", "7:13: error: unexpected '/' (expected ')' after the exponent)" },
+    { HEAD "let b = a^x\n", "7:11: error: unexpected 'x' (expected an integer exponent: roots and exponentials have records of "
+                            "their own)" },
+    { HEAD "let b = a^0.5\n", "7:11: error: unexpected '0.5' (expected an integer exponent: roots and exponentials have records "
+                              "of their own)" },
+    { HEAD "let b = a^(1/2)\n", "7:13: error: unexpected '/' (expected an integer exponent: roots and exponentials have records "
+                                "of their own)" },
     { HEAD "let b = a^2^3\n", "7:12: error: unexpected '^' (expected parentheses around a power of a power)" },
     { HEAD "let b = (a^64)^64\n", "7:9: error: a power passes 256" },
     { HEAD "let b = ((2^64)^64)^64\n", "7:10: error: a number passes 4096 bits" },
@@ -111,6 +114,7 @@ static const mistake mistakes[] = {
                                              "where no kernel could be prepared (expected 'param b != 0', or '> 0')" },
 
     /* param, state, root, angle, default */
+    { HEAD "param b < 0\n", "7:9: error: unexpected '<' (a condition is written with >: 1 - x > 0)" },
     { HEAD "param b > 1\n", "7:11: error: unexpected '1' (expected 0: a parameter is > 0, >= 0 or != 0)" },
     { HEAD "param b \"m\" [kg]\n", "7:13: error: unexpected unit (expected the end of the record)" },
     { HEAD "state z\n", "7:7: error: the state 'z' has no equation (expected 'eq z = ...')" },
@@ -169,9 +173,12 @@ static const mistake mistakes[] = {
     { HEAD "time u : -1\n", "7:10: error: the factor of a new time is not positive (expected dt = expr * dtau, expr > 0)" },
     { HEAD "time u : a lifting q\n", "7:20: error: unknown name 'q' (expected a name defined above)" },
     { HEAD "time u : a lifting x\n", "7:20: error: 'x' is not a root (expected one)" },
-    { HEAD "integral E = x^2 + y\neliminate c : x by E = L\n", "8:11: error: the integral 'E' is not linear in 'x'" },
-    { HEAD "let b = x*y\nintegral E = b*x\neliminate c : x by E = L\n", "9:11: error: the integral 'E' is not linear in 'x'" },
-    { HEAD "integral E = y\neliminate c : x by E = L\n", "8:11: error: the integral 'E' does not depend on 'x'" },
+    { HEAD "integral E = x^2 + y\neliminate c : x by E = L\n",
+      "8:11: error: the integral 'E' is not linear in 'x' (expected a state in which it is)" },
+    { HEAD "let b = x*y\nintegral E = b*x\neliminate c : x by E = L\n",
+      "9:11: error: the integral 'E' is not linear in 'x' (expected a state in which it is)" },
+    { HEAD "integral E = y\neliminate c : x by E = L\n",
+      "8:11: error: the integral 'E' does not depend on 'x' (expected a state on which it does)" },
     { HEAD "integral E = y when a = 0\neliminate c : y by E = L\n",
       "8:11: error: 'E' is an integral under a condition only (expected one that always holds)" },
     { HEAD "eliminate c : x by E = L\n", "7:20: error: unknown claim 'E' (expected the name of an 'integral' record)" },
