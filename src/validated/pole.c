@@ -1,5 +1,7 @@
 #include "validated/pole.h"
 
+#include "ext/scoped.h"
+
 #include <math.h>
 #include <stdlib.h>
 
@@ -33,17 +35,11 @@ static void set_end(arb_t out, double end)
 
 static bool is_inside(const arb_t value, const jlt_quantity *state)
 {
-    arb_t low, high;
-    bool inside;
+    JLT_SCOPED(arb, low, high);
 
-    arb_init(low);
-    arb_init(high);
     set_end(low, state->low);
     set_end(high, state->high);
-    inside = arb_gt(value, low) && arb_lt(value, high);
-    arb_clear(low);
-    arb_clear(high);
-    return inside;
+    return arb_gt(value, low) && arb_lt(value, high);
 }
 
 /* Append the lifted roots and t = 0 to the box. Returns false unless the box is shown to lie in the table's domain. */
@@ -68,15 +64,11 @@ static bool begin(arb_ptr x, jlt_step *step, const jlt_pole_question *question)
 
 static bool is_at(const arb_t limit, double number)
 {
-    bool at;
-    arb_t end;
+    JLT_SCOPED(arb, end);
 
     if (!isfinite(number)) return false;
-    arb_init(end);
     set_end(end, number);
-    at = arb_overlaps(limit, end);
-    arb_clear(end);
-    return at;
+    return arb_overlaps(limit, end);
 }
 
 /* Tell at which end the pole is. The table is not defined where a lifted root is 0, and all conditions of its domain but those of
@@ -111,29 +103,21 @@ static jlt_status fly(jlt_pole_result *result, jlt_settle_result *settled, bool 
                       arb_ptr x, arf_t instant)
 {
     const bool searches = arf_is_zero(instant);
-    jlt_status st = JLT_OK;
-    arf_t left, h;
-    arb_t expansion;
+    JLT_SCOPED(arf, left, h);
+    JLT_SCOPED(arb, expansion);
 
-    arf_init(left);
-    arf_init(h);
-    arb_init(expansion);
     arf_set(left, instant);
     *is_settled = false;
     for (unsigned i = 0; i < STEPS_MAX && !*is_settled && (searches || arf_sgn(left) > 0); i++) {
         if (searches) arf_one(h);
         else arf_set(h, left);
-        JLT_TRY(jlt_step_advance(step, set, h, expansion, result->least));
+        JLT_PASS(jlt_step_advance(step, set, h, expansion, result->least));
         if (searches) arf_add(instant, instant, h, ARF_PREC_EXACT, ARF_RND_DOWN);
         else arf_sub(left, left, h, ARF_PREC_EXACT, ARF_RND_DOWN);
         jlt_set_hull(x, set);
         if (searches || arf_is_zero(left)) *is_settled = jlt_settle(settled, step, x);
     }
-done:
-    arf_clear(left);
-    arf_clear(h);
-    arb_clear(expansion);
-    return st;
+    return JLT_OK;
 }
 
 jlt_status jlt_pole_prove(jlt_pole_result *result, const jlt_pole_question *question, arf_t instant)

@@ -1,5 +1,7 @@
 #include "validated/settle.h"
 
+#include "ext/scoped.h"
+
 #include <stdlib.h>
 
 enum { ATTEMPTS = 8 };
@@ -37,11 +39,9 @@ static void bound(arb_t out, const arb_t value, bool has_sign, slong bits)
 {
     if (has_sign) arb_get_ubound_arf(arb_midref(out), value, bits);
     else {
-        mag_t size;
-        mag_init(size);
+        JLT_SCOPED(mag, size);
         arb_get_mag(size, value);
         arf_set_mag(arb_midref(out), size);
-        mag_clear(size);
     }
     mag_zero(arb_radref(out));
 }
@@ -69,9 +69,8 @@ static bool rests(settling *self)
 /* Set B, evaluate the field over it, and bound M within p. */
 static void surround(settling *self)
 {
-    arb_t reach;
+    JLT_SCOPED(arb, reach);
 
-    arb_init(reach);
     for (unsigned i = 0, k = 0; i < self->dim; i++) {
         arb_ptr side = self->box + i;
         arb_set(side, self->x + i);
@@ -84,7 +83,6 @@ static void surround(settling *self)
         if (i < self->root) arb_add_error(side, reach);
         else arb_union(side, side, reach, self->bits);
     }
-    arb_clear(reach);
     jlt_step_evaluate(self->step, self->box);
     for (unsigned i = 0; i < self->count; i++)
         for (unsigned j = 0; j < self->count; j++)
@@ -94,12 +92,10 @@ static void surround(settling *self)
 /* Solve decay w = -1 for the weights, and bound |p(0)|. Returns false unless all weights are positive. */
 static bool weigh(settling *self)
 {
-    arb_mat_t ones;
-    arb_t part;
+    JLT_SCOPED_MATRIX(arb, self->count, 1, ones);
+    JLT_SCOPED(arb, part);
     bool good;
 
-    arb_mat_init(ones, self->count, 1);
-    arb_init(part);
     for (unsigned i = 0; i < self->count; i++) arb_set_si(arb_mat_entry(ones, i, 0), -1);
     good = arb_mat_solve(self->weights, self->decay, ones, self->bits);
     arb_zero(self->size);
@@ -111,8 +107,6 @@ static bool weigh(settling *self)
         bound(part, part, false, self->bits);
         if (arb_gt(part, self->size)) arb_set(self->size, part);
     }
-    arb_mat_clear(ones);
-    arb_clear(part);
     return good;
 }
 
@@ -120,11 +114,9 @@ static bool weigh(settling *self)
 static bool decays(settling *self)
 {
     bool first = true, good = true;
-    arb_mat_t image;
-    arb_t rate;
+    JLT_SCOPED_MATRIX(arb, self->count, 1, image);
+    JLT_SCOPED(arb, rate);
 
-    arb_mat_init(image, self->count, 1);
-    arb_init(rate);
     arb_mat_mul(image, self->decay, self->weights, self->bits);
     for (unsigned i = 0; i < self->count; i++) {
         arb_div(rate, arb_mat_entry(image, i, 0), arb_mat_entry(self->weights, i, 0), self->bits);
@@ -135,17 +127,14 @@ static bool decays(settling *self)
         if (first || arb_lt(rate, self->rate)) arb_set(self->rate, rate);
         first = false;
     }
-    arb_mat_clear(image);
-    arb_clear(rate);
     return good;
 }
 
 /* Bound by how much a state moves, from the field as last evaluated over B. */
 static void drift(arb_t out, const settling *self, unsigned state)
 {
-    arb_t part;
+    JLT_SCOPED(arb, part);
 
-    arb_init(part);
     arb_zero(out);
     for (unsigned k = 0; k < self->count; k++) {
         bound(part, slope(self, state, self->which[k]), false, self->bits);
@@ -154,16 +143,14 @@ static void drift(arb_t out, const settling *self, unsigned state)
     arb_mul(out, out, self->size, self->bits);
     arb_div(out, out, self->rate, self->bits);
     bound(out, out, false, self->bits);
-    arb_clear(part);
 }
 
 /* Whether B has room for q to move; a state without enough room gets twice what it needs. */
 static bool has_room(settling *self)
 {
     bool enough = true;
-    arb_t need;
+    JLT_SCOPED(arb, need);
 
-    arb_init(need);
     for (unsigned i = 0; i < self->dim; i++) {
         if (self->vanishes[i]) continue;
         drift(need, self, i);
@@ -171,15 +158,13 @@ static bool has_room(settling *self)
         enough = false;
         arb_mul_2exp_si(self->room + i, need, 1);
     }
-    arb_clear(need);
     return enough;
 }
 
 static void write(jlt_settle_result *result, const settling *self)
 {
-    arb_t way;
+    JLT_SCOPED(arb, way);
 
-    arb_init(way);
     for (unsigned i = 0; i < self->dim; i++) {
         result->vanishes[i] = self->vanishes[i];
         arb_zero(result->limit + i);
@@ -190,7 +175,6 @@ static void write(jlt_settle_result *result, const settling *self)
     }
     for (unsigned i = 0; i < jlt_step_formulas(self->step)->valid_count; i++) arf_pos_inf(result->least + i);
     jlt_step_conditions(self->step, result->least);
-    arb_clear(way);
 }
 
 /* Try the proof with the states that `vanishes` marks as p. */
