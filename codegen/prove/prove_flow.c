@@ -4,6 +4,8 @@
 
 #include "algebra/independence.h"
 
+#include <stdlib.h>
+
 /* Returns true if the derivative along some free state is known to be nonzero, in form or at a point. */
 static bool is_known_to_move(ttc_task *task, ttc_id expression)
 {
