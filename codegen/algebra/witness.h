@@ -48,7 +48,8 @@ bool ttc_witness_has_obscure_angle(const ttc_witness *point);
 ttc_truth ttc_witness_sines(ttc_witness *point);
 
 /* Add the whole turns with which an angle, the value of a state or parameter, is the first above the lower end of its interval, or
- * the last below the upper one if there is no lower one. It stays as it is where it has no such end or may lie on it. */
+ * the last below the upper one if there is no lower one. It stays as it is where it has no such end; it is not finite where it may
+ * lie on it, for all that is known with this precision. */
 void ttc_witness_add_turns(arb_t angle, const ttc_model *model, size_t symbol, slong precision);
 
 /* Enclose a ratio in a ball of `precision` bits, which is not finite if the denominator may be zero. */

@@ -53,6 +53,8 @@ void ttc_witness_add_turns(arb_t angle, const ttc_model *model, size_t symbol, s
     if (arb_get_unique_fmpz(turns, rest)) {
         fmpz_add_si(turns, turns, low != NULL || is_positive ? 1 : -1);
         arb_addmul_fmpz(angle, turn, turns, precision);
+    } else {
+        arb_indeterminate(angle); /* with more digits it might get other turns, and conditions would speak of two points */
     }
     fmpz_clear(turns);
     arb_clear(rest);
