@@ -73,7 +73,7 @@ expect 3 "'2\*pi/0' is no finite number" jellett section ./forced_pendulum.tt --
 expect 0 "one orbit at a time by gauss: the section.s state is an angle" jellett section "${strobe[@]}" "${start[@]}" \
     --start theta=1,v=0 --returns 1
 expect 2 "--modulo goes with --section" jellett section --start eta=0.1,gamma3=-0.6 --modulo eta=1
-expect 3 "H is an integral of forced_pendulum only when A = 0, c = 0" jellett section "${strobe[@]}" "${start[@]}" --level H=1 --solve v=1
+expect 3 "H is an integral of forced_pendulum only when A = 0" jellett section "${strobe[@]}" "${start[@]}" --level H=1 --solve v=1
 # What the table proves to be a period needs no option, which takes it back by 0; one that is refuted makes no angle.
 { cat forced_pendulum.tt; printf 'periodic phi = 2*pi\nperiodic theta = 2*pi\n'; } > periodic.tt
 { cat forced_pendulum.tt; printf 'periodic phi = 3\nperiodic theta = 2*pi\n'; } > refuted.tt
