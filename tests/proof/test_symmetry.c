@@ -85,7 +85,7 @@ static void a_period_leads_back_into_the_domain(void **state)
     (void)state;
     static const struct {
         const char *record;
-        int verdict;
+        ttc_proof_status verdict;
     } tables[] = {
         { "log l = log(phi + 10)\n", TTC_REFUTED },         { "root r = sqrt(phi + 10)\n", TTC_REFUTED },
         { "domain d : phi + 10 > 0\n", TTC_REFUTED },       { "root r = sqrt(phi^2 + 10)\n", TTC_PROVED },
