@@ -348,9 +348,9 @@ static jlt_exit run(int argc, char **argv)
     if (code != JLT_EXIT_DONE) goto done;
     system->flow.max_steps = 20000;
     st = jlt_map_create(&map, &system->flow);
-    code = st != JLT_OK                  ? jlt_motion_fail(st, system, "the map")
+    code = st != JLT_OK                 ? jlt_motion_fail(st, system, "the map")
            : o.motion.starts[0] != NULL ? from_start(&list, map, &line, held, &o, system)
-                                         : search_all(&list, map, &o, system);
+                                        : search_all(&list, map, &o, system);
     if (code != JLT_EXIT_DONE) goto done;
     jlt_motion_header(common->table.file, &o.motion, system);
     write_findings(common->table.file, &list, system->flow.chart);

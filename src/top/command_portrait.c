@@ -184,14 +184,20 @@ static point point_of(const jlt_portrait_request *r, const double *x)
     return p;
 }
 
+/* Whether the point lies within a hundredth of the fixed point, of v_slip in relation to its value there: in any units. */
+static bool is_near(const point *p, const jlt_fixed_point *fixed)
+{
+    return fabs(p->gamma3 - fixed->x[JLT_TOP_GAMMA3]) < 0.01 && fabs(remainder(p->psi - fixed->psi, 2 * pi)) < 0.01
+           && fabs(p->v_slip - fixed->v_slip) < 0.01 * fabs(fixed->v_slip);
+}
+
 static jlt_portrait_fate fate_of(const jlt_portrait_request *r, const jlt_course_row *row)
 {
+    const point here = point_of(r, row->x);
+
     if (row->end == JLT_END_POLE) return row->side > 0 ? JLT_PORTRAIT_POLE_PLUS : JLT_PORTRAIT_POLE_MINUS;
-    for (unsigned k = 0; k < r->fixed_count; k++) {
-        double worst = 0;
-        for (int i = 0; i < JLT_TOP_STATES; i++) worst = fmax(worst, fabs(row->x[i] - r->fixed[k].x[i]));
-        if (r->fixed[k].kind == JLT_FIXED_ATTRACTING && worst < 0.01) return JLT_PORTRAIT_ATTRACTED;
-    }
+    for (unsigned k = 0; k < r->fixed_count; k++)
+        if (r->fixed[k].kind == JLT_FIXED_ATTRACTING && is_near(&here, &r->fixed[k])) return JLT_PORTRAIT_ATTRACTED;
     return JLT_PORTRAIT_WANDERING;
 }
 
