@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "top/balanced_form.h"
 #include "top/command_counterpart.h"
 #include "top/command_portrait.h"
 #include "cli/planned.h"
@@ -116,14 +117,15 @@ static jlt_exit open_top(jlt_portrait_request *r)
         r->session.params[a3] = 0;
     }
     JLT_PASS(jlt_top_counterpart(&r->counterpart, &r->session, jlt_balanced_table, "M^2"));
-    if (jlt_balanced_serves(&broken)) {
-        r->top = r->counterpart.top;
-        r->model = jlt_descriptor_find(JLT_DEFAULT_MODEL, NULL, NULL, NULL);
-        jlt_top_write(r->params, r->model, &r->top);
-        return JLT_EXIT_DONE;
-    }
+    r->top = r->counterpart.top;
+    const bool serves = jlt_balanced_serves(&broken);
     if (broken != NULL) return jlt_top_unproved(broken, "the tables built in", "M^2");
-    return jlt_command_fail(JLT_EXIT_NUMERICAL, "the table of " JLT_DEFAULT_MODEL " is not the one this command knows");
+    if (!serves || !jlt_balanced_form_holds(&r->top))
+        return jlt_command_fail(JLT_EXIT_INPUT, "M^2: the tables built in have other integrals or equations at a3 = 0 than those "
+                                                "whose fixed points are known in closed form");
+    r->model = jlt_descriptor_find(JLT_DEFAULT_MODEL, NULL, NULL, NULL);
+    jlt_top_write(r->params, r->model, &r->top);
+    return JLT_EXIT_DONE;
 }
 
 /* ---- fixed points ---- */

@@ -63,8 +63,8 @@ pair() {
     # How many of the orbits are attracted within --until is said in the picture.
     jellett portrait --set m=1,R=1,g=1,I1=1/3,I3=1/4 --start gamma3=0.5,v_nu=0.8,omega_tau=0,omega_n=0,omega3=0.9 --until 1/4 \
         -o one.csv --plot one.svg --keep one.gp --size 40x15
-    jellett portrait --set m=8,R=1/4,g=1/4096,I1=1/6,I3=1/8 --start gamma3=0.5,v_nu=8/1280,omega_tau=0,omega_n=0,omega3=9/320 --until 8 \
-        -o two.csv --plot two.svg --keep two.gp --size 40x15
+    jellett portrait --set m=8,R=1/4,g=1/4096,I1=1/6,I3=1/8 --until 8 \
+        --start gamma3=0.5,v_nu=8/1280,omega_tau=0,omega_n=0,omega3=9/320 -o two.csv --plot two.svg --keep two.gp --size 40x15
     compare portrait
     attracted() { grep -m 1 -o 'of 60 orbits [0-9]* are attracted' "$1"; }
     [ "$(attracted one.gp)" = "$(attracted two.gp)" ] || echo "portrait: attracted $(attracted one.gp), and $(attracted two.gp)"
