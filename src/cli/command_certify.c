@@ -284,11 +284,12 @@ static jlt_exit find_question(json_t **given, const jlt_descriptor **d, jlt_syst
     const bool is_orbit = has_section(o->kind);
 
     JLT_PASS(is_orbit ? jlt_motion_system(system, &o->motion) : jlt_common_model(common, d));
-    if (!is_orbit && common->plan) JLT_PASS(jlt_common_still());
+    if (is_orbit) JLT_PASS(jlt_motion_plan(*system, &o->motion));
+    else if (strcmp(o->kind, "equilibria") == 0) JLT_PASS(jlt_certify_family(given, &family, &common->set, *d));
+    if (common->plan) return jlt_common_still();
     JLT_PASS(jlt_common_write(common));
     if (is_orbit) return ask(given, d, o, *system);
-    return strcmp(o->kind, "pole") == 0 ? jlt_certify_pole(given, &pole, &common->set, *d)
-                                        : jlt_certify_family(given, &family, &common->set, *d);
+    return *given != NULL ? JLT_EXIT_DONE : jlt_certify_pole(given, &pole, &common->set, *d);
 }
 
 static jlt_exit run(int argc, char **argv)

@@ -259,11 +259,12 @@ static jlt_exit find_first(jlt_continuation_point *first, jlt_motion_family *fam
     jlt_status st;
 
     JLT_PASS(jlt_motion_start(q, system, o->motion.starts[0]));
-    JLT_PASS(jlt_motion_scale(system, q, NULL));
     *first = (jlt_continuation_point){ .value = *family->entries[0] };
     if (!(first->value >= axis->low && first->value <= axis->high))
         return jlt_command_fail(JLT_EXIT_INPUT, "--along: the branch starts at %s=%.10g: choose LOW:HIGH around it, or start "
                                 "elsewhere by --level or --set", axis->name, first->value);
+    JLT_PASS(jlt_motion_plan(system, &o->motion));
+    JLT_PASS(jlt_motion_scale(system, q, NULL));
     st = jlt_system_map_at(&family->systems, &map, first->value);
     if (st == JLT_OK) st = jlt_periodic_find(map, &first->orbit, q, o->period, NULL);
     if (st != JLT_OK && jlt_motion_interrupted(&o->motion))

@@ -342,6 +342,7 @@ static jlt_exit run(int argc, char **argv)
     if (code == JLT_EXIT_DONE) code = open_integrals(&r, &o);
     if (code == JLT_EXIT_DONE && o.project) code = jlt_common_one_step(o.motion.flow.method);
     if (code == JLT_EXIT_DONE && o.project && r.whole.instance == NULL) code = jlt_motion_project(system);
+    if (code == JLT_EXIT_DONE) code = jlt_motion_plan(system, &o.motion);
     if (code == JLT_EXIT_DONE) code = jlt_common_write(common);
     if (code != JLT_EXIT_DONE) goto done;
     r.file = common->table.file;

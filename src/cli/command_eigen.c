@@ -152,7 +152,6 @@ static jlt_exit prepare(jlt_eigen_request *r)
     const jlt_descriptor *d;
 
     JLT_PASS(jlt_common_open(&r->common, &q->descriptor, &r->params));
-    if (r->common.plan) JLT_PASS(jlt_common_still());
     d = q->descriptor;
     if (d->state_count > JLT_LINEARIZATION_SIZE_MAX)
         return jlt_command_fail(JLT_EXIT_INPUT, "%s has %u states; eigen serves up to %d", d->model, d->state_count,
@@ -173,7 +172,8 @@ static jlt_exit prepare(jlt_eigen_request *r)
     if (jlt_oracle_create(&q->oracle, d) != JLT_OK)
         return jlt_command_fail(JLT_EXIT_NUMERICAL, "cannot read the table of %s back: %s", d->model,
                                 jlt_status_text(JLT_ERR_NOMEM));
-    return take_exact(r);
+    JLT_PASS(take_exact(r));
+    return r->common.plan ? jlt_common_still() : JLT_EXIT_DONE;
 }
 
 static jlt_exit run(int argc, char **argv)

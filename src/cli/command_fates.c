@@ -265,6 +265,7 @@ static jlt_exit run(int argc, char **argv)
     if (code == JLT_EXIT_DONE && !sweeps)
         code = jlt_motion_map_open(&map, &o.motion, system, jlt_fates_crowd_grid(&o.motion, system), axes);
     if (code == JLT_EXIT_DONE) code = jlt_motion_check_starts(system, o.motion.starts, o.motion.start_count);
+    if (code == JLT_EXIT_DONE) code = jlt_motion_plan(system, &o.motion);
     if (code == JLT_EXIT_DONE) code = jlt_common_write(&o.motion.common);
     if (code == JLT_EXIT_DONE) code = sweeps ? sweep(&o, system) : one_system(&o, system, &map);
     jlt_motion_map_close(&map);

@@ -301,6 +301,7 @@ static void *begin(jlt_exit *code, int argc, char **argv)
     if (*code == JLT_EXIT_DONE && o->motion.grid != NULL)
         *code = jlt_motion_map_open(&self->picture, &o->motion, self->system, o->motion.grid, self->axes);
     if (*code == JLT_EXIT_DONE) *code = open_maps(self, has_method);
+    if (*code == JLT_EXIT_DONE) *code = jlt_motion_plan(self->system, &o->motion);
     if (*code == JLT_EXIT_DONE) return self;
 done:
     drop(self);

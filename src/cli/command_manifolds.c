@@ -260,6 +260,7 @@ static jlt_exit run(int argc, char **argv)
         goto done;
     }
     code = jlt_motion_scale(system, q, NULL);
+    if (code == JLT_EXIT_DONE) code = jlt_motion_plan(system, &o.motion);
     if (code == JLT_EXIT_DONE) code = jlt_common_write(&o.motion.common);
     if (code == JLT_EXIT_DONE && o.points != NULL) code = jlt_stream_open(&crossings, o.points);
     if (code != JLT_EXIT_DONE) goto done;

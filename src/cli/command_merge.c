@@ -139,7 +139,7 @@ static jlt_exit open_gather(merge *self, const file_list *files)
     size_t first = 0;
     const jlt_status st = jlt_gather_open(&self->gather, &message, (const char *const *)files->paths, files->count);
 
-    if (message != NULL) fputs(message, stderr);
+    if (message != NULL && *message != '\0') fprintf(stderr, "jellett: %s", message);
     free(message);
     if (st == JLT_ERR_EMPTY)
         return jlt_command_fail(JLT_EXIT_FAILED, "no file holds a study yet: run jellett sweep STUDY.scene first");

@@ -159,31 +159,37 @@ static jlt_status find_attracting(jlt_periodic *out, jlt_map *map, const options
     return JLT_OK;
 }
 
-/* Newton from one point, or the zeros on one line through it. */
-static jlt_exit from_start(jlt_orbits *list, jlt_map *map, const options *o, jlt_system *system)
+/* Read the start, the coordinates of --hold and the line of --line, which is left without samples if there is none. */
+static jlt_exit read_start(jlt_symmetric_line *line, unsigned char *held, const options *o, const jlt_system *system)
 {
     const jlt_chart *chart = system->flow.chart;
-    unsigned char held[JLT_CHART_DIM_MAX] = { 0 };
-    jlt_symmetric_line line = { .samples = 0 };
-    jlt_orbits_options search = { .period_max = o->period_max, .lines = &line, .line_count = 1 };
-    jlt_periodic orbit;
     jlt_grid_axis axis;
+
+    JLT_PASS(jlt_motion_start(line->base, system, o->motion.starts[0]));
+    JLT_PASS(held_mask(held, o, chart));
+    if (o->line == NULL) return JLT_EXIT_DONE;
+    JLT_PASS(jlt_grid_axis_parse(&axis, o->line, strlen(o->line), "--line"));
+    while (line->free < chart->dim && strcmp(chart->names[line->free], axis.name) != 0) line->free++;
+    if (line->free == chart->dim) return jlt_motion_no_coordinate(chart, "--line", axis.name, strlen(axis.name));
+    line->low = axis.low, line->high = axis.high, line->samples = axis.count;
+    return JLT_EXIT_DONE;
+}
+
+/* Newton from one point, or the zeros on one line through it. */
+static jlt_exit from_start(jlt_orbits *list, jlt_map *map, const jlt_symmetric_line *line, const unsigned char *held,
+                           const options *o, jlt_system *system)
+{
+    jlt_orbits_options search = { .period_max = o->period_max, .lines = line, .line_count = 1 };
+    jlt_periodic orbit;
     jlt_status st;
 
-    JLT_PASS(jlt_motion_start(line.base, system, o->motion.starts[0]));
-    JLT_PASS(held_mask(held, o, chart));
-    JLT_PASS(jlt_motion_scale(system, line.base, NULL));
+    JLT_PASS(jlt_motion_scale(system, line->base, NULL));
     if (o->line == NULL) {
-        st = jlt_periodic_find(map, &orbit, line.base, o->period_max, held);
-        if (st == JLT_ERR_NO_CONVERGENCE) st = find_attracting(&orbit, map, o, line.base);
-        if (st == JLT_OK) st = jlt_orbits_add(list, chart, &orbit);
+        st = jlt_periodic_find(map, &orbit, line->base, o->period_max, held);
+        if (st == JLT_ERR_NO_CONVERGENCE) st = find_attracting(&orbit, map, o, line->base);
+        if (st == JLT_OK) st = jlt_orbits_add(list, system->flow.chart, &orbit);
         return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_no_orbit(st, system, o->motion.starts[0]);
     }
-    JLT_PASS(jlt_grid_axis_parse(&axis, o->line, strlen(o->line), "--line"));
-    while (line.free < chart->dim && strcmp(chart->names[line.free], axis.name) != 0) line.free++;
-    if (line.free == chart->dim)
-        return jlt_motion_no_coordinate(chart, "--line", axis.name, strlen(axis.name));
-    line.low = axis.low, line.high = axis.high, line.samples = axis.count;
     st = jlt_orbits_search(list, map, &search);
     if (st == JLT_ERR_UNSUPPORTED)
         return jlt_command_fail(JLT_EXIT_INPUT,
@@ -245,8 +251,6 @@ static jlt_exit search_all(jlt_orbits *list, jlt_map *map, const options *o, jlt
     jlt_status st;
 
     jlt_interrupt_spare(o->threads);
-    if (system->surface == NULL && o->grid == NULL)
-        return jlt_command_fail(JLT_EXIT_USAGE, "say where to search: --start or --grid");
     JLT_PASS(jlt_motion_axes(axes, system, no_grid ? NULL : o->grid != NULL ? o->grid : default_grid, "--grid"));
     JLT_PASS(jlt_grid_whole(axes, "--grid"));
     if (!no_grid) JLT_PASS(jlt_motion_check_grid(axes, system));
@@ -318,6 +322,8 @@ static jlt_exit run(int argc, char **argv)
     options o = { .period_max = 3, .samples = 1000, .near = 0.6, .settle = 20, .threads = jlt_common_processors() };
     jlt_common *common = &o.motion.common;
     jlt_orbits list = { 0 };
+    jlt_symmetric_line line = { .samples = 0 };
+    unsigned char held[JLT_CHART_DIM_MAX] = { 0 };
     jlt_system *system = NULL;
     jlt_map *map = NULL;
     unsigned shown[2];
@@ -333,13 +339,18 @@ static jlt_exit run(int argc, char **argv)
     if (!searches_nowhere(&o)) o.motion.grid = o.grid;
     if (!searches_nowhere(&o)) o.motion.other = default_grid;
     code = jlt_motion_system(&system, &o.motion);
+    if (code == JLT_EXIT_DONE && system->surface == NULL && o.grid == NULL && o.motion.starts[0] == NULL)
+        code = jlt_command_fail(JLT_EXIT_USAGE, "say where to search: --start or --grid");
+    if (code == JLT_EXIT_DONE && o.motion.starts[0] != NULL) code = read_start(&line, held, &o, system);
     if (code == JLT_EXIT_DONE) code = jlt_motion_shown(shown, &o.motion, system);
+    if (code == JLT_EXIT_DONE) code = jlt_motion_plan(system, &o.motion);
     if (code == JLT_EXIT_DONE) code = jlt_common_write(common);
     if (code != JLT_EXIT_DONE) goto done;
     system->flow.max_steps = 20000;
     st = jlt_map_create(&map, &system->flow);
-    code = st != JLT_OK ? jlt_motion_fail(st, system, "the map") : o.motion.starts[0] != NULL ? from_start(&list, map, &o, system)
-                                                                                   : search_all(&list, map, &o, system);
+    code = st != JLT_OK                 ? jlt_motion_fail(st, system, "the map")
+           : o.motion.starts[0] != NULL ? from_start(&list, map, &line, held, &o, system)
+                                        : search_all(&list, map, &o, system);
     if (code != JLT_EXIT_DONE) goto done;
     jlt_motion_header(common->table.file, &o.motion, system);
     write_findings(common->table.file, &list, system->flow.chart);

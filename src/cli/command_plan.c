@@ -68,7 +68,7 @@ static void print_tiers(void)
 /* Whether this command follows no motion and does not have the common options, so that it has no plan. */
 static bool is_still(const char *name)
 {
-    static const char *const still[] = { "verify", "models", "bench" };
+    static const char *const still[] = { "verify", "models", "bench", "check", "merge" };
 
     for (size_t i = 0; i < sizeof still / sizeof *still; i++)
         if (strcmp(still[i], name) == 0) return true;
@@ -99,7 +99,7 @@ static jlt_exit plan_command(const jlt_command *command, int argc, char **argv)
     char **more = calloc((size_t)argc + 2, sizeof *more), plan[] = JLT_COMMON_PLAN;
     jlt_exit code;
 
-    if (command == &jlt_command_run || command == &jlt_command_plan) {
+    if (command == &jlt_command_run || command == &jlt_command_plan || command == &jlt_command_sweep) {
         free(more);
         return jlt_command_fail(JLT_EXIT_USAGE, "the plan of a scene is 'jellett plan SCENE', without '%s'", command->name);
     }

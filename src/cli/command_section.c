@@ -137,6 +137,7 @@ static void *begin(jlt_exit *code, int argc, char **argv)
     if (*code == JLT_EXIT_DONE) *code = jlt_motion_check_starts(self->system, o->motion.starts, o->motion.start_count);
     self->run = (jlt_section_run){ .o = o, .system = self->system, .picture = &self->picture };
     if (*code == JLT_EXIT_DONE) *code = jlt_section_run_open(&self->run);
+    if (*code == JLT_EXIT_DONE) *code = jlt_motion_plan(self->system, &o->motion);
     if (*code == JLT_EXIT_DONE) return self;
 done:
     drop(self);

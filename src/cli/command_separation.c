@@ -68,9 +68,25 @@ static const struct argp parser = {
     children, NULL, NULL,
 };
 
-static jlt_exit measure(jlt_separation *table, size_t *rows, const options *o, const jlt_system *system)
+/* Read the grid of starts and the cells, each of shape (2,). */
+static jlt_exit read_cells(jlt_grid_axis *axes, jlt_grid_axis *cells, const options *o, const jlt_system *system)
 {
-    jlt_grid_axis axes[JLT_CHART_DIM_MAX], cells[JLT_CHART_DIM_MAX];
+    const jlt_chart *chart = system->flow.chart;
+
+    if (chart->dim != 2)
+        return jlt_command_fail(JLT_EXIT_INPUT, "the comparison needs a section of two coordinates, not of %u%s", chart->dim,
+                                chart->dim > 2 ? ": --level and --solve leave fewer" : "");
+    if (!chart->reversible)
+        return jlt_command_fail(JLT_EXIT_INPUT,
+                                "the comparison needs a reversor that takes the section to itself, crossed as it is: "
+                                "write 'reversor STATE -> -STATE' in the table, or --mirror STATE,...");
+    JLT_PASS(jlt_motion_axes(axes, system, o->motion.grid, "--grid"));
+    return jlt_motion_cells(cells, system, o->cells, "--cells");
+}
+
+static jlt_exit measure(jlt_separation *table, size_t *rows, const jlt_grid_axis *axes, const jlt_grid_axis *cells,
+                        const options *o, const jlt_system *system)
+{
     const jlt_kernel_batch *kernels = o->motion.in_lanes ? jlt_batch_isa_best(system->instance->descriptor, 0) : NULL;
     jlt_separation_options wanted = {
         .settle = o->settle, .returns = o->returns, .kernels = kernels, .threads = (unsigned)o->motion.threads,
@@ -80,17 +96,6 @@ static jlt_exit measure(jlt_separation *table, size_t *rows, const options *o, c
     size_t all;
     jlt_status st = JLT_ERR_NOMEM;
 
-    if (system->flow.chart->dim != 2)
-        return jlt_command_fail(JLT_EXIT_INPUT,
-                                "the comparison needs a section of two coordinates, not of %u%s",
-                                system->flow.chart->dim,
-                                system->flow.chart->dim > 2 ? ": --level and --solve leave fewer" : "");
-    if (!system->flow.chart->reversible)
-        return jlt_command_fail(JLT_EXIT_INPUT,
-                                "the comparison needs a reversor that takes the section to itself, crossed as it is: "
-                                "write 'reversor STATE -> -STATE' in the table, or --mirror STATE,...");
-    JLT_PASS(jlt_motion_axes(axes, system, o->motion.grid, "--grid"));
-    JLT_PASS(jlt_motion_cells(cells, system, o->cells, "--cells"));
     for (int k = 0; k < 2; k++) {
         wanted.low[k] = cells[k].low;
         wanted.high[k] = cells[k].high;
@@ -135,6 +140,7 @@ static const jlt_swept_form swept = { &jlt_command_separation, true, 6 };
 static jlt_exit run(int argc, char **argv)
 {
     options o = { .cells = "200x200", .returns = 1024, .settle = 200 };
+    jlt_grid_axis axes[JLT_CHART_DIM_MAX], cells[JLT_CHART_DIM_MAX];
     jlt_separation table[48];
     jlt_common *common = &o.motion.common;
     jlt_system *system = NULL;
@@ -148,8 +154,10 @@ static jlt_exit run(int argc, char **argv)
     jlt_motion_many_choose(&o.motion, true, false);
     if (jlt_swept_done(&code, &swept, &o.motion.common)) goto done;
     code = jlt_motion_system(&system, &o.motion);
+    if (code == JLT_EXIT_DONE) code = read_cells(axes, cells, &o, system);
+    if (code == JLT_EXIT_DONE) code = jlt_motion_plan(system, &o.motion);
     if (code == JLT_EXIT_DONE) code = jlt_common_write(common);
-    if (code == JLT_EXIT_DONE) code = measure(table, &rows, &o, system);
+    if (code == JLT_EXIT_DONE) code = measure(table, &rows, axes, cells, &o, system);
     if (code != JLT_EXIT_DONE) goto done;
     jlt_motion_header(common->table.file, &o.motion, system);
     fputs("returns,alive_forward,alive_backward,cells_forward,cells_backward,cells_common,overlap,mirror_overlap\n",

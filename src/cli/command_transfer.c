@@ -359,6 +359,7 @@ static jlt_exit run(int argc, char **argv)
         centre_axes(axes, &s.boxes);
         code = jlt_motion_map_open(&map, &o.motion, s.system, o.motion.grid != NULL ? o.motion.grid : default_boxes, axes);
     }
+    if (code == JLT_EXIT_DONE) code = jlt_motion_plan(s.system, &o.motion);
     if (code == JLT_EXIT_DONE) code = jlt_common_write(&o.motion.common);
     if (code == JLT_EXIT_DONE) code = build(&s);
     if (code == JLT_EXIT_DONE) code = examine_all(&s);

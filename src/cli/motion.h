@@ -13,6 +13,7 @@
 
 typedef struct {
     jlt_common common;
+    const jlt_descriptor *asked; /* the model, set by jlt_motion_system */
     jlt_accuracy accuracy; /* refers to flow */
     const char *section; /* STATE=VALUE, with which the next three go, or the name of a section that a table describes */
     const char *mirror;  /* STATE,...: the states whose signs the reversor changes */
@@ -49,9 +50,12 @@ extern const struct argp jlt_contact_argp;
 void jlt_motion_begin(jlt_motion_options *options, int argc, char **argv);
 void jlt_motion_end(jlt_motion_options *options);
 
-/** Make the system that the options describe: table, parameters, levels, section. Out: *system, for jlt_system_destroy. If only the
- *  plan was asked for, prints it and returns JLT_EXIT_PLANNED. */
+/** Make the system that the options describe: table, parameters, levels, section. Out: *system, for jlt_system_destroy. */
 jlt_exit jlt_motion_system(jlt_system **system, jlt_motion_options *options);
+
+/** Call it when all has been checked that can be without following an orbit, and before anything is written: if only the plan was
+ *  asked for, prints it and returns JLT_EXIT_PLANNED. */
+jlt_exit jlt_motion_plan(const jlt_system *system, const jlt_motion_options *options);
 
 /** Print which states the levels are solved for, and from which guesses, in the header's line of levels. */
 void jlt_motion_plane_solved(FILE *stream, const jlt_system *system);

@@ -287,21 +287,57 @@ done:
     return st;
 }
 
+/* Lift a point of the section, number 0, the origin, or 1, without symmetry. Out: x. */
+static bool sample(const jlt_chart *chart, double *x, unsigned point)
+{
+    double q[JLT_CHART_DIM_MAX];
+
+    for (unsigned k = 0; k < chart->dim; k++) q[k] = point * (0.3 + k) / 7;
+    return chart->lift(chart, x, NULL, q) == JLT_OK;
+}
+
 /* Warn if the section's state is an angle that seems to cross only against --direction: its rate has the wrong sign at two points
- * of the section, the origin and one without symmetry. */
+ * of the section. */
 static void tell_other_way(const jlt_system *system)
 {
     const jlt_chart *chart = system->flow.chart;
-    double q[JLT_CHART_DIM_MAX], x[JLT_CHART_STATES_MAX], f[JLT_CHART_STATES_MAX];
+    double x[JLT_CHART_STATES_MAX], f[JLT_CHART_STATES_MAX];
 
     for (unsigned point = 0; point < 2; point++) {
-        for (unsigned k = 0; k < chart->dim; k++) q[k] = point * (0.3 + k) / 7;
-        if (chart->turn == 0 || chart->lift(chart, x, NULL, q) != JLT_OK) return;
+        if (chart->turn == 0 || !sample(chart, x, point)) return;
         system->instance->descriptor->rhs.call(x, system->instance->prepared, f);
         if (!(f[chart->column] * (int)system->flow.direction < 0)) return;
     }
     fprintf(stderr, "jellett: %s seems to cross its section the other way alone: --direction %s\n",
             system->instance->descriptor->states[chart->column].name, system->flow.direction == JLT_RISING ? "down" : "up");
+}
+
+/* Whether the section's state, no angle, has a rate that no state changes, at two points of the section: it never comes back. */
+static bool leaves_for_good(const jlt_system *system)
+{
+    const jlt_chart *chart = system->flow.chart;
+    const jlt_descriptor *d = system->instance->descriptor;
+    double x[JLT_CHART_STATES_MAX], rows[JLT_CHART_STATES_MAX * JLT_CHART_STATES_MAX];
+
+    for (unsigned point = 0; point < 2; point++) {
+        if (chart->turn != 0 || !sample(chart, x, point)) return false;
+        d->jacobian.call(x, system->instance->prepared, rows);
+        for (unsigned i = 0; i < d->state_count; i++)
+            if (rows[chart->column * d->state_count + i] != 0) return false;
+    }
+    return true;
+}
+
+static jlt_exit refuse_for_good(const char *section, const jlt_quantity *state, const jlt_descriptor *d)
+{
+    const jlt_claim *period = jlt_descriptor_claim(d, "periodic", state->name);
+
+    fprintf(stderr, "jellett: %s changes at one rate everywhere, and comes back to %s only if it is an angle\n", state->name,
+            section);
+    if (period != NULL)
+        return jlt_command_fail(JLT_EXIT_INPUT, "'periodic %s' is not proved of this table: %s", state->name, period->reason);
+    return jlt_command_fail(JLT_EXIT_INPUT, "write 'periodic %s = PERIOD' in the table, or --modulo %s=PERIOD", state->name,
+                            state->name);
 }
 
 jlt_exit jlt_motion_plane_system(jlt_system **system, const jlt_motion_options *options, const jlt_descriptor *descriptor)
@@ -316,6 +352,7 @@ jlt_exit jlt_motion_plane_system(jlt_system **system, const jlt_motion_options *
             code = jlt_command_fail(JLT_EXIT_INPUT, "--modulo: %s is no angle: the field of %s changes when it grows by %.17g",
                                     descriptor->states[no_angle].name, descriptor->model, plane.periods[no_angle]);
         else if (st != JLT_OK) code = jlt_motion_fail(st, NULL, descriptor->model);
+        else if (leaves_for_good(*system)) code = refuse_for_good(options->section, &descriptor->states[plane.column], descriptor);
         else tell_other_way(*system);
     }
     jlt_motion_plane_clear(&plane);

@@ -89,9 +89,10 @@ static jlt_exit show_starts(const jlt_system *system, const jlt_motion_options *
     return JLT_EXIT_DONE;
 }
 
-jlt_exit jlt_planned_motion(const jlt_system *system, const jlt_motion_options *options, const jlt_descriptor *asked)
+jlt_exit jlt_planned_motion(const jlt_system *system, const jlt_motion_options *options)
 {
     static const char *const directions[] = { "downwards", "in both directions", "upwards" };
+    const jlt_descriptor *asked = options->asked;
     const jlt_chart *chart = system->flow.chart;
     const char *names[JLT_INVARIANTS_MAX];
     double levels[JLT_INVARIANTS_MAX], *params = NULL;

@@ -12,9 +12,9 @@ void jlt_planned_show(const jlt_plan *plan, const char *why);
 /** Print the line of the chosen candidate alone. */
 void jlt_planned_chosen(const jlt_plan *plan);
 
-/** Print the plan of a command on a section of the model `asked`: the candidates, the section with its levels and which of these
+/** Print the plan of a command on a section: the candidates, the section with its levels and which of these
  *  are proved integrals, where orbits begin, and which method follows them. Returns JLT_EXIT_PLANNED on success. */
-jlt_exit jlt_planned_motion(const jlt_system *system, const jlt_motion_options *options, const jlt_descriptor *asked);
+jlt_exit jlt_planned_motion(const jlt_system *system, const jlt_motion_options *options);
 
 /** Print why no tier can answer the question, after jlt_plan_make returned this status: ARG, there is no tier of the name asked
  *  for; UNSUPPORTED, no tier serves, or not the one asked for. show: print the candidates first. */

@@ -168,17 +168,27 @@ static double least_third_integral(const jlt_top *top, const jlt_balanced_levels
     return fmin(0, turning + upright - sizes - error * fabs(turning));
 }
 
-jlt_status jlt_balanced_complete(jlt_balanced_levels *levels, const jlt_top *top)
+void jlt_balanced_shares(double *of_F0, double *of_G, double *of_M, const jlt_top *top)
 {
     double slipping[JLT_TOP_STATES], upright[JLT_TOP_STATES], tilting[JLT_TOP_STATES];
 
     across(slipping, top, &(jlt_balanced_levels){ 0 }, 1);
     across(upright, top, &(jlt_balanced_levels){ .G = 1 }, 0);
     across(tilting, top, &(jlt_balanced_levels){ .M = 1 }, 0);
-    const double of_F0 = energy(top, slipping) / third_integral(top, slipping);
-    const double of_G = energy(top, upright) * levels->G * levels->G;
-    const double rest = levels->E - of_F0 * levels->F0 - of_G, error = rounding * (levels->E + fabs(of_F0 * levels->F0) + of_G);
-    const double M2 = rest < 0 && rest >= -error ? 0 : rest / energy(top, tilting);
+    *of_F0 = energy(top, slipping) / third_integral(top, slipping);
+    *of_G = energy(top, upright);
+    *of_M = energy(top, tilting);
+}
+
+jlt_status jlt_balanced_complete(jlt_balanced_levels *levels, const jlt_top *top)
+{
+    double by_F0, by_G, of_M;
+
+    jlt_balanced_shares(&by_F0, &by_G, &of_M, top);
+    by_F0 *= levels->F0;
+    by_G *= levels->G * levels->G;
+    const double rest = levels->E - by_F0 - by_G, error = rounding * (levels->E + fabs(by_F0) + by_G);
+    const double M2 = rest < 0 && rest >= -error ? 0 : rest / of_M;
 
     if (!(M2 >= 0)) return JLT_ERR_EMPTY;
     levels->M = sqrt(M2);

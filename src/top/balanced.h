@@ -23,11 +23,15 @@ typedef struct {
 /* The name of the built-in table whose motion is the flow on M^2. */
 extern const char jlt_balanced_table[];
 
-/** Whether the built-in tables prove what these functions rely on; else levels are NaN. Out: *broken as for jlt_top_serves. */
+/** Whether the built-in tables prove what these functions rely on; else levels are NaN. Out: *broken as for jlt_top_serves. Whether
+ *  they have the relations above, jlt_balanced_form_holds tells. */
 bool jlt_balanced_serves(const jlt_claim **broken);
 
 /** The levels E, G, F0 and M of a state x, shape (JLT_TOP_STATES,). */
 void jlt_balanced_levels_of(jlt_balanced_levels *out, const jlt_top *top, const double *x);
+
+/** The factors a, b and c of F0, G^2 and M^2 in E. */
+void jlt_balanced_shares(double *of_F0, double *of_G, double *of_M, const jlt_top *top);
 
 /** Compute levels->M from E, G, F0, which are set by the caller. Errors: EMPTY, no state has these levels of E, G and F0. */
 JLT_CHECKED jlt_status jlt_balanced_complete(jlt_balanced_levels *levels, const jlt_top *top);

@@ -19,7 +19,8 @@ jlt_exit jlt_top_counterpart(jlt_counterpart *out, const jlt_session *session, c
         const jlt_way *way = &session->descriptor->ways[i];
         if (strcmp(way->model, shared) == 0)
             return jlt_command_fail(JLT_EXIT_INPUT, "%s: known of the table %s that is built in alone, and the reduction %s of %s "
-                                                    "leads to another one, %s beside it: put that one there, to the letter",
+                                                    "leads to another one, %s beside it: put the one that is built in there, or "
+                                                    "follow yours by jellett simulate",
                                     what, shared, way->name, model, way->file);
     }
     jlt_counterpart_record(record, sizeof record, shared);

@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "top/balanced_form.h"
 #include "top/command_counterpart.h"
 #include "top/command_portrait.h"
 #include "cli/planned.h"
@@ -116,14 +117,15 @@ static jlt_exit open_top(jlt_portrait_request *r)
         r->session.params[a3] = 0;
     }
     JLT_PASS(jlt_top_counterpart(&r->counterpart, &r->session, jlt_balanced_table, "M^2"));
-    if (jlt_balanced_serves(&broken)) {
-        r->top = r->counterpart.top;
-        r->model = jlt_descriptor_find(JLT_DEFAULT_MODEL, NULL, NULL, NULL);
-        jlt_top_write(r->params, r->model, &r->top);
-        return JLT_EXIT_DONE;
-    }
+    r->top = r->counterpart.top;
+    const bool serves = jlt_balanced_serves(&broken);
     if (broken != NULL) return jlt_top_unproved(broken, "the tables built in", "M^2");
-    return jlt_command_fail(JLT_EXIT_NUMERICAL, "the table of " JLT_DEFAULT_MODEL " is not the one this command knows");
+    if (!serves || !jlt_balanced_form_holds(&r->top))
+        return jlt_command_fail(JLT_EXIT_INPUT, "M^2: the tables built in have other integrals or equations at a3 = 0 than those "
+                                                "whose fixed points are known in closed form");
+    r->model = jlt_descriptor_find(JLT_DEFAULT_MODEL, NULL, NULL, NULL);
+    jlt_top_write(r->params, r->model, &r->top);
+    return JLT_EXIT_DONE;
 }
 
 /* ---- fixed points ---- */
@@ -184,14 +186,20 @@ static point point_of(const jlt_portrait_request *r, const double *x)
     return p;
 }
 
+/* Whether the point lies within a hundredth of the fixed point, of v_slip in relation to its value there: in any units. */
+static bool is_near(const point *p, const jlt_fixed_point *fixed)
+{
+    return fabs(p->gamma3 - fixed->x[JLT_TOP_GAMMA3]) < 0.01 && fabs(remainder(p->psi - fixed->psi, 2 * pi)) < 0.01
+           && fabs(p->v_slip - fixed->v_slip) < 0.01 * fabs(fixed->v_slip);
+}
+
 static jlt_portrait_fate fate_of(const jlt_portrait_request *r, const jlt_course_row *row)
 {
+    const point here = point_of(r, row->x);
+
     if (row->end == JLT_END_POLE) return row->side > 0 ? JLT_PORTRAIT_POLE_PLUS : JLT_PORTRAIT_POLE_MINUS;
-    for (unsigned k = 0; k < r->fixed_count; k++) {
-        double worst = 0;
-        for (int i = 0; i < JLT_TOP_STATES; i++) worst = fmax(worst, fabs(row->x[i] - r->fixed[k].x[i]));
-        if (r->fixed[k].kind == JLT_FIXED_ATTRACTING && worst < 0.01) return JLT_PORTRAIT_ATTRACTED;
-    }
+    for (unsigned k = 0; k < r->fixed_count; k++)
+        if (r->fixed[k].kind == JLT_FIXED_ATTRACTING && is_near(&here, &r->fixed[k])) return JLT_PORTRAIT_ATTRACTED;
     return JLT_PORTRAIT_WANDERING;
 }
 

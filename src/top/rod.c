@@ -142,11 +142,6 @@ static void take_coefficients(jlt_rod *rod)
     rod->barrier = 2 * rotation_energy(&rod->top, JLT_TOP_OMEGA_N, 0) * rod->turning * rod->turning;
 }
 
-static bool near(double value, double wanted, double size)
-{
-    return fabs(value - wanted) <= 64 * DBL_EPSILON * size;
-}
-
 /* Whether E1, E2, G and the rates of gamma3 and v_nu have the form that rod.h says, at a few tilts. An edited table may prove other
  * integrals of these names; with E1, E2 and G constant, these rates determine all. */
 static bool has_form(const jlt_top *top)
@@ -162,13 +157,14 @@ static bool has_form(const jlt_top *top)
         const double upright = rod.barrier / (rod.turning * rod.turning), lever = 1 / rod.turning;
         double rates[JLT_TOP_STATES];
         if (!jlt_top_rates(top, variant, rates, x)) return false;
-        if (!near(rates[JLT_TOP_GAMMA3], s, s) || !near(rates[JLT_TOP_V_NU], v_tau / s, reach / s)
-            || !near(rotation_energy(top, JLT_TOP_GAMMA3, gamma3), potential, fabs(potential))
-            || !near(2 * rotation_energy(top, JLT_TOP_OMEGA_TAU, gamma3), tilting, tilting)
-            || !near(2 * jlt_top_integral(top, variant, "E2", x), tilting + upright + 2 * potential,
+        if (!jlt_top_agrees(rates[JLT_TOP_GAMMA3], s, s) || !jlt_top_agrees(rates[JLT_TOP_V_NU], v_tau / s, reach / s)
+            || !jlt_top_agrees(rotation_energy(top, JLT_TOP_GAMMA3, gamma3), potential, fabs(potential))
+            || !jlt_top_agrees(2 * rotation_energy(top, JLT_TOP_OMEGA_TAU, gamma3), tilting, tilting)
+            || !jlt_top_agrees(2 * jlt_top_integral(top, variant, "E2", x), tilting + upright + 2 * potential,
                      tilting + upright + 2 * fabs(potential))
-            || !near(2 * jlt_top_integral(top, variant, "E1", x), top->m * (1 + v_tau * v_tau), top->m * (1 + reach * reach))
-            || !near(jlt_top_integral(top, variant, "G", x), lever * s, fabs(lever)))
+            || !jlt_top_agrees(2 * jlt_top_integral(top, variant, "E1", x), top->m * (1 + v_tau * v_tau),
+                               top->m * (1 + reach * reach))
+            || !jlt_top_agrees(jlt_top_integral(top, variant, "G", x), lever * s, fabs(lever)))
             return false;
     }
     return true;

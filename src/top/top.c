@@ -1,5 +1,6 @@
 #include "top/top.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -118,6 +119,11 @@ bool jlt_top_rates(const jlt_top *top, const char *variant, double *rates, const
     field->rhs.call(lifted, block, slow);
     for (unsigned i = 0; i < JLT_TOP_STATES; i++) rates[i] = slow[i] / lifted[JLT_TOP_STATES]; /* dt = s dtau */
     return true;
+}
+
+bool jlt_top_agrees(double value, double wanted, double size)
+{
+    return fabs(value - wanted) <= 64 * DBL_EPSILON * size;
 }
 
 const jlt_way *jlt_top_way(const char *model)

@@ -48,6 +48,9 @@ bool jlt_top_rates(const jlt_top *top, const char *variant, double *rates, const
 /** The way from JLT_DEFAULT_MODEL to the table of this name, both in the time in which s is a state; NULL if there is none. */
 const jlt_way *jlt_top_way(const char *model);
 
+/** Whether a value is the wanted one within rounding of terms of this size; false if one of them is NaN. */
+bool jlt_top_agrees(double value, double wanted, double size);
+
 /** Whether JLT_DEFAULT_MODEL makes this claim and it is proved. Out: *broken: the claim if made but unproved, else NULL. */
 bool jlt_top_claims(const jlt_claim **broken, const char *kind, const char *name);
 

@@ -16,9 +16,11 @@ compare() {
     awk -F, -v what="$*" '
         BEGIN {
             unit["t"] = unit["t_end"] = unit["T"] = 32
-            unit["v_nu"] = unit["v_nu_end"] = 1 / 128
+            unit["v_nu"] = unit["v_nu_end"] = unit["v_slip"] = 1 / 128
             unit["omega_tau"] = unit["omega_n"] = unit["omega3"] = unit["omega_tau_end"] = unit["omega3_end"] = 1 / 32
             unit["lambda1"] = unit["lambda2"] = unit["divergence"] = 1 / 32
+            unit["trace"] = unit["re1"] = unit["re2"] = unit["im1"] = unit["im2"] = 1 / 32
+            unit["determinant"] = 1 / 1024
             unit["contact_min"] = unit["contact_force"] = 1 / 512
             unit["x"] = unit["y"] = unit["x_contact"] = unit["y_contact"] = 1 / 4
         }
@@ -58,6 +60,14 @@ pair() {
             --start gamma3=0.25,v_nu=8/1280,omega_tau=-6/320,omega_n=11/320,omega3=-23/320
         compare simulate --tier $tier
     done
+    # How many of the orbits are attracted within --until is said in the picture.
+    jellett portrait --set m=1,R=1,g=1,I1=1/3,I3=1/4 --start gamma3=0.5,v_nu=0.8,omega_tau=0,omega_n=0,omega3=0.9 --until 1/4 \
+        -o one.csv --plot one.svg --keep one.gp --size 40x15
+    jellett portrait --set m=8,R=1/4,g=1/4096,I1=1/6,I3=1/8 --until 8 \
+        --start gamma3=0.5,v_nu=8/1280,omega_tau=0,omega_n=0,omega3=9/320 -o two.csv --plot two.svg --keep two.gp --size 40x15
+    compare portrait
+    attracted() { grep -m 1 -o 'of 60 orbits [0-9]* are attracted' "$1"; }
+    [ "$(attracted one.gp)" = "$(attracted two.gp)" ] || echo "portrait: attracted $(attracted one.gp), and $(attracted two.gp)"
 } > wrong
 cat wrong
 [ ! -s wrong ]

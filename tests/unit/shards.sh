@@ -101,7 +101,7 @@ for resume in "" --resume; do
     expect 3 "its beginning is damaged" jellett sweep map.scene --into=map.3 --shard=2/3 $resume
     cmp $file damaged || fail "a damaged file is written to"
 done
-expect 3 "its beginning is damaged" jellett merge map.3
+expect 3 "jellett: map.3/2-of-3.shard is no shard of a study, or its beginning is damaged" jellett merge map.3
 mv whole $file
 # Names of files and folders are taken to the letter.
 mkdir "map[3]"
@@ -118,7 +118,7 @@ sed 's/1e-9/1e-8/' map.scene > other.scene
 expect 3 'options.tol: there "1e-09", here "1e-08"' jellett sweep other.scene --into=map.3 --shard=2/3 --resume
 expect 3 "options.set" jellett sweep map.scene --set=a3=0.5 --into=map.3 --shard=2/3 --resume
 expect 0 "" jellett sweep other.scene --into=other --shard=2/3
-expect 3 "another study" jellett merge map.1 other
+expect 3 "jellett: other/2-of-3.shard is of another study" jellett merge map.1 other
 cp "$JLT_SOURCE_DIR/codegen/models/lorenz.tt" own.tt
 cat > own.scene << 'END'
 model = "./own.tt";

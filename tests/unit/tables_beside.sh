@@ -77,7 +77,7 @@ sed -i '/^valid/d' spherical_top.tt
 expect 0 ' 0 lost_contact' jellett fates ./spherical_top.tt --grid 3x3 --contact end
 anew
 for table in spherical_top spherical_top_balanced; do echo '# a comment' >> $table.tt; done
-expect 3 'the reduction momentum of ./spherical_top.tt leads to another one, spherical_top_balanced.tt beside it' \
+expect 3 'spherical_top_balanced.tt beside it: put the one that is built in there, or follow yours by jellett simulate' \
     jellett portrait ./spherical_top.tt --set a3=0,I1=2/5,I3=1/4 --start gamma3=0.5,v_nu=0.8,omega_tau=0,omega_n=0.1,omega3=0.9
 
 # The same where the table asked for is to the letter what is built in, and tables at one remove.

@@ -4,7 +4,7 @@
 
 #include "kernel/descriptor.h"
 #include "kernel/way.h"
-#include "top/balanced.h"
+#include "top/balanced_form.h"
 #include "top/rod.h"
 
 typedef struct {
@@ -153,6 +153,20 @@ static void the_surface_needs_integrals_reductions_and_its_fixed_points(void **u
     }
 }
 
+static void the_surface_needs_the_relations_between_its_levels(void **unused)
+{
+    static const char *const names[] = { "E", "F0" };
+    const jlt_top top = { .m = 1, .R = 1, .g = 1, .I1 = 2. / 5, .I3 = 1. / 4 };
+
+    (void)unused;
+    assert_true(jlt_balanced_form_holds(&top));
+    for (unsigned i = 0; i < 2; i++) {
+        other = names[i];
+        assert_false(jlt_balanced_form_holds(&top));
+    }
+    other = NULL;
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -160,6 +174,7 @@ int main(void)
         cmocka_unit_test(quadratures_need_their_integrals_and_the_level),
         cmocka_unit_test(quadratures_need_the_equations_that_they_solve),
         cmocka_unit_test(the_surface_needs_integrals_reductions_and_its_fixed_points),
+        cmocka_unit_test(the_surface_needs_the_relations_between_its_levels),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
