@@ -53,24 +53,19 @@ static jlt_status add(jlt_verify_run *run, const jlt_descriptor *descriptor, uns
 {
     const jlt_descriptor *general = run->descriptor;
     jlt_verify_density *d = &run->densities[run->density_count];
-    double *drawn = jlt_memory_array(general->param_count, sizeof *drawn);
+    JLT_FREED double *drawn = jlt_memory_array(general->param_count, sizeof *drawn);
     double zero[256] = { 0 };
-    jlt_status st = JLT_ERR_NOMEM;
 
     d->descriptor = descriptor;
     d->params = jlt_memory_array(general->param_count, sizeof *d->params);
     run->density_count++;
-    if (drawn == NULL || d->params == NULL) goto done;
+    if (drawn == NULL || d->params == NULL) return JLT_ERR_NOMEM;
     jlt_verify_draw_params(drawn, general, &run->random, kind);
     memcpy(d->params, drawn, general->param_count * sizeof *drawn);
     if (descriptor->impose != NULL) descriptor->impose(zero, drawn, d->params);
-    st = JLT_OK;
     d->status = attempt(run, d);
-    if (d->status == JLT_ERR_NOMEM) st = d->status;
     *(holds(d) ? &run->held : &run->failed) += 1;
-done:
-    free(drawn);
-    return st;
+    return d->status == JLT_ERR_NOMEM ? JLT_ERR_NOMEM : JLT_OK;
 }
 
 jlt_status jlt_verify_densities(jlt_verify_run *run)

@@ -2,6 +2,7 @@
 #include "claims/sample.h"
 
 #include "analysis/charpoly.h"
+#include "core/memory.h"
 #include "kernel/descriptor.h"
 #include "kernel/instance.h"
 #include "kernel/kernel.h"
@@ -9,7 +10,6 @@
 #include <complex.h>
 #include <float.h>
 #include <math.h>
-#include <stdlib.h>
 
 enum { SIZE = JLT_SAMPLE_STATES_MAX };
 
@@ -187,7 +187,7 @@ static jlt_status compare(jlt_verify_family *f, const jlt_sample *s, jlt_oracle 
     const size_t n = general->state_count;
     double field[SIZE], jacobian[SIZE * SIZE], both[SIZE + SIZE * SIZE], divergence, trace;
     jlt_instance *instance = NULL;
-    jlt_deflation *eigen = malloc(sizeof *eigen);
+    JLT_FREED jlt_deflation *eigen = malloc(sizeof *eigen);
     jlt_status st = eigen == NULL ? JLT_ERR_NOMEM : JLT_OK;
 
     if (st == JLT_OK) st = jlt_instance_create(&instance, kernels, s->params);
@@ -220,7 +220,6 @@ static jlt_status compare(jlt_verify_family *f, const jlt_sample *s, jlt_oracle 
     JLT_TRY(compare_charpoly(f, s, general, jacobian, eigen));
 done:
     jlt_instance_destroy(instance);
-    free(eigen);
     return st;
 }
 
@@ -228,7 +227,7 @@ static jlt_status verify_family(jlt_verify_run *run, jlt_verify_family *f)
 {
     const jlt_descriptor *general = run->descriptor;
     jlt_sample_subject subject = { 0 };
-    jlt_sample *s = malloc(sizeof *s);
+    JLT_FREED jlt_sample *s = malloc(sizeof *s);
     jlt_status st = s == NULL ? JLT_ERR_NOMEM : JLT_OK;
 
     if (st == JLT_OK) st = jlt_sample_subject_init(&subject, run, f->family);
@@ -248,7 +247,6 @@ static jlt_status verify_family(jlt_verify_run *run, jlt_verify_family *f)
     /* If every sample was refused, nothing is verified. */
     if (f->samples == f->refused) run->failed++;
     jlt_sample_subject_clear(&subject);
-    free(s);
     return st;
 }
 

@@ -2,12 +2,12 @@
 #include "cli/simulate.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "cli/planned.h"
 #include "cli/progress.h"
 #include "cli/swept.h"
+#include "core/memory.h"
 #include "dynamics/section.h"
 #include "kernel/descriptor.h"
 #include "report/csv.h"
@@ -182,7 +182,7 @@ static void write_header(FILE *file, const jlt_simulate_request *r)
     /* in a sweep the tier, and its levels as parameters, may change from point to point: name the table asked for */
     const jlt_descriptor *told = s->common.at_point ? s->descriptor : kernel->descriptor;
     char claims[512];
-    double *params = jlt_common_steady(&s->common, told, s->common.at_point ? s->params : kernel->params);
+    JLT_FREED double *params = jlt_common_steady(&s->common, told, s->common.at_point ? s->params : kernel->params);
     if (params != NULL)
         jlt_csv_header(file, &(jlt_csv_settings){ .command = s->common.command,
                                                   .descriptor = told,
@@ -190,7 +190,6 @@ static void write_header(FILE *file, const jlt_simulate_request *r)
                                                   .method = s->method->name,
                                                   .tolerance = s->tolerance,
                                                   .unproved = list_unproved(claims, sizeof claims, r, told) });
-    free(params);
     fprintf(file, "# tier %s: %s; method %s, tolerance %.3g%s; nothing is random, so there is no seed\n", jlt_plan_tier(plan),
             plan->candidates[plan->chosen].tier.meaning, s->method->name, s->tolerance, r->project ? ", projected" : "");
     jlt_csv_names names;

@@ -97,7 +97,7 @@ static jlt_status one_trial(jlt_map_batch *maps, jlt_newton **going, size_t *cou
 /* Run these searches to their end, or to an interrupt. */
 static jlt_status run(const grid_search *self, jlt_map_batch *maps, jlt_newton *newton, size_t count)
 {
-    jlt_newton **going = malloc((count + 1) * sizeof *going);
+    JLT_FREED jlt_newton **going = malloc((count + 1) * sizeof *going);
     jlt_map_images images = { 0 };
     size_t points = 0;
     jlt_status st = JLT_ERR_NOMEM;
@@ -108,7 +108,6 @@ static jlt_status run(const grid_search *self, jlt_map_batch *maps, jlt_newton *
     while (count > 0 && !raised(self)) JLT_TRY(one_trial(maps, going, &count, &images));
     st = count == 0 ? JLT_OK : JLT_ERR_NO_CONVERGENCE;
 done:
-    free(going);
     jlt_map_batch_images_clear(&images);
     return st;
 }
@@ -220,7 +219,7 @@ jlt_status jlt_orbits_grid(jlt_orbits *list, jlt_map *map, const jlt_orbits_opti
         .list = list, .map = map, .options = options, .flow = *jlt_map_flow(map), .chart = jlt_map_flow(map)->chart
     };
     const unsigned d = self.chart->dim;
-    double *q = malloc(BLOCK * d * sizeof *q);
+    JLT_FREED double *q = malloc(BLOCK * d * sizeof *q);
     size_t all = 1;
     jlt_status st = JLT_ERR_NOMEM;
 
@@ -239,6 +238,5 @@ done:
     for (unsigned i = 0; self.maps != NULL && i < self.threads; i++) jlt_map_batch_destroy(self.maps[i]);
     free(self.maps);
     jlt_section_batch_destroy(self.together);
-    free(q);
     return st;
 }

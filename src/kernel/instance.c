@@ -61,7 +61,7 @@ done:
 jlt_status jlt_instance_units(jlt_units *out, const jlt_descriptor *model, const double *params, const double *x)
 {
     const unsigned n = model->state_count;
-    double *still = jlt_memory_array(2 * n, sizeof *still);
+    JLT_FREED double *still = jlt_memory_array(2 * n, sizeof *still);
     jlt_instance *instance = NULL;
     jlt_units units = { 0 };
     jlt_status st = JLT_ERR_NOMEM;
@@ -78,7 +78,6 @@ jlt_status jlt_instance_units(jlt_units *out, const jlt_descriptor *model, const
     *out = units;
 done:
     jlt_instance_destroy(instance);
-    free(still);
     return st;
 }
 

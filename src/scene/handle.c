@@ -37,25 +37,22 @@ static jlt_status find_model(const jlt_descriptor **out, const char *model)
 /* The table's default parameters, replaced by the given values, and checked; for the caller to free(). */
 static jlt_status read_params(double **out, const jlt_descriptor *d, const char *const *names, const double *values, size_t count)
 {
-    double *params = jlt_memory_array(d->param_count, sizeof *params), value;
-    jlt_status st = JLT_ERR_NOMEM;
+    JLT_FREED double *params = jlt_memory_array(d->param_count, sizeof *params);
+    double value;
     const jlt_region *region;
     size_t index;
 
-    if (params == NULL) goto done;
+    if (params == NULL) return JLT_ERR_NOMEM;
     for (unsigned i = 0; i < d->param_count; i++) params[i] = d->params[i].value;
-    st = JLT_ERR_ARG;
     for (size_t i = 0; i < count; i++) {
-        if (!jlt_descriptor_param(d, names[i], &index)) goto done;
+        if (!jlt_descriptor_param(d, names[i], &index)) return JLT_ERR_ARG;
         params[index] = values[i];
     }
-    JLT_TRY(jlt_descriptor_check_params(d, params, &index));
-    JLT_TRY(jlt_region_check(&region, &value, d, params, NULL));
+    JLT_PASS(jlt_descriptor_check_params(d, params, &index));
+    JLT_PASS(jlt_region_check(&region, &value, d, params, NULL));
     *out = params;
     params = NULL;
-done:
-    free(params);
-    return st;
+    return JLT_OK;
 }
 
 /* ---- returns to a section ---- */
@@ -123,7 +120,7 @@ jlt_status jlt_handle_section_plane(jlt_handle_section **out, const char *model,
     const jlt_flow options = { .tolerance = tolerance,
                                .direction = direction > 0 ? JLT_RISING : direction < 0 ? JLT_FALLING : JLT_BOTH };
     const jlt_descriptor *d;
-    double *params = NULL;
+    JLT_FREED double *params = NULL;
     jlt_system *system = NULL;
     size_t column;
     jlt_status st;
@@ -138,7 +135,6 @@ jlt_status jlt_handle_section_plane(jlt_handle_section **out, const char *model,
     system = NULL;
 done:
     jlt_system_destroy(system);
-    free(params);
     return st;
 }
 

@@ -1,5 +1,4 @@
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "top/command_counterpart.h"
@@ -7,6 +6,7 @@
 #include "cli/planned.h"
 #include "cli/progress.h"
 #include "cli/swept.h"
+#include "core/memory.h"
 #include "kernel/descriptor.h"
 #include "report/csv.h"
 
@@ -139,7 +139,7 @@ static void write_header(FILE *file, const jlt_portrait_request *r)
 {
     static const char *const names[] = { "E", "G", "F0" };
     double levels[] = { r->levels.E, r->levels.G, r->levels.F0 };
-    double *params = jlt_common_steady(&r->session.common, r->session.descriptor, r->session.params);
+    JLT_FREED double *params = jlt_common_steady(&r->session.common, r->session.descriptor, r->session.params);
 
     if (params == NULL) return;
     for (unsigned k = 0; k < 3; k++)
@@ -147,7 +147,6 @@ static void write_header(FILE *file, const jlt_portrait_request *r)
     jlt_csv_header(file, &(jlt_csv_settings){ .command = r->session.common.command, .descriptor = r->session.descriptor,
                                               .params = params, .level_count = 3, .level_names = names, .levels = levels,
                                               .method = r->session.method->name, .tolerance = r->session.tolerance });
-    free(params);
 }
 
 static void write_fixed_points(FILE *file, const jlt_portrait_request *r)
