@@ -24,18 +24,16 @@ static jlt_status contradict(jlt_verify_run *run, jlt_verify_density *d, jlt_ins
 static jlt_status attempt(jlt_verify_run *run, jlt_verify_density *d)
 {
     double residual[64];
-    jlt_instance *instance = NULL;
-    jlt_status st = jlt_instance_create(&instance, d->descriptor, d->params);
+    JLT_OWNED(jlt_instance) *instance = NULL;
 
-    if (st != JLT_OK || d->descriptor->measure_count > 64) goto done;
-    JLT_TRY(jlt_measure_try(&d->attempt, instance, POINTS, &run->random));
-    JLT_TRY(jlt_density_residual(residual, instance, SAMPLES, &run->random));
+    JLT_PASS(jlt_instance_create(&instance, d->descriptor, d->params));
+    if (d->descriptor->measure_count > 64) return JLT_OK;
+    JLT_PASS(jlt_measure_try(&d->attempt, instance, POINTS, &run->random));
+    JLT_PASS(jlt_density_residual(residual, instance, SAMPLES, &run->random));
     for (unsigned i = 0; i < d->descriptor->measure_count; i++) d->residual = fmax(d->residual, residual[i]);
     if (d->descriptor->measure_count == 0 && d->attempt.found && d->attempt.points != NULL)
-        st = contradict(run, d, instance);
-done:
-    jlt_instance_destroy(instance);
-    return st;
+        return contradict(run, d, instance);
+    return JLT_OK;
 }
 
 /* If the table claims a measure, it must be confirmed; if not, no density that contradicts an equilibrium may be found. */

@@ -5,10 +5,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Marks a pointer whose memory free() gives back where its block ends, however it is left:
- *     JLT_FREED double *x = jlt_memory_array(n, sizeof *x);
- * To hand the memory on, set the pointer to NULL. No JLT_TRY may stand before it in its block. */
-#define JLT_FREED __attribute__((cleanup(jlt_memory_free_at)))
+#include "core/status.h"
+
+/* Marks a pointer whose memory free() gives back where its block ends, as JLT_CLEARED does:
+ *     JLT_FREED double *x = jlt_memory_array(n, sizeof *x); */
+#define JLT_FREED JLT_CLEARED(jlt_memory_free_at)
 
 enum { JLT_MEMORY_ALIGNMENT = 64 };
 

@@ -95,22 +95,19 @@ static jlt_status follow(cells *self, const jlt_flow *flow, const start *starts,
     const jlt_separation_options *o = self->options;
     const size_t most = BLOCK * (o->threads > 1 ? o->threads : 1);
     JLT_FREED double *q = malloc(2 * most * sizeof *q);
-    jlt_section_batch *batch = NULL;
-    jlt_status st = JLT_ERR_NOMEM;
+    JLT_OWNED(jlt_section_batch) *batch = NULL;
 
-    if (q == NULL) goto done;
-    JLT_TRY(jlt_section_batch_create(&batch, flow, o->kernels,
-                                     &(jlt_section_batch_options){ .threads = o->threads, .backwards = backwards }));
+    if (q == NULL) return JLT_ERR_NOMEM;
+    JLT_PASS(jlt_section_batch_create(&batch, flow, o->kernels,
+                                      &(jlt_section_batch_options){ .threads = o->threads, .backwards = backwards }));
     for (size_t first = 0; first < count; first += most) {
         const size_t here = count - first < most ? count - first : most;
         for (size_t i = 0; i < here; i++) memcpy(q + 2 * i, starts[first + i].q, sizeof starts->q);
-        JLT_TRY(jlt_section_batch_run(batch, q, here, o->settle + o->returns));
+        JLT_PASS(jlt_section_batch_run(batch, q, here, o->settle + o->returns));
         for (size_t i = 0; i < here; i++)
-            JLT_TRY(count_orbit(self, batch, i, backwards, !backwards && starts[first + i].mirrored));
+            JLT_PASS(count_orbit(self, batch, i, backwards, !backwards && starts[first + i].mirrored));
     }
-done:
-    jlt_section_batch_destroy(batch);
-    return st;
+    return JLT_OK;
 }
 
 static int compare(const void *a, const void *b)

@@ -121,20 +121,17 @@ jlt_status jlt_handle_section_plane(jlt_handle_section **out, const char *model,
                                .direction = direction > 0 ? JLT_RISING : direction < 0 ? JLT_FALLING : JLT_BOTH };
     const jlt_descriptor *d;
     JLT_FREED double *params = NULL;
-    jlt_system *system = NULL;
+    JLT_OWNED(jlt_system) *system = NULL;
     size_t column;
-    jlt_status st;
 
     *out = NULL;
-    JLT_TRY(find_model(&d, model));
+    JLT_PASS(find_model(&d, model));
     if (!jlt_descriptor_state(d, state, &column)) return JLT_ERR_ARG;
-    JLT_TRY(read_params(&params, d, names, values, count));
-    JLT_TRY(jlt_system_plane(&system, jlt_system_regular(d), params, (unsigned)column, level, NULL, &options));
-    JLT_TRY(set_angles(system, d));
-    st = open_section(out, system);
+    JLT_PASS(read_params(&params, d, names, values, count));
+    JLT_PASS(jlt_system_plane(&system, jlt_system_regular(d), params, (unsigned)column, level, NULL, &options));
+    JLT_PASS(set_angles(system, d));
+    const jlt_status st = open_section(out, system);
     system = NULL;
-done:
-    jlt_system_destroy(system);
     return st;
 }
 

@@ -116,26 +116,23 @@ static jlt_status add_provenance(const jlt_database *self, char **message, const
 jlt_status jlt_database_create(jlt_database **out, char **message, const char *path, const jlt_table_form *form, size_t over,
                                const char *study)
 {
-    jlt_database *self = calloc(1, sizeof *self);
-    jlt_status st = JLT_OK;
+    JLT_OWNED(jlt_database) *self = calloc(1, sizeof *self);
 
     *out = NULL;
     *message = NULL;
     if (self == NULL) return JLT_ERR_NOMEM;
     self->form = form;
     self->over = over;
-    JLT_TRY(find_names(self));
-    JLT_TRY(told(self, message, sqlite3_open(path, &self->db)));
+    JLT_PASS(find_names(self));
+    JLT_PASS(told(self, message, sqlite3_open(path, &self->db)));
     /* No other process sees the file before it is finished, so no journal is needed for a rollback. */
-    JLT_TRY(execute(self, message, "PRAGMA page_size = 4096; PRAGMA journal_mode = OFF; PRAGMA synchronous = OFF; BEGIN"));
-    JLT_TRY(make_tables(self, message));
-    JLT_TRY(add_provenance(self, message, study));
-    JLT_TRY(prepare(self, message));
+    JLT_PASS(execute(self, message, "PRAGMA page_size = 4096; PRAGMA journal_mode = OFF; PRAGMA synchronous = OFF; BEGIN"));
+    JLT_PASS(make_tables(self, message));
+    JLT_PASS(add_provenance(self, message, study));
+    JLT_PASS(prepare(self, message));
     *out = self;
     self = NULL;
-done:
-    jlt_database_destroy(self);
-    return st;
+    return JLT_OK;
 }
 
 jlt_status jlt_database_piece(jlt_database *self, const jlt_shard_record *record)

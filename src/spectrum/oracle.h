@@ -21,6 +21,7 @@ typedef struct {
 /** Errors: NOMEM; UNSUPPORTED if the embedded table cannot be parsed, which means that the build is broken. */
 JLT_CHECKED jlt_status jlt_oracle_create(jlt_oracle **oracle, const jlt_descriptor *descriptor);
 void jlt_oracle_destroy(jlt_oracle *oracle); /* legal on NULL */
+JLT_OWNED_TYPE(jlt_oracle)
 
 /** Set the values of parameters, shape (params,), or states, shape (states,), each a double taken exactly. exact, of the same
  *  shape, or NULL: where exact[i] is not NULL, it is the value, "p/q", instead of the double. */
