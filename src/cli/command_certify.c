@@ -1,8 +1,7 @@
 /* `jellett certify`: proves an orbit, or what a family of equilibria excludes, and writes the certificate. */
-#include "cli/certify_cycle.h"
+#include "cli/certify_orbit.h"
 #include "cli/certify_family.h"
 #include "cli/certify_given.h"
-#include "cli/certify_homoclinic.h"
 #include "cli/certify_pole.h"
 #include "core/memory.h"
 #include "dynamics/periodic.h"
