@@ -16,12 +16,13 @@ static double condition(bool *sure, const jlt_ball_problem *p, slong which)
     JLT_SCOPED(acb, trace);
     JLT_SCOPED(arb, size, ratio);
     acb_mat_one(product);
-    for (slong i = 0; i < p->n; i++) {
+    for (slong i = 0, factors = 0; i < p->n; i++) {
         if (i == which) continue;
         acb_mat_set_arb_mat(factor, p->a);
         for (slong j = 0; i < p->count && j < p->n; j++)
             acb_sub(acb_mat_entry(factor, j, j), acb_mat_entry(factor, j, j), p->roots + i, p->precision);
-        acb_mat_mul(product, product, factor, p->precision);
+        if (factors++ == 0) acb_mat_swap(product, factor);
+        else acb_mat_mul(product, product, factor, p->precision);
     }
     acb_mat_trace(trace, product, p->precision);
     acb_abs(ratio, trace, p->precision);
@@ -29,6 +30,15 @@ static double condition(bool *sure, const jlt_ball_problem *p, slong which)
     arb_div(ratio, size, ratio, p->precision);
     *sure = *sure && arb_rel_accuracy_bits(ratio) >= CONDITION_BITS;
     return arb_is_finite(ratio) ? arf_get_d(arb_midref(ratio), ARF_RND_NEAR) : NAN;
+}
+
+/* Conjugate eigenvalues of a real matrix have the same condition number. */
+static bool conjugate(const acb_t a, const acb_t b)
+{
+    JLT_SCOPED(acb, mirrored);
+
+    acb_conj(mirrored, b);
+    return acb_equal(a, mirrored);
 }
 
 /* The nearest double, or zero if the ball contains zero; *error grows by the distance from it to the farthest point of the ball.
@@ -71,7 +81,8 @@ bool jlt_ball_problem_round(jlt_ball_spectrum *s, bool *sure, const jlt_ball_pro
     }
     for (slong i = 0; i < p->count; i++) {
         jlt_ball_eigenvalue *value = &s->values[i];
-        *value = (jlt_ball_eigenvalue){ .condition = condition(sure, p, i) };
+        *value = (jlt_ball_eigenvalue){ .condition = i > 0 && conjugate(p->roots + i, p->roots + i - 1) ? value[-1].condition
+                                                                                                         : condition(sure, p, i) };
         value->re = rounded(&value->error, sure, acb_realref(p->roots + i), p->precision);
         value->im = rounded(&value->error, sure, acb_imagref(p->roots + i), p->precision);
         finite = finite && isnormal(hypot(value->re, value->im));

@@ -64,19 +64,28 @@ static void give(jlt_surd *out, jlt_surd *a)
     jlt_surd least;
 
     while (level > 0 && all_zero(a->coordinates + size_of(level - 1), size_of(level - 1))) level--;
-    init_at(&least, level);
-    for (size_t i = 0; i < size_of(level); i++) fmpq_swap(least.coordinates + i, a->coordinates + i);
+    if (level < a->level) {
+        init_at(&least, level);
+        for (size_t i = 0; i < size_of(level); i++) fmpq_swap(least.coordinates + i, a->coordinates + i);
+        jlt_surd_swap(a, &least);
+        jlt_surd_clear(&least);
+    }
+    jlt_surd_swap(out, a);
     jlt_surd_clear(a);
-    jlt_surd_swap(out, &least);
-    jlt_surd_clear(&least);
+}
+
+/* Initialize out to a, at a level not below that of a. */
+static void raise_to(jlt_surd *out, const jlt_surd *a, unsigned level)
+{
+    init_at(out, level);
+    copy(out->coordinates, a->coordinates, size_of(a->level));
 }
 
 void jlt_surd_set(jlt_surd *out, const jlt_surd *a)
 {
     jlt_surd same;
 
-    init_at(&same, a->level);
-    copy(same.coordinates, a->coordinates, size_of(a->level));
+    raise_to(&same, a, a->level);
     give(out, &same);
 }
 
@@ -92,13 +101,6 @@ void jlt_surd_set_rational(jlt_surd *out, const fmpq_t value)
 bool jlt_surd_is_zero(const jlt_surd *a)
 {
     return all_zero(a->coordinates, size_of(a->level));
-}
-
-/* Initialize out to a, at a level not below that of a. */
-static void raise_to(jlt_surd *out, const jlt_surd *a, unsigned level)
-{
-    init_at(out, level);
-    copy(out->coordinates, a->coordinates, size_of(a->level));
 }
 
 static void combine(jlt_surd *out, const jlt_surd *a, const jlt_surd *b, bool minus)
@@ -121,11 +123,14 @@ void jlt_surd_subtract(jlt_surd *out, const jlt_surd *a, const jlt_surd *b)
     combine(out, a, b, true);
 }
 
+static void add_multiple(fmpq *out, const fmpq *a, unsigned level, const jlt_surd *b, const jlt_surd_field *field);
+
 /* Add a b to out, all at one level: (p + q t)(u + v t) = p u + q v t^2 + (p v + q u) t. */
 static void add_product(fmpq *out, const fmpq *a, const fmpq *b, unsigned level, const jlt_surd_field *field)
 {
     if (level == 0) {
-        fmpq_addmul(out, a, b);
+        if (fmpq_is_zero(out)) fmpq_mul(out, a, b);
+        else fmpq_addmul(out, a, b);
         return;
     }
     const size_t half = size_of(level - 1);
@@ -135,27 +140,28 @@ static void add_product(fmpq *out, const fmpq *a, const fmpq *b, unsigned level,
     if (low[0] && high[1]) add_product(out + half, a, b + half, level - 1, field);
     if (high[0] && low[1]) add_product(out + half, a + half, b, level - 1, field);
     if (high[0] && high[1]) {
-        jlt_surd square, product;
-        raise_to(&square, &field->radicands[level - 1], level - 1);
+        jlt_surd product;
         init_at(&product, level - 1);
         add_product(product.coordinates, a + half, b + half, level - 1, field);
-        add_product(out, product.coordinates, square.coordinates, level - 1, field);
+        add_multiple(out, product.coordinates, level - 1, &field->radicands[level - 1], field);
         jlt_surd_clear(&product);
-        jlt_surd_clear(&square);
     }
+}
+
+/* Add a b to out, which has the level of `a`; that of b is not above it. */
+static void add_multiple(fmpq *out, const fmpq *a, unsigned level, const jlt_surd *b, const jlt_surd_field *field)
+{
+    for (size_t i = 0; i < size_of(level); i += size_of(b->level))
+        add_product(out + i, a + i, b->coordinates, b->level, field);
 }
 
 void jlt_surd_multiply(jlt_surd *out, const jlt_surd *a, const jlt_surd *b, const jlt_surd_field *field)
 {
-    const unsigned level = a->level > b->level ? a->level : b->level;
-    jlt_surd x, y, product;
+    const jlt_surd *const low = a->level < b->level ? a : b, *const high = low == a ? b : a;
+    jlt_surd product;
 
-    raise_to(&x, a, level);
-    raise_to(&y, b, level);
-    init_at(&product, level);
-    add_product(product.coordinates, x.coordinates, y.coordinates, level, field);
-    jlt_surd_clear(&x);
-    jlt_surd_clear(&y);
+    init_at(&product, high->level);
+    add_multiple(product.coordinates, high->coordinates, high->level, low, field);
     give(out, &product);
 }
 

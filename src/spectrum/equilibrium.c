@@ -2,7 +2,6 @@
 
 #include "core/memory.h"
 #include "ext/number.h"
-#include "fields/coefficients.h"
 #include "kernel/descriptor.h"
 #include "spectrum/exact_point.h"
 
@@ -37,13 +36,10 @@ static void enclose_one(double *value, const jlt_oracle *oracle, ttc_id id)
 /* Replace the values in doubles of the table's formulas for trace and characteristic polynomial, of the family result->family, by
  * those in ball arithmetic, rounded. Symbols have the values set in the oracle; states that the family binds are given by its
  * expressions where given[i] is 0. */
-static void enclose_formulas(jlt_linearization *result, const jlt_oracle *oracle, const unsigned char *given)
+static void enclose_formulas(jlt_linearization *result, jlt_oracle *oracle, const unsigned char *given)
 {
-    const size_t n = result->n;
-    ttc_graph *graph = oracle->model->graph;
-    ttc_id coefficients[JLT_LINEARIZATION_SIZE_MAX + 1];
     const ttc_claim *claim;
-    uint32_t lambda = 0;
+    const ttc_id *c;
 
     if (result->family == NULL) return;
     claim = claim_of(oracle, TTC_CLAIM_EQUILIBRIA, result->family->name);
@@ -51,12 +47,9 @@ static void enclose_formulas(jlt_linearization *result, const jlt_oracle *oracle
     claim = claim_of(oracle, TTC_CLAIM_TRACE, result->family->name);
     if (claim != NULL) enclose_one(&result->trace_formula, oracle, claim->expression);
     claim = claim_of(oracle, TTC_CLAIM_CHARPOLY, result->family->name);
-    while (oracle->model->symbols[lambda].kind != TTC_LAMBDA) lambda++;
-    if (claim == NULL ||
-        !ttc_polynomial_coefficients(graph, coefficients, n, ttc_model_expand(oracle->model, claim->expression), lambda))
-        return;
-    for (size_t k = 1; k <= n; k++)
-        enclose_one(&result->charpoly_formula[k], oracle, ttc_divide(graph, coefficients[k], coefficients[0]));
+    if (claim == NULL) return;
+    c = jlt_oracle_charpoly(oracle, (size_t)(claim - oracle->model->claims));
+    for (size_t k = 1; c != NULL && k <= result->n; k++) enclose_one(&result->charpoly_formula[k], oracle, c[k]);
 }
 
 /* Linearize in doubles, with bounds on the errors of the Jacobian and of the integrals' gradients against the exact values. */

@@ -14,7 +14,7 @@ typedef struct {
     jlt_surd_field *field;
     const jlt_ball_value **values; /* by symbol; NULL where it has no value */
     ttc_id *bound;                 /* by symbol: the expression that the family gives for it, or TTC_NONE */
-    jlt_surd *numbers;             /* by node, like `state` */
+    jlt_surd *numbers;             /* by node, like `state`; initialized where that is not UNKNOWN */
     unsigned char *state;
     size_t size;
 } walk;
@@ -75,13 +75,18 @@ static bool evaluate_parts(jlt_surd *out, walk *w, ttc_id id)
         const ttc_part part = ttc_part_at(graph, id, i);
         good = evaluate(w, part.id);
         if (!good) break;
+        const jlt_surd *number = &w->numbers[part.id];
         if (product) {
-            jlt_surd_set(factor, &w->numbers[part.id]);
-            if (part.exponent < 0) good = jlt_surd_invert(factor, factor, w->field);
-            for (int32_t k = abs(part.exponent); good && k > 0; k--) jlt_surd_multiply(out, out, factor, w->field);
+            if (part.exponent < 0) {
+                good = jlt_surd_invert(factor, number, w->field);
+                number = factor;
+            }
+            for (int32_t k = abs(part.exponent); good && k > 0; k--) jlt_surd_multiply(out, out, number, w->field);
+        } else if (fmpq_is_one(part.coefficient)) {
+            jlt_surd_add(out, out, number);
         } else {
             jlt_surd_set_rational(factor, part.coefficient);
-            jlt_surd_multiply(factor, factor, &w->numbers[part.id], w->field);
+            jlt_surd_multiply(factor, factor, number, w->field);
             jlt_surd_add(out, out, factor);
         }
     }
@@ -95,6 +100,7 @@ static bool evaluate(walk *w, ttc_id id)
     bool good = true;
 
     if (w->state[id] != UNKNOWN) return w->state[id] == GOOD;
+    jlt_surd_init(out);
     w->state[id] = BAD; /* a definition that contains itself has no value */
     switch (ttc_kind_of(graph, id)) {
     case TTC_NUMBER: jlt_surd_set_rational(out, ttc_coefficient(graph, id)); break;
@@ -107,7 +113,8 @@ static bool evaluate(walk *w, ttc_id id)
 
 static void end(walk *w)
 {
-    for (size_t i = 0; w->numbers != NULL && i < w->size; i++) jlt_surd_clear(&w->numbers[i]);
+    for (size_t i = 0; w->numbers != NULL && w->state != NULL && i < w->size; i++)
+        if (w->state[i] != UNKNOWN) jlt_surd_clear(&w->numbers[i]);
     free(w->numbers);
     free(w->state);
     free(w->bound);
@@ -123,7 +130,6 @@ static bool begin(walk *w, const jlt_oracle *oracle, jlt_surd_field *field)
     w->bound = calloc(model->symbol_count + 1, sizeof *w->bound);
     w->state = calloc(w->size, 1);
     w->numbers = malloc(w->size * sizeof *w->numbers);
-    for (size_t i = 0; w->numbers != NULL && i < w->size; i++) jlt_surd_init(&w->numbers[i]);
     return w->values != NULL && w->bound != NULL && w->state != NULL && w->numbers != NULL;
 }
 

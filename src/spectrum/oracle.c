@@ -1,5 +1,7 @@
 #include "spectrum/oracle.h"
 
+#include "fields/coefficients.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -25,8 +27,10 @@ static jlt_status differentiate(jlt_oracle *o)
     o->field = calloc(n + 1, sizeof *o->field);
     o->jacobian = calloc(n * n + 1, sizeof *o->jacobian);
     o->gradients = calloc(slopes + 1, sizeof *o->gradients);
-    if (o->field == NULL || o->jacobian == NULL || o->gradients == NULL) return JLT_ERR_NOMEM;
+    o->charpoly = calloc(slopes + o->model->claim_count + 1, sizeof *o->charpoly);
+    if (o->field == NULL || o->jacobian == NULL || o->gradients == NULL || o->charpoly == NULL) return JLT_ERR_NOMEM;
     for (size_t i = 0; i < slopes; i++) o->gradients[i] = TTC_NONE;
+    for (size_t i = 0; i < slopes + o->model->claim_count; i++) o->charpoly[i] = TTC_NONE;
     o->trace = ttc_integer(o->model->graph, 0);
     for (size_t i = 0; i < n; i++) {
         o->field[i] = ttc_model_field(o->model, i);
@@ -84,6 +88,7 @@ void jlt_oracle_destroy(jlt_oracle *oracle)
     free(oracle->field);
     free(oracle->jacobian);
     free(oracle->gradients);
+    free(oracle->charpoly);
     free(oracle);
 }
 
@@ -137,6 +142,21 @@ jlt_status jlt_oracle_gradient_errors(jlt_oracle *oracle, double *errors, const 
         }
     }
     return JLT_OK;
+}
+
+const ttc_id *jlt_oracle_charpoly(jlt_oracle *oracle, size_t claim)
+{
+    const ttc_model *model = oracle->model;
+    const size_t n = model->state_count;
+    ttc_id *const c = oracle->charpoly + claim * (n + 1);
+    uint32_t lambda = 0;
+
+    if (c[0] != TTC_NONE) return c;
+    while (model->symbols[lambda].kind != TTC_LAMBDA) lambda++;
+    if (!ttc_polynomial_coefficients(model->graph, c, n, ttc_model_expand(model, model->claims[claim].expression), lambda))
+        return NULL;
+    for (size_t k = n + 1; k-- > 0;) c[k] = ttc_divide(model->graph, c[k], c[0]);
+    return c;
 }
 
 double jlt_oracle_error(double computed, const ttc_enclosure *enclosure)

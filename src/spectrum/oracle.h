@@ -16,6 +16,7 @@ typedef struct {
     ttc_id *field, *jacobian;         /* shapes (n,) and (n, n) */
     ttc_id trace;                     /* sum of the Jacobian's diagonal */
     ttc_id *gradients;                /* (claims, n): gradients of claimed integrals, computed on demand; TTC_NONE before */
+    ttc_id *charpoly;                 /* (claims, n + 1): claimed characteristic polynomials, likewise */
 } jlt_oracle;
 
 /** Errors: NOMEM; UNSUPPORTED if the embedded table cannot be parsed, which means that the build is broken. */
@@ -39,6 +40,10 @@ JLT_CHECKED jlt_status jlt_oracle_estimate(jlt_oracle *oracle, ttc_enclosure *ou
  *  Errors: DOMAIN, UNSUPPORTED (a name that is no claim), NONFINITE. */
 JLT_CHECKED jlt_status jlt_oracle_gradient_errors(jlt_oracle *oracle, double *errors, const double *gradients,
                                                   const jlt_named *integrals, size_t count);
+
+/** The characteristic polynomial c[0] l^n + c[1] l^(n-1) + ... + c[n], c[0] = 1, that claim number `claim` gives: c, shape (n + 1,),
+ *  which the oracle owns and computes once. Returns NULL if the claim's expression is no polynomial of degree n. */
+const ttc_id *jlt_oracle_charpoly(jlt_oracle *oracle, size_t claim);
 
 /* A bound on |computed - exact|: the distance to the farthest point of the enclosure, rounded up. */
 double jlt_oracle_error(double computed, const ttc_enclosure *enclosure);
