@@ -4,9 +4,6 @@
 #include <string.h>
 
 #include "cli/interrupt.h"
-#include "cli/motion_many.h"
-#include "cli/motion_plane.h"
-#include "cli/planned.h"
 #include "dynamics/scale.h"
 
 enum { SECTION = 1100, SOLVE, MODULO, MIRROR, CONTACT, AT };
@@ -368,19 +365,4 @@ jlt_exit jlt_motion_any_start(double *q, const jlt_motion_options *options, cons
     if (index < options->start_count) return jlt_motion_start(q, system, options->starts[index]);
     jlt_motion_grid_point(q, axes, system, index - options->start_count);
     return JLT_EXIT_DONE;
-}
-
-jlt_exit jlt_motion_system(jlt_system **system, jlt_motion_options *options)
-{
-    const jlt_descriptor *descriptor;
-    jlt_surface surface;
-    bool has_surface;
-
-    *system = NULL;
-    JLT_PASS(jlt_common_model(&options->common, &descriptor));
-    JLT_PASS(jlt_motion_surface(&surface, &has_surface, options, descriptor));
-    JLT_PASS(has_surface ? jlt_motion_surface_system(system, options, &surface)
-                         : jlt_motion_plane_system(system, options, descriptor));
-    jlt_motion_many_settle(options, *system);
-    return options->common.plan ? jlt_planned_motion(*system, options, descriptor) : JLT_EXIT_DONE;
 }

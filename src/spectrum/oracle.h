@@ -41,7 +41,7 @@ JLT_CHECKED jlt_status jlt_oracle_estimate(jlt_oracle *oracle, ttc_enclosure *ou
 JLT_CHECKED jlt_status jlt_oracle_gradient_errors(jlt_oracle *oracle, double *errors, const double *gradients,
                                                   const jlt_named *integrals, size_t count);
 
-/** The characteristic polynomial c[0] l^n + c[1] l^(n-1) + ... + c[n], c[0] = 1, that claim number `claim` gives: c, shape (n + 1,),
+/** The characteristic polynomial c[0] l^n + c[1] l^(n-1) + ... + c[n], c[0] = 1, that claim number `claim` gives: c, (n + 1,),
  *  which the oracle owns and computes once. Returns NULL if the claim's expression is no polynomial of degree n. */
 const ttc_id *jlt_oracle_charpoly(jlt_oracle *oracle, size_t claim);
 
