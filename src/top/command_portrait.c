@@ -334,9 +334,8 @@ static void draw_half(jlt_plot *plot, const jlt_portrait_request *r, int side)
 }
 
 /* Plot the orbits that were collected. Prints an error message on failure. */
-static jlt_exit draw(const jlt_portrait_request *request)
+static jlt_exit draw(const jlt_portrait_request *r)
 {
-    const jlt_portrait_request *r = request;
     jlt_plot plot;
 
     if (jlt_plot_open(&plot, &r->session.common) != JLT_OK) return jlt_command_no_memory();
