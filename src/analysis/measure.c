@@ -233,7 +233,8 @@ void jlt_measure_clear(jlt_measure_attempt *attempt)
  * doubles, if the exact states are irrational, rounding alone makes a zero trace differ from zero. */
 static jlt_status confirm(jlt_measure_finding *f, const jlt_descriptor *d, const double *params)
 {
-    jlt_ball_value *values = jlt_memory_array(d->param_count + 1, sizeof *values), x[JLT_LINEARIZATION_SIZE_MAX];
+    JLT_FREED jlt_ball_value *values = jlt_memory_array(d->param_count + 1, sizeof *values);
+    jlt_ball_value x[JLT_LINEARIZATION_SIZE_MAX];
     jlt_status st;
 
     if (values == NULL) return JLT_ERR_NOMEM;
@@ -241,7 +242,6 @@ static jlt_status confirm(jlt_measure_finding *f, const jlt_descriptor *d, const
     for (unsigned i = 0; i < d->state_count; i++) x[i] = (jlt_ball_value){ f->x[i], NULL };
     st = jlt_linearization_enclose(&f->obstruction, d, values, x, NULL, 0);
     f->obstructed = st == JLT_OK && f->obstruction.exists && f->obstruction.obstructs;
-    free(values);
     return st == JLT_ERR_NOMEM ? st : JLT_OK;
 }
 

@@ -153,24 +153,20 @@ static jlt_status allocate(jlt_transfer *out, merger *m, size_t all)
 
 jlt_status jlt_transfer_coarsen(jlt_transfer **out, const jlt_transfer *fine, size_t factor)
 {
-    jlt_transfer *self = calloc(1, sizeof *self);
-    merger m = { .fine = fine };
+    JLT_OWNED(jlt_transfer) *self = calloc(1, sizeof *self);
+    JLT_CLEARED(forget) merger m = { .fine = fine };
     double parts = 1;
     size_t all;
-    jlt_status st;
 
     *out = NULL;
     if (self == NULL) return JLT_ERR_NOMEM;
-    JLT_TRY(jlt_boxes_coarser(&self->boxes, &fine->boxes, factor));
-    JLT_TRY(jlt_boxes_count(&all, &self->boxes));
-    JLT_TRY(allocate(self, &m, all));
-    JLT_TRY(number_parts(self, &m, all));
+    JLT_PASS(jlt_boxes_coarser(&self->boxes, &fine->boxes, factor));
+    JLT_PASS(jlt_boxes_count(&all, &self->boxes));
+    JLT_PASS(allocate(self, &m, all));
+    JLT_PASS(number_parts(self, &m, all));
     for (unsigned k = 0; k < fine->boxes.dim; k++) parts *= (double)(fine->boxes.count[k] / self->boxes.count[k]);
     for (size_t i = 0; i < self->count; i++) add_row(self, &m, i, parts);
     *out = self;
     self = NULL; /* ownership moved to the caller */
-done:
-    forget(&m);
-    jlt_transfer_destroy(self);
-    return st;
+    return JLT_OK;
 }

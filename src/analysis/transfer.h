@@ -69,6 +69,7 @@ typedef struct {
 JLT_CHECKED jlt_status jlt_transfer_build(jlt_transfer **out, size_t *points, const jlt_boxes *boxes, const jlt_transfer_map *map,
                                           const jlt_transfer_options *options);
 void jlt_transfer_destroy(jlt_transfer *self); /* NULL is legal */
+JLT_OWNED_TYPE(jlt_transfer)
 
 /** The matrix on boxes `factor` times wider, where the mass of a box is distributed over its fine boxes by their shares. Out:
  *  *out, NULL on failure. Errors: ARG, as jlt_boxes_coarser; NOMEM. */

@@ -32,20 +32,19 @@ static void tell(jlt_transfer_finding *out, const jlt_transfer *transfer, const 
 jlt_status jlt_transfer_finding_make(jlt_transfer_finding *out, const jlt_transfer *transfer, const jlt_chart *chart, size_t wanted,
                                      const volatile sig_atomic_t *interrupt)
 {
-    double *work = jlt_memory_array(transfer->count, sizeof *work);
-    jlt_status st = work == NULL ? JLT_ERR_NOMEM : JLT_OK;
+    JLT_FREED double *work = jlt_memory_array(transfer->count, sizeof *work);
 
     *out = (jlt_transfer_finding){ .escape = NAN, .balance = NAN, .time = NAN, .asymmetry = NAN, .defect = NAN, .distance = NAN,
                                    .set_mass = { NAN, NAN }, .set_kept = { NAN, NAN } };
-    if (st == JLT_OK && transfer->known != NULL) {
+    if (work == NULL) return JLT_ERR_NOMEM;
+    if (transfer->known != NULL) {
         jlt_transfer_push(transfer, work, transfer->known);
         out->defect = jlt_transfer_distance(work, transfer->known, transfer->count);
     }
-    if (st == JLT_OK && wanted > 0)
-        st = jlt_transfer_spectrum_compute(&out->spectrum, transfer, wanted, eigenvalue_tolerance, interrupt);
-    if (st == JLT_OK && wanted > 0) tell(out, transfer, chart, work);
-    free(work);
-    return st;
+    if (wanted == 0) return JLT_OK;
+    JLT_PASS(jlt_transfer_spectrum_compute(&out->spectrum, transfer, wanted, eigenvalue_tolerance, interrupt));
+    tell(out, transfer, chart, work);
+    return JLT_OK;
 }
 
 double jlt_transfer_finding_density(const jlt_transfer *transfer, const double *v, size_t place)
@@ -55,7 +54,8 @@ double jlt_transfer_finding_density(const jlt_transfer *transfer, const double *
 
 jlt_status jlt_transfer_finding_peaks(size_t *places, size_t *count, size_t room, const jlt_transfer *transfer, const double *v)
 {
-    size_t *neighbours = jlt_memory_array(NEIGHBOURS, sizeof *neighbours), found = 0;
+    JLT_FREED size_t *neighbours = jlt_memory_array(NEIGHBOURS, sizeof *neighbours);
+    size_t found = 0;
 
     if (neighbours == NULL) return JLT_ERR_NOMEM;
     for (size_t i = 0; i < transfer->count; i++) {
@@ -73,6 +73,5 @@ jlt_status jlt_transfer_finding_peaks(size_t *places, size_t *count, size_t room
         if (at < room) places[at] = i;
     }
     *count = found;
-    free(neighbours);
     return JLT_OK;
 }

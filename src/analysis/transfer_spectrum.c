@@ -120,7 +120,8 @@ static jlt_status arrange(jlt_transfer_spectrum *out, const jlt_transfer *transf
 {
     const double *re = one->re, *im = one->im, *vectors = one->vectors;
     const size_t n = transfer->count, found = one->found;
-    size_t *order = jlt_memory_array(found, sizeof *order), count = found, first, second;
+    JLT_FREED size_t *order = jlt_memory_array(found, sizeof *order);
+    size_t count = found, first, second;
     jlt_status st = order == NULL ? JLT_ERR_NOMEM : JLT_OK;
 
     for (size_t i = 0; st == JLT_OK && i < found; i++) {
@@ -157,7 +158,6 @@ static jlt_status arrange(jlt_transfer_spectrum *out, const jlt_transfer *transf
         out->second_index = second;
         if (out->leading == NULL || (second < count && out->second == NULL)) st = JLT_ERR_NOMEM;
     }
-    free(order);
     return st;
 }
 
@@ -195,7 +195,7 @@ static jlt_status compute(jlt_transfer_spectrum *out, const jlt_transfer *transf
     const size_t n = transfer->count;
     problem p = { transfer, interrupt };
     answer one = { .re = NULL }, other = { .re = NULL };
-    double *work = jlt_memory_array(2 * n, sizeof *work), *start = jlt_memory_array(n, sizeof *start);
+    JLT_FREED double *work = jlt_memory_array(2 * n, sizeof *work), *start = jlt_memory_array(n, sizeof *start);
     jlt_status st = JLT_ERR_NOMEM;
 
     *out = (jlt_transfer_spectrum){ .re = jlt_memory_array(wanted + 1, sizeof(double)),
@@ -211,8 +211,6 @@ static jlt_status compute(jlt_transfer_spectrum *out, const jlt_transfer *transf
 done:
     release(&one);
     release(&other);
-    free(work);
-    free(start);
     if (st != JLT_OK) jlt_transfer_spectrum_clear(out);
     return st;
 }
@@ -222,7 +220,8 @@ done:
 static jlt_status check_recurrent(const jlt_transfer *transfer)
 {
     const size_t n = transfer->count;
-    size_t *into = jlt_memory_array(n, sizeof *into), *free_of = jlt_memory_array(n, sizeof *free_of), last = 0, next = 0;
+    JLT_FREED size_t *into = jlt_memory_array(n, sizeof *into), *free_of = jlt_memory_array(n, sizeof *free_of);
+    size_t last = 0, next = 0;
     const bool is_out = into == NULL || free_of == NULL;
 
     for (size_t e = 0; !is_out && e < transfer->row[n]; e++) into[transfer->to[e]]++;
@@ -231,8 +230,6 @@ static jlt_status check_recurrent(const jlt_transfer *transfer)
     for (; next < last; next++)
         for (size_t e = transfer->row[free_of[next]]; e < transfer->row[free_of[next] + 1]; e++)
             if (--into[transfer->to[e]] == 0) free_of[last++] = transfer->to[e];
-    free(into);
-    free(free_of);
     return is_out ? JLT_ERR_NOMEM : last == n ? JLT_ERR_EMPTY : JLT_OK;
 }
 

@@ -24,18 +24,16 @@ static jlt_status contradict(jlt_verify_run *run, jlt_verify_density *d, jlt_ins
 static jlt_status attempt(jlt_verify_run *run, jlt_verify_density *d)
 {
     double residual[64];
-    jlt_instance *instance = NULL;
-    jlt_status st = jlt_instance_create(&instance, d->descriptor, d->params);
+    JLT_OWNED(jlt_instance) *instance = NULL;
 
-    if (st != JLT_OK || d->descriptor->measure_count > 64) goto done;
-    JLT_TRY(jlt_measure_try(&d->attempt, instance, POINTS, &run->random));
-    JLT_TRY(jlt_density_residual(residual, instance, SAMPLES, &run->random));
+    JLT_PASS(jlt_instance_create(&instance, d->descriptor, d->params));
+    if (d->descriptor->measure_count > 64) return JLT_OK;
+    JLT_PASS(jlt_measure_try(&d->attempt, instance, POINTS, &run->random));
+    JLT_PASS(jlt_density_residual(residual, instance, SAMPLES, &run->random));
     for (unsigned i = 0; i < d->descriptor->measure_count; i++) d->residual = fmax(d->residual, residual[i]);
     if (d->descriptor->measure_count == 0 && d->attempt.found && d->attempt.points != NULL)
-        st = contradict(run, d, instance);
-done:
-    jlt_instance_destroy(instance);
-    return st;
+        return contradict(run, d, instance);
+    return JLT_OK;
 }
 
 /* If the table claims a measure, it must be confirmed; if not, no density that contradicts an equilibrium may be found. */
@@ -53,24 +51,19 @@ static jlt_status add(jlt_verify_run *run, const jlt_descriptor *descriptor, uns
 {
     const jlt_descriptor *general = run->descriptor;
     jlt_verify_density *d = &run->densities[run->density_count];
-    double *drawn = jlt_memory_array(general->param_count, sizeof *drawn);
+    JLT_FREED double *drawn = jlt_memory_array(general->param_count, sizeof *drawn);
     double zero[256] = { 0 };
-    jlt_status st = JLT_ERR_NOMEM;
 
     d->descriptor = descriptor;
     d->params = jlt_memory_array(general->param_count, sizeof *d->params);
     run->density_count++;
-    if (drawn == NULL || d->params == NULL) goto done;
+    if (drawn == NULL || d->params == NULL) return JLT_ERR_NOMEM;
     jlt_verify_draw_params(drawn, general, &run->random, kind);
     memcpy(d->params, drawn, general->param_count * sizeof *drawn);
     if (descriptor->impose != NULL) descriptor->impose(zero, drawn, d->params);
-    st = JLT_OK;
     d->status = attempt(run, d);
-    if (d->status == JLT_ERR_NOMEM) st = d->status;
     *(holds(d) ? &run->held : &run->failed) += 1;
-done:
-    free(drawn);
-    return st;
+    return d->status == JLT_ERR_NOMEM ? JLT_ERR_NOMEM : JLT_OK;
 }
 
 jlt_status jlt_verify_densities(jlt_verify_run *run)

@@ -2,6 +2,7 @@
 #include "claims/sample.h"
 
 #include "analysis/charpoly.h"
+#include "core/memory.h"
 #include "kernel/descriptor.h"
 #include "kernel/instance.h"
 #include "kernel/kernel.h"
@@ -9,7 +10,6 @@
 #include <complex.h>
 #include <float.h>
 #include <math.h>
-#include <stdlib.h>
 
 enum { SIZE = JLT_SAMPLE_STATES_MAX };
 
@@ -186,16 +186,15 @@ static jlt_status compare(jlt_verify_family *f, const jlt_sample *s, jlt_oracle 
 {
     const size_t n = general->state_count;
     double field[SIZE], jacobian[SIZE * SIZE], both[SIZE + SIZE * SIZE], divergence, trace;
-    jlt_instance *instance = NULL;
-    jlt_deflation *eigen = malloc(sizeof *eigen);
-    jlt_status st = eigen == NULL ? JLT_ERR_NOMEM : JLT_OK;
+    JLT_OWNED(jlt_instance) *instance = NULL;
+    JLT_FREED jlt_deflation *eigen = malloc(sizeof *eigen);
 
-    if (st == JLT_OK) st = jlt_instance_create(&instance, kernels, s->params);
-    if (st != JLT_OK) goto done;
-    JLT_TRY(jlt_instance_rhs(instance, field, s->x));
-    JLT_TRY(jlt_instance_jacobian(instance, jacobian, s->x));
-    JLT_TRY(jlt_kernel_eval(both, &kernels->rhs_jacobian, s->x, n, instance->prepared));
-    JLT_TRY(jlt_instance_divergence(instance, &divergence, s->x));
+    if (eigen == NULL) return JLT_ERR_NOMEM;
+    JLT_PASS(jlt_instance_create(&instance, kernels, s->params));
+    JLT_PASS(jlt_instance_rhs(instance, field, s->x));
+    JLT_PASS(jlt_instance_jacobian(instance, jacobian, s->x));
+    JLT_PASS(jlt_kernel_eval(both, &kernels->rhs_jacobian, s->x, n, instance->prepared));
+    JLT_PASS(jlt_instance_divergence(instance, &divergence, s->x));
     for (size_t i = 0; i < n; i++)
         record(check_named(f, "field on the family, which is zero", running_error), fabs(field[i]), 0.0,
                s->field[i].rounding / roundoff, rearranged * s->field[i].rounding);
@@ -206,29 +205,25 @@ static jlt_status compare(jlt_verify_family *f, const jlt_sample *s, jlt_oracle 
     against_enclosures(check_named(f, "generated divergence in ball enclosures of 256 bits", running_error), &divergence,
                        &s->trace, 1);
     if (f->family->trace != NULL) {
-        JLT_TRY(jlt_kernel_eval_function(&trace, f->family->trace, 1, s->x, n, s->params, general->param_count));
+        JLT_PASS(jlt_kernel_eval_function(&trace, f->family->trace, 1, s->x, n, s->params, general->param_count));
         against_enclosures(check_named(f, "table's trace in ball enclosures of 256 bits", running_error), &trace, &s->trace,
                            1);
         record(check_named(f, "generated divergence against the table's trace", pair_error), fabs(divergence - trace),
                s->trace.value, running(s->trace.rounding, &s->trace) / roundoff,
                2 * rearranged * running(s->trace.rounding, &s->trace));
     }
-    JLT_TRY(compare_matrix(f, s, general, jacobian));
+    JLT_PASS(compare_matrix(f, s, general, jacobian));
     compare_complex_step(f, s, general, jacobian);
-    JLT_TRY(compare_left_null(f, s, general, jacobian));
-    JLT_TRY(compare_eigen(f, eigen, s, oracle, instance, jacobian));
-    JLT_TRY(compare_charpoly(f, s, general, jacobian, eigen));
-done:
-    jlt_instance_destroy(instance);
-    free(eigen);
-    return st;
+    JLT_PASS(compare_left_null(f, s, general, jacobian));
+    JLT_PASS(compare_eigen(f, eigen, s, oracle, instance, jacobian));
+    return compare_charpoly(f, s, general, jacobian, eigen);
 }
 
 static jlt_status verify_family(jlt_verify_run *run, jlt_verify_family *f)
 {
     const jlt_descriptor *general = run->descriptor;
     jlt_sample_subject subject = { 0 };
-    jlt_sample *s = malloc(sizeof *s);
+    JLT_FREED jlt_sample *s = malloc(sizeof *s);
     jlt_status st = s == NULL ? JLT_ERR_NOMEM : JLT_OK;
 
     if (st == JLT_OK) st = jlt_sample_subject_init(&subject, run, f->family);
@@ -248,7 +243,6 @@ static jlt_status verify_family(jlt_verify_run *run, jlt_verify_family *f)
     /* If every sample was refused, nothing is verified. */
     if (f->samples == f->refused) run->failed++;
     jlt_sample_subject_clear(&subject);
-    free(s);
     return st;
 }
 

@@ -1,10 +1,10 @@
 #include "cli/certify_given.h"
 
 #include "ball/ball.h"
+#include "core/memory.h"
 #include "ext/number.h"
 #include "kernel/descriptor.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 static void show(void *progress, size_t steps)
@@ -198,7 +198,7 @@ static jlt_exit put_section(json_t *given, const jlt_descriptor *d, const jlt_mo
 {
     const jlt_chart *chart = system->flow.chart;
     const char *typed = system->surface == NULL && options->section != NULL ? strchr(options->section, '=') : NULL;
-    char *text = NULL;
+    JLT_FREED char *text = NULL;
     json_t *section;
 
     if (system->surface != NULL) text = text_of(find_section, d->table, system->surface->section->name);
@@ -207,7 +207,6 @@ static jlt_exit put_section(json_t *given, const jlt_descriptor *d, const jlt_mo
                                               options->section != NULL ? options->section : d->states[chart->column].name);
     section = json_pack("{s:s,s:s,s:i}", "state", d->states[chart->column].name, "value", text, "direction",
                         options->flow.direction == JLT_FALLING ? -1 : 1);
-    free(text);
     return json_object_set_new(given, "section", section) == 0 ? JLT_EXIT_DONE : jlt_command_no_memory();
 }
 

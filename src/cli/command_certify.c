@@ -1,16 +1,15 @@
 /* `jellett certify`: proves an orbit, or what a family of equilibria excludes, and writes the certificate. */
-#include "cli/certify_cycle.h"
+#include "cli/certify_orbit.h"
 #include "cli/certify_family.h"
 #include "cli/certify_given.h"
-#include "cli/certify_homoclinic.h"
 #include "cli/certify_pole.h"
+#include "core/memory.h"
 #include "dynamics/periodic.h"
 #include "validated/certificate.h"
 #include "validated/given_family.h"
 #include "validated/given_homoclinic.h"
 #include "validated/theorem.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 typedef struct {
@@ -211,7 +210,8 @@ static jlt_exit add_homoclinic(json_t *given, const jlt_given *question, const o
 {
     const jlt_descriptor *d = question->question.descriptor;
     const jlt_chart *chart = system->flow.chart;
-    double *x = calloc((size_t)JLT_CERTIFY_RETURNS_MAX * d->state_count, sizeof *x), q[JLT_CHART_DIM_MAX];
+    JLT_FREED double *x = calloc((size_t)JLT_CERTIFY_RETURNS_MAX * d->state_count, sizeof *x);
+    double q[JLT_CHART_DIM_MAX];
     double saddle[JLT_CHART_STATES_MAX] = { 0 };
     jlt_certify_search search = { .states = d->state_count, .saddle = q, .which = (unsigned)o->which, .distance = o->distance };
     jlt_status st = x == NULL ? JLT_ERR_NOMEM : JLT_ERR_UNSUPPORTED;
@@ -227,7 +227,6 @@ static jlt_exit add_homoclinic(json_t *given, const jlt_given *question, const o
                                      : JLT_ERR_UNSUPPORTED;
         if (st == JLT_ERR_UNSUPPORTED || found == JLT_OK) st = found;
     }
-    free(x);
     if (st == JLT_ERR_DOMAIN) return jlt_command_fail(JLT_EXIT_FAILED, unshown, o->motion.starts[0], o->digits, d->model);
     if (st == JLT_ERR_UNSUPPORTED)
         return jlt_command_fail(JLT_EXIT_NUMERICAL,
@@ -242,9 +241,9 @@ static jlt_exit add_homoclinic(json_t *given, const jlt_given *question, const o
 /* Make the question about an orbit: find it in doubles, refine it in balls, and put boxes around it. */
 static jlt_exit ask(json_t **given, const jlt_descriptor **d, options *o, jlt_system *system)
 {
-    double *x = calloc((size_t)JLT_PERIODIC_MAX * JLT_CHART_STATES_MAX, sizeof *x), T[JLT_PERIODIC_MAX], q[JLT_CHART_DIM_MAX],
-           near_one = INFINITY;
-    int *turns = calloc((size_t)JLT_PERIODIC_MAX * JLT_CHART_STATES_MAX, sizeof *turns);
+    JLT_FREED double *x = calloc((size_t)JLT_PERIODIC_MAX * JLT_CHART_STATES_MAX, sizeof *x);
+    double T[JLT_PERIODIC_MAX], q[JLT_CHART_DIM_MAX], near_one = INFINITY;
+    JLT_FREED int *turns = calloc((size_t)JLT_PERIODIC_MAX * JLT_CHART_STATES_MAX, sizeof *turns);
     unsigned legs = 0;
     char problem[JLT_GIVEN_PROBLEM_MAX] = "";
     jlt_given question;
@@ -256,7 +255,7 @@ static jlt_exit ask(json_t **given, const jlt_descriptor **d, options *o, jlt_sy
     if (code == JLT_EXIT_DONE) st = jlt_certify_cycle_find(x, T, turns, &legs, &near_one, system, q, o->period);
     if (st != JLT_OK) code = jlt_motion_no_orbit(st, system, o->motion.starts[0]);
     if (code == JLT_EXIT_DONE) code = jlt_certify_given(given, d, &o->motion, system, &o->spread, (unsigned)o->digits);
-    if (code != JLT_EXIT_DONE) goto done;
+    if (code != JLT_EXIT_DONE) return code;
     if (!jlt_given_read(&question, *given, *d, &o->watch, problem)) code = jlt_command_fail(JLT_EXIT_INPUT, "%s", problem);
     else if ((st = jlt_given_make_legs(&question, *given, legs, x, T, turns, o->radius, problem)) != JLT_OK && *problem != '\0')
         code = jlt_command_fail(JLT_EXIT_INPUT, "%s", problem);
@@ -269,9 +268,6 @@ static jlt_exit ask(json_t **given, const jlt_descriptor **d, options *o, jlt_sy
                                 jlt_status_text(st));
     else if (strcmp(o->kind, "homoclinic") == 0) code = add_homoclinic(*given, &question, o, system);
     jlt_given_clear(&question);
-done:
-    free(turns);
-    free(x);
     return code;
 }
 

@@ -3,12 +3,12 @@
 #include "cli/progress.h"
 #include "cli/shelf.h"
 #include "cli/swept.h"
+#include "core/memory.h"
 #include "dynamics/lyapunov.h"
 #include "dynamics/scale.h"
 #include "report/csv.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 typedef jlt_lyapunov_chart_options options;
@@ -161,13 +161,14 @@ typedef struct {
 static bool follow_group(exponents *const *runs, size_t count)
 {
     const unsigned d = runs[0]->system->flow.chart->dim;
-    exponents **own = malloc(count * sizeof(exponents *));
-    double *q = malloc(count * d * sizeof *q);
-    size_t *flow_of = malloc(count * sizeof *flow_of), made = 0;
-    jlt_lyapunov_state *states = malloc(count * sizeof *states);
-    jlt_status *statuses = malloc(count * sizeof *statuses), st = JLT_ERR_NOMEM;
+    JLT_FREED exponents **own = malloc(count * sizeof(exponents *));
+    JLT_FREED double *q = malloc(count * d * sizeof *q);
+    JLT_FREED size_t *flow_of = malloc(count * sizeof *flow_of);
+    size_t made = 0;
+    JLT_FREED jlt_lyapunov_state *states = malloc(count * sizeof *states);
+    JLT_FREED jlt_status *statuses = malloc(count * sizeof *statuses);
 
-    if (own == NULL || q == NULL || flow_of == NULL || states == NULL || statuses == NULL) goto done;
+    if (own == NULL || q == NULL || flow_of == NULL || states == NULL || statuses == NULL) return false;
     for (size_t i = 0; i < count; i++) {
         exponents *run = runs[i];
         flow_of[made] = 0;
@@ -176,19 +177,14 @@ static bool follow_group(exponents *const *runs, size_t count)
         memcpy(q + made * d, run->q, d * sizeof *q);
         own[made++] = run;
     }
-    st = jlt_lyapunov_run_each(runs[0]->maps, states, statuses, q, flow_of, made, runs[0]->o.skip, runs[0]->o.returns);
-    for (size_t i = 0; st == JLT_OK && i < made; i++) {
+    if (jlt_lyapunov_run_each(runs[0]->maps, states, statuses, q, flow_of, made, runs[0]->o.skip, runs[0]->o.returns) != JLT_OK)
+        return false;
+    for (size_t i = 0; i < made; i++) {
         own[i]->state = states[i];
         own[i]->status = statuses[i];
         own[i]->has_end = true;
     }
-done:
-    free(own);
-    free(q);
-    free(flow_of);
-    free(states);
-    free(statuses);
-    return st == JLT_OK;
+    return true;
 }
 
 /* Follow one orbit, and keep its last state; at a point of a sweep no rows are written on the way. */

@@ -2,13 +2,13 @@
 #include "analysis/measure.h"
 #include "cli/plot.h"
 #include "cli/swept.h"
+#include "core/memory.h"
 #include "report/csv.h"
 #include "report/decimal.h"
 #include "report/json.h"
 #include "report/symbol.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 enum { KEY_SEED = 256, KEY_POINTS, POINTS = 41, POINTS_MAX = 100001 };
@@ -282,9 +282,9 @@ static const jlt_swept_form swept = { &jlt_command_measure, false, 1 };
 static jlt_exit run(int argc, char **argv)
 {
     request r = { .seed = 1, .points = POINTS };
-    jlt_measure_finding *f = calloc(1, sizeof *f);
+    JLT_FREED jlt_measure_finding *f = calloc(1, sizeof *f);
     const jlt_descriptor *general = NULL;
-    double *params = NULL;
+    JLT_FREED double *params = NULL;
     jlt_random random;
     jlt_exit code = JLT_EXIT_NUMERICAL;
 
@@ -308,8 +308,6 @@ static jlt_exit run(int argc, char **argv)
     if (code == JLT_EXIT_DONE) code = judge(f);
 done:
     if (f != NULL) jlt_measure_forget(f);
-    free(f);
-    free(params);
     jlt_common_end(&r.common);
     return code;
 }

@@ -135,12 +135,11 @@ static jlt_exit find_files(file_list *files, const options *o)
 
 static jlt_exit open_gather(merge *self, const file_list *files)
 {
-    char *message = NULL;
+    JLT_FREED char *message = NULL;
     size_t first = 0;
     const jlt_status st = jlt_gather_open(&self->gather, &message, (const char *const *)files->paths, files->count);
 
     if (message != NULL && *message != '\0') fprintf(stderr, "jellett: %s", message);
-    free(message);
     if (st == JLT_ERR_EMPTY)
         return jlt_command_fail(JLT_EXIT_FAILED, "no file holds a study yet: run jellett sweep STUDY.scene first");
     if (st == JLT_ERR_NOMEM) return jlt_command_no_memory();
@@ -302,14 +301,13 @@ static jlt_exit write_all(merge *self)
 {
     const char *standard[] = { "-" }, *const *paths = self->o->output_count > 0 ? self->o->outputs : standard;
     const size_t count = self->o->output_count > 0 ? self->o->output_count : 1;
-    char *header = make_header(self);
+    JLT_FREED char *header = make_header(self);
     jlt_exit code = header != NULL ? JLT_EXIT_DONE : jlt_command_no_memory();
 
     for (size_t k = 0; code == JLT_EXIT_DONE && k < count; k++) {
         code = jlt_merged_open(&self->outputs[k], paths[k], &self->form, self->over_count, jlt_gather_study(self->gather), header);
         self->output_count++;
     }
-    free(header);
     if (code == JLT_EXIT_DONE) code = pass(self, true);
     for (size_t k = 0; code == JLT_EXIT_DONE && k < self->output_count; k++) code = jlt_merged_close(&self->outputs[k]);
     for (size_t k = 0; k < self->output_count; k++) jlt_merged_discard(&self->outputs[k]);

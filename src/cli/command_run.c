@@ -1,7 +1,6 @@
 /* `jellett run`: runs the commands of a scene. */
 #include <errno.h>
 #include <stdbool.h>
-#include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -10,6 +9,7 @@
 #include "cli/interrupt.h"
 #include "cli/job.h"
 #include "cli/table.h"
+#include "core/memory.h"
 #include "report/file.h"
 #include "scene/scene.h"
 
@@ -63,10 +63,9 @@ static const struct argp parser = {
 
 static void show(const char *name, char **argv, int argc)
 {
-    char *line = jlt_command_line(argc, argv);
+    JLT_FREED char *line = jlt_command_line(argc, argv);
 
     if (line != NULL) printf("jellett %s%s\n", name, line + strlen(argv[0]));
-    free(line);
 }
 
 static bool is_one_file(const char *path, const char *other)
@@ -112,13 +111,12 @@ static jlt_exit fix_tables(jlt_scene *scene)
 
 static jlt_exit run_jobs(int *ending, const jlt_scene *scene, const options *o)
 {
-    char *scene_path = realpath(o->scene, NULL);
+    JLT_FREED char *scene_path = realpath(o->scene, NULL);
     jlt_exit code = JLT_EXIT_DONE;
 
     if (o->into != NULL && !o->dry && chdir(o->into) != 0)
         code = jlt_command_fail(JLT_EXIT_IO, "--into %s: %s", o->into, strerror(errno));
     else if (!o->dry) code = check_files(scene, scene_path);
-    free(scene_path);
     for (size_t k = 0; code == JLT_EXIT_DONE && *ending == 0 && k < scene->count; k++) {
         const jlt_scene_job *job = &scene->jobs[k];
         const jlt_command *command = jlt_command_find(job->what);

@@ -1,11 +1,11 @@
 /* `jellett separation`: whether attractor and repeller are apart, from the cells that orbits visit in both directions of time. */
 #include "cli/motion_many.h"
 #include "cli/swept.h"
+#include "core/memory.h"
 #include "dynamics/separation.h"
 #include "kernel/batch_isa.h"
 #include "report/csv.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 typedef struct {
@@ -92,22 +92,17 @@ static jlt_exit measure(jlt_separation *table, size_t *rows, const jlt_grid_axis
         .settle = o->settle, .returns = o->returns, .kernels = kernels, .threads = (unsigned)o->motion.threads,
         .by_mirror = o->motion.mirror == NULL
     };
-    double *starts = NULL;
-    size_t all;
-    jlt_status st = JLT_ERR_NOMEM;
 
     for (int k = 0; k < 2; k++) {
         wanted.low[k] = cells[k].low;
         wanted.high[k] = cells[k].high;
         wanted.cells[k] = cells[k].count;
     }
-    all = jlt_motion_grid_size(axes, system);
-    starts = malloc(all * 2 * sizeof *starts);
-    if (starts != NULL) {
-        for (size_t i = 0; i < all; i++) jlt_motion_grid_point(starts + 2 * i, axes, system, i);
-        st = jlt_separation_measure(table, rows, &system->flow, starts, all, &wanted);
-    }
-    free(starts);
+    const size_t all = jlt_motion_grid_size(axes, system);
+    JLT_FREED double *starts = malloc(all * 2 * sizeof *starts);
+    if (starts == NULL) return jlt_motion_fail(JLT_ERR_NOMEM, system, "separation");
+    for (size_t i = 0; i < all; i++) jlt_motion_grid_point(starts + 2 * i, axes, system, i);
+    const jlt_status st = jlt_separation_measure(table, rows, &system->flow, starts, all, &wanted);
     if (st == JLT_ERR_NO_CONVERGENCE && jlt_motion_interrupted(&o->motion))
         return jlt_command_fail(JLT_EXIT_NUMERICAL, "interrupted; nothing is saved: the counts need all orbits");
     return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, system, "separation");

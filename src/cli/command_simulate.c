@@ -2,12 +2,13 @@
 #include "cli/simulate.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
+#include "cli/grid.h"
 #include "cli/planned.h"
 #include "cli/progress.h"
 #include "cli/swept.h"
+#include "core/memory.h"
 #include "dynamics/section.h"
 #include "kernel/descriptor.h"
 #include "report/csv.h"
@@ -170,6 +171,51 @@ static const char *list_unproved(char *claims, size_t size, const jlt_simulate_r
     return *claims != '\0' ? claims : NULL;
 }
 
+enum { TIMES_MAX = 100000000 };
+
+static jlt_exit listed_times(jlt_simulate_request *r)
+{
+    size_t room = 1;
+
+    for (const char *c = r->times_text; *c != '\0'; c++) room += *c == ',';
+    r->times = calloc(room, sizeof *r->times);
+    if (r->times == NULL) return jlt_session_fail(JLT_ERR_NOMEM, "--times");
+    for (const char *at = r->times_text;; at++) {
+        const size_t length = strcspn(at, ",");
+        JLT_PASS(jlt_grid_number(&r->times[r->time_count++], at, length, "--times"));
+        at += length;
+        if (*at == '\0') break;
+    }
+    for (size_t i = 1; i < r->time_count; i++) {
+        const bool forwards = r->times[i] >= r->times[i - 1] && r->times[0] >= 0;
+        const bool backwards = r->times[i] <= r->times[i - 1] && r->times[0] <= 0;
+        if (!(r->times[r->time_count - 1] >= 0 ? forwards : backwards))
+            return jlt_command_fail(JLT_EXIT_INPUT, "--times: they must go from 0 in one direction, in order");
+    }
+    return JLT_EXIT_DONE;
+}
+
+static jlt_exit regular_times(jlt_simulate_request *r)
+{
+    const double every = !isnan(r->every) ? r->every : fabs(r->until) / 100;
+    const double steps = r->until == 0 ? 0 : floor(fabs(r->until) / every * (1 + 4e-16));
+
+    if (!(steps < TIMES_MAX)) return jlt_command_fail(JLT_EXIT_INPUT, "--every: more than %d rows: take a larger step", TIMES_MAX);
+    r->time_count = (size_t)steps + 1;
+    r->times = calloc(r->time_count + 1, sizeof *r->times);
+    if (r->times == NULL) return jlt_session_fail(JLT_ERR_NOMEM, "--until");
+    for (size_t i = 0; i < r->time_count; i++) r->times[i] = copysign((double)i * every, r->until);
+    r->times[0] = 0;
+    if (fabs(r->until) - fabs(r->times[r->time_count - 1]) > 1e-12 * every) r->times[r->time_count++] = r->until;
+    return JLT_EXIT_DONE;
+}
+
+/* Read --times, or --until and --every, into `times`. */
+static jlt_exit read_times(jlt_simulate_request *r)
+{
+    return r->times_text != NULL ? listed_times(r) : regular_times(r);
+}
+
 static void write_header(FILE *file, const jlt_simulate_request *r)
 {
     const jlt_session *s = &r->session;
@@ -182,7 +228,7 @@ static void write_header(FILE *file, const jlt_simulate_request *r)
     /* in a sweep the tier, and its levels as parameters, may change from point to point: name the table asked for */
     const jlt_descriptor *told = s->common.at_point ? s->descriptor : kernel->descriptor;
     char claims[512];
-    double *params = jlt_common_steady(&s->common, told, s->common.at_point ? s->params : kernel->params);
+    JLT_FREED double *params = jlt_common_steady(&s->common, told, s->common.at_point ? s->params : kernel->params);
     if (params != NULL)
         jlt_csv_header(file, &(jlt_csv_settings){ .command = s->common.command,
                                                   .descriptor = told,
@@ -190,7 +236,6 @@ static void write_header(FILE *file, const jlt_simulate_request *r)
                                                   .method = s->method->name,
                                                   .tolerance = s->tolerance,
                                                   .unproved = list_unproved(claims, sizeof claims, r, told) });
-    free(params);
     fprintf(file, "# tier %s: %s; method %s, tolerance %.3g%s; nothing is random, so there is no seed\n", jlt_plan_tier(plan),
             plan->candidates[plan->chosen].tier.meaning, s->method->name, s->tolerance, r->project ? ", projected" : "");
     jlt_csv_names names;
@@ -309,7 +354,7 @@ static jlt_exit run(int argc, char **argv)
     code = jlt_session_open(&r.session);
     if (code == JLT_EXIT_DONE && asks_larger(&r)) code = jlt_session_look_at_larger(&r.session);
     if (code == JLT_EXIT_DONE) code = jlt_session_start(&r.session);
-    if (code == JLT_EXIT_DONE) code = jlt_simulate_times(&r);
+    if (code == JLT_EXIT_DONE) code = read_times(&r);
     if (code == JLT_EXIT_DONE) code = open_courses(&r);
     if (code == JLT_EXIT_DONE) code = jlt_simulate_axes(&r);
     if (code == JLT_EXIT_DONE && r.session.common.plan) {

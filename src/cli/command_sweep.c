@@ -3,7 +3,6 @@
 #include <errno.h>
 #include <math.h>
 #include <stdint.h>
-#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #if defined(_OPENMP)
@@ -16,6 +15,7 @@
 #include "cli/study.h"
 #include "cli/sweep_rows.h"
 #include "cli/worker.h"
+#include "core/memory.h"
 #include "shards/deal.h"
 #include "shards/manifest.h"
 #include "shards/rank.h"
@@ -159,7 +159,7 @@ static int by_piece(const void *a, const void *b)
 /* Mark the pieces that the file has already, and continue it behind its last whole record. */
 static jlt_exit take_done(sweep *self, jlt_shard_reader *reader)
 {
-    own_piece *all = calloc(self->own + 1, sizeof *all);
+    JLT_FREED own_piece *all = calloc(self->own + 1, sizeof *all);
     jlt_shard_record record;
     jlt_status st = all != NULL ? JLT_OK : JLT_ERR_NOMEM;
 
@@ -172,7 +172,6 @@ static jlt_exit take_done(sweep *self, jlt_shard_reader *reader)
         self->before++;
         note(self, (jlt_exit)record.status);
     }
-    free(all);
     if (st == JLT_ERR_EMPTY) st = jlt_shard_resume(&self->shard, self->study.manifest, reader->at);
     return st == JLT_OK ? JLT_EXIT_DONE : cannot_write(self, st);
 }
@@ -181,7 +180,7 @@ static jlt_exit take_done(sweep *self, jlt_shard_reader *reader)
 static jlt_exit open_file(sweep *self)
 {
     jlt_shard_reader reader = { .descriptor = -1 };
-    char *study = NULL;
+    JLT_FREED char *study = NULL;
     pid_t holder;
     jlt_exit code = JLT_EXIT_DONE;
     jlt_status st = jlt_shard_open(&self->shard, &holder, self->path);
@@ -206,7 +205,6 @@ static jlt_exit open_file(sweep *self)
             fprintf(stderr, "jellett: %s: %lld bytes behind the last record that is whole are cut\n", self->path,
                     (long long)(size - reader.at));
     }
-    free(study);
     jlt_shard_reader_close(&reader);
     return code;
 }

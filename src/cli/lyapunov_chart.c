@@ -1,11 +1,11 @@
 #include "cli/lyapunov_chart.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "cli/interrupt.h"
 #include "cli/progress.h"
+#include "core/memory.h"
 #include "dynamics/lyapunov.h"
 #include "kernel/batch_isa.h"
 #include "report/csv.h"
@@ -61,7 +61,7 @@ jlt_exit jlt_lyapunov_chart_write(jlt_motion_map *picture, jlt_map *map, jlt_map
     const jlt_chart *chart = system->flow.chart;
     const unsigned d = chart->dim;
     const size_t all = jlt_motion_grid_size(axes, system), block = BLOCK * o->threads;
-    double *q = malloc(block * d * sizeof *q);
+    JLT_FREED double *q = malloc(block * d * sizeof *q);
     jlt_map_images images = { 0 };
     jlt_csv_names names;
     jlt_progress progress;
@@ -94,7 +94,6 @@ jlt_exit jlt_lyapunov_chart_write(jlt_motion_map *picture, jlt_map *map, jlt_map
     }
     jlt_progress_end(&progress);
     jlt_map_batch_images_clear(&images);
-    free(q);
     if (unresolved > 0)
         fprintf(stderr, "jellett: returns of %zu starts contract by more than the tolerance resolves: they have no exponent\n",
                 unresolved);

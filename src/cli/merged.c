@@ -1,11 +1,11 @@
 #include "cli/merged.h"
 
 #include <errno.h>
-#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
 #include "cli/interrupt.h"
+#include "core/memory.h"
 
 bool jlt_merged_known(jlt_merged_kind *kind, const char *path)
 {
@@ -66,7 +66,7 @@ static void write_names(FILE *stream, const jlt_table_form *form, const char *he
 
 static jlt_exit begin_array(jlt_merged *self, const jlt_table_form *form, const char *header)
 {
-    char *text = NULL;
+    JLT_FREED char *text = NULL;
     size_t size = 0;
     FILE *stream = open_memstream(&text, &size);
     jlt_status st = stream != NULL ? JLT_OK : JLT_ERR_NOMEM;
@@ -75,7 +75,6 @@ static jlt_exit begin_array(jlt_merged *self, const jlt_table_form *form, const 
     if (st == JLT_OK && fclose(stream) != 0) st = JLT_ERR_NOMEM;
     if (st == JLT_OK) st = jlt_npy_create(&self->array, &self->place);
     if (st == JLT_OK) st = jlt_npy_take(self->array, text, size);
-    free(text);
     if (st == JLT_ERR_NOMEM) return jlt_command_no_memory();
     return st == JLT_OK ? JLT_EXIT_DONE : jlt_command_cannot_write(self->path);
 }

@@ -1,10 +1,10 @@
 #include "cli/motion_plane.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "core/digits.h"
+#include "core/memory.h"
 #include "kernel/descriptor.h"
 
 static jlt_exit read_section(jlt_motion_plane *out, const jlt_motion_options *options, const jlt_descriptor *d)
@@ -214,7 +214,7 @@ static void note_sizes(jlt_motion_plane *out, const jlt_motion_options *options)
 /* Choose the most special field that holds for these parameters and for any values of those that run. */
 static jlt_exit choose(jlt_motion_plane *out, const jlt_descriptor *d, const jlt_grid_axis *running, size_t count)
 {
-    double *params = malloc((d->param_count + 1) * sizeof *params);
+    JLT_FREED double *params = malloc((d->param_count + 1) * sizeof *params);
     size_t index;
 
     if (params == NULL) return jlt_command_no_memory();
@@ -222,7 +222,6 @@ static jlt_exit choose(jlt_motion_plane *out, const jlt_descriptor *d, const jlt
     for (size_t i = 0; i < count; i++)
         if (jlt_descriptor_param(d, running[i].name, &index)) params[index] = NAN;
     out->descriptor = jlt_descriptor_choose(d, NULL, NULL, params);
-    free(params);
     return JLT_EXIT_DONE;
 }
 

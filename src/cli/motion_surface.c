@@ -283,7 +283,7 @@ static jlt_status count_from_starts(jlt_system *system, const jlt_motion_options
     jlt_status st = JLT_OK;
 
     while (options->starts[texts - 1] != NULL) texts++;
-    double *points = jlt_memory_array(texts * ALONG, chart->dim * sizeof *points);
+    JLT_FREED double *points = jlt_memory_array(texts * ALONG, chart->dim * sizeof *points);
     if (points == NULL) return JLT_ERR_NOMEM;
     for (size_t i = 0; i < texts; i++) {
         const char *text = options->starts[i] != NULL ? options->starts[i] : options->grid;
@@ -300,7 +300,6 @@ static jlt_status count_from_starts(jlt_system *system, const jlt_motion_options
         if (known == chart->dim) count += ALONG;
     }
     if (jlt_surface_units_at(&units, jlt_surface_chart(system), points, count)) st = jlt_surface_count_in(system, &units);
-    free(points);
     return st;
 }
 

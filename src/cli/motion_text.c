@@ -2,11 +2,11 @@
 #include "cli/motion.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "cli/motion_many.h"
 #include "core/digits.h"
+#include "core/memory.h"
 #include "integrate/batch_method.h"
 #include "kernel/descriptor.h"
 #include "report/csv.h"
@@ -56,7 +56,8 @@ void jlt_motion_header(FILE *stream, const jlt_motion_options *options, const jl
     const jlt_chart *chart = system->flow.chart;
 
     const jlt_descriptor *d = system->instance->descriptor;
-    double *params = malloc((d->param_count + 1) * sizeof *params), levels[JLT_INVARIANTS_MAX];
+    JLT_FREED double *params = malloc((d->param_count + 1) * sizeof *params);
+    double levels[JLT_INVARIANTS_MAX];
     const char *names[JLT_INVARIANTS_MAX], *method = jlt_motion_method(options);
     char digits[JLT_DIGITS_SIZE];
     const unsigned level_count = jlt_motion_levels(system, names, levels);
@@ -68,7 +69,6 @@ void jlt_motion_header(FILE *stream, const jlt_motion_options *options, const jl
         if (is_swept(options, names[k])) levels[k] = NAN;
     jlt_csv_header(stream, &(jlt_csv_settings){ options->common.command, d, params, names, levels, level_count,
                                                 method, options->flow.tolerance, NULL });
-    free(params);
     if (level_count > 0) {
         fputs("# levels", stream);
         for (unsigned k = 0; k < level_count; k++)

@@ -2,11 +2,11 @@
 
 #include <math.h>
 #include <stdarg.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "cli/grid.h"
 #include "cli/interrupt.h"
+#include "core/memory.h"
 #include "ext/number.h"
 #include "kernel/descriptor.h"
 #include "report/picture.h"
@@ -317,7 +317,7 @@ jlt_exit jlt_plot_draw(jlt_plot *self)
 {
     const jlt_common *common = self->common;
     jlt_command_output whole = { 0 }, kept = { 0 };
-    char *picture = NULL;
+    JLT_FREED char *picture = NULL;
     size_t size = 0;
     jlt_exit code = JLT_EXIT_DONE;
     jlt_status st = jlt_command_close(&self->script);
@@ -342,7 +342,6 @@ jlt_exit jlt_plot_draw(jlt_plot *self)
     else if (code == JLT_EXIT_DONE) code = jlt_command_write(common->plot, picture, size);
     if (code != JLT_EXIT_DONE && !jlt_command_is_standard_output(common->output))
         fprintf(stderr, "jellett: the table is saved in %s\n", common->output);
-    free(picture);
     jlt_command_discard(&whole);
     jlt_command_discard(&kept);
     close_both(self);

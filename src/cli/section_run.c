@@ -1,10 +1,10 @@
 #include "cli/section_run.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "cli/interrupt.h"
+#include "core/memory.h"
 
 /* For each thread: BLOCK, orbits followed together, so many that lanes rarely idle while the last ones end; ROWS, rows written
  * together. ROWS_MAX: the most rows written together, for all threads. */
@@ -218,27 +218,20 @@ static jlt_status share_batch(jlt_section_run *const *runs, const size_t *flow_o
 static jlt_status follow_group(jlt_section_run *const *runs, size_t count)
 {
     const unsigned dim = runs[0]->system->flow.chart->dim;
-    size_t *flow_of = malloc(count * sizeof *flow_of), *each = NULL;
-    double *q = NULL;
-    jlt_status st = JLT_ERR_NOMEM;
+    JLT_FREED size_t *flow_of = malloc(count * sizeof *flow_of);
 
-    if (flow_of == NULL) return st;
+    if (flow_of == NULL) return JLT_ERR_NOMEM;
     const size_t starts = gather(runs, flow_of, count);
-    q = malloc(starts * dim * sizeof *q);
-    each = malloc(starts * sizeof *each);
-    if (q == NULL || each == NULL) goto done;
+    JLT_FREED double *q = malloc(starts * dim * sizeof *q);
+    JLT_FREED size_t *each = malloc(starts * sizeof *each);
+    if (q == NULL || each == NULL) return JLT_ERR_NOMEM;
     for (size_t i = 0, at = 0; i < count; i++) {
         const size_t own = flow_of[i] == SIZE_MAX ? 0 : starts_of(runs[i]);
         if (own > 0) memcpy(q + at * dim, runs[i]->joined, own * dim * sizeof *q);
         for (size_t k = 0; k < own; k++) each[at++] = flow_of[i];
     }
-    JLT_TRY(jlt_section_batch_run_each(runs[0]->batch, q, each, starts, runs[0]->returns));
-    st = share_batch(runs, flow_of, count);
-done:
-    free(q);
-    free(each);
-    free(flow_of);
-    return st;
+    JLT_PASS(jlt_section_batch_run_each(runs[0]->batch, q, each, starts, runs[0]->returns));
+    return share_batch(runs, flow_of, count);
 }
 
 void jlt_section_run_follow(jlt_section_run *const *runs, size_t count)
@@ -286,7 +279,7 @@ static jlt_exit run_all(jlt_section_run *f, FILE *stream)
     const jlt_chart *chart = f->system->flow.chart;
     const unsigned dim = chart->dim;
     const size_t all = starts_of(f);
-    double *q = calloc(room, dim * sizeof *q);
+    JLT_FREED double *q = calloc(room, dim * sizeof *q);
     jlt_exit code = JLT_EXIT_DONE;
 
     f->row = calloc(1, jlt_section_row_size(chart));
@@ -304,7 +297,6 @@ static jlt_exit run_all(jlt_section_run *f, FILE *stream)
     jlt_progress_end(&f->progress);
     jlt_writer_close(&f->writer);
     free(f->row);
-    free(q);
     if (code == JLT_EXIT_DONE && f->sum.orbits == 0 && f->sum.empty > 0 && o->axes[0].part == 0)
         code = jlt_motion_fail(JLT_ERR_EMPTY, f->system, "--grid");
     return code;

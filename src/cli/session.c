@@ -1,9 +1,8 @@
 #include "cli/session.h"
 
-#include <stdlib.h>
-
 #include "cli/interrupt.h"
 #include "cli/table.h"
+#include "core/memory.h"
 #include "kernel/descriptor.h"
 
 static const struct argp_option option_table[] = {
@@ -73,30 +72,24 @@ jlt_exit jlt_session_look_at_larger(jlt_session *self)
 jlt_exit jlt_session_start(jlt_session *self)
 {
     const jlt_descriptor *d = self->descriptor;
-    unsigned char *given = calloc(d->state_count, 1);
+    JLT_FREED unsigned char *given = calloc(d->state_count, 1);
     const jlt_region *region;
-    jlt_exit code = JLT_EXIT_DONE;
     double value;
     size_t index = 0;
 
     self->x = calloc(d->state_count, sizeof *self->x);
-    if (given == NULL || self->x == NULL) {
-        code = jlt_session_fail(JLT_ERR_NOMEM, "the start");
-        goto done;
-    }
-    code = jlt_assign_apply(self->x, given, &self->start, d->states, d->state_count, "state", d->model);
-    for (unsigned i = 0; code == JLT_EXIT_DONE && i < d->state_count; i++)
+    if (given == NULL || self->x == NULL) return jlt_session_fail(JLT_ERR_NOMEM, "the start");
+    JLT_PASS(jlt_assign_apply(self->x, given, &self->start, d->states, d->state_count, "state", d->model));
+    for (unsigned i = 0; i < d->state_count; i++)
         if (!given[i])
-            code = jlt_command_fail(JLT_EXIT_INPUT, "--start: give %s as well (every state of %s has to be named)",
+            return jlt_command_fail(JLT_EXIT_INPUT, "--start: give %s as well (every state of %s has to be named)",
                                     d->states[i].name, d->model);
-    if (code == JLT_EXIT_DONE && jlt_descriptor_check_state(d, self->x, &index) != JLT_OK)
-        code = jlt_command_fail(JLT_EXIT_INPUT, "--start: %s must lie strictly between %g and %g", d->states[index].name,
+    if (jlt_descriptor_check_state(d, self->x, &index) != JLT_OK)
+        return jlt_command_fail(JLT_EXIT_INPUT, "--start: %s must lie strictly between %g and %g", d->states[index].name,
                                 d->states[index].low, d->states[index].high);
-    if (code == JLT_EXIT_DONE && jlt_region_check(&region, &value, d, self->params, self->x) != JLT_OK)
-        code = region == NULL ? jlt_command_no_memory() : jlt_assign_refuse_region("--start", d, region, value);
-done:
-    free(given);
-    return code;
+    if (jlt_region_check(&region, &value, d, self->params, self->x) != JLT_OK)
+        return region == NULL ? jlt_command_no_memory() : jlt_assign_refuse_region("--start", d, region, value);
+    return JLT_EXIT_DONE;
 }
 
 void jlt_session_caption(jlt_plot *plot, const jlt_session *self)

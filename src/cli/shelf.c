@@ -16,7 +16,7 @@ static void drop(jlt_shelf_place *place, const jlt_work *work)
     place->argc = 0;
 }
 
-void jlt_shelf_clear(jlt_shelf *self, const jlt_work *work)
+static void clear(jlt_shelf *self, const jlt_work *work)
 {
     for (size_t i = self->taken; i < self->count; i++) drop(&self->places[i], work);
     self->count = self->taken = 0;
@@ -89,7 +89,7 @@ jlt_exit jlt_shelf_run(jlt_shelf *self, const jlt_work *work, size_t piece, bool
 
     if (work->command->together == NULL) return run_one(work, piece);
     if (self->taken == self->count || self->places[self->taken].piece != piece) {
-        jlt_shelf_clear(self, work);
+        clear(self, work);
         self->places[self->count++] = (jlt_shelf_place){ .piece = piece };
         code = begin(&self->places[0], work);
         if (self->places[0].run != NULL && !alone) fill(self, work);

@@ -47,6 +47,5 @@ typedef struct {
  *  its status, depend neither on that nor on earlier calls. Does not return if the command was interrupted, as with
  *  jlt_program_run. */
 jlt_exit jlt_shelf_run(jlt_shelf *self, const jlt_work *work, size_t piece, bool alone);
-void jlt_shelf_clear(jlt_shelf *self, const jlt_work *work);
 
 #endif

@@ -24,9 +24,6 @@ typedef struct {
     unsigned shown[2];   /* the columns that --axes names */
 } jlt_simulate_request;
 
-/** Read --times, or --until and --every, into `times`. */
-jlt_exit jlt_simulate_times(jlt_simulate_request *request);
-
 /** Read --axes into `shown`. */
 jlt_exit jlt_simulate_axes(jlt_simulate_request *request);
 

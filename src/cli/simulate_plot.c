@@ -2,9 +2,9 @@
 #include "cli/simulate.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
+#include "core/memory.h"
 #include "report/symbol.h"
 
 enum { PANELS_MAX = 4 };
@@ -200,16 +200,14 @@ jlt_exit jlt_simulate_axes(jlt_simulate_request *request)
 {
     const unsigned drift = first_drift(request), drifts = first_observed(request) - drift;
     const unsigned count = first_of_more(request) - drifts + jlt_course_tells_more(request->courses[0], NULL, NULL);
-    const char **names = calloc(count, sizeof *names);
-    jlt_exit code;
+    JLT_FREED const char **names = calloc(count, sizeof *names);
 
     if (names == NULL) return jlt_command_no_memory();
     for (unsigned i = 0; i < count; i++) names[i] = quantity_of(request, i < drift ? i : i + drifts).name;
-    code = jlt_plot_shown(request->shown, &request->session.common, names, count);
-    for (unsigned k = 0; code == JLT_EXIT_DONE && k < 2; k++)
+    JLT_PASS(jlt_plot_shown(request->shown, &request->session.common, names, count));
+    for (unsigned k = 0; k < 2; k++)
         if (request->shown[k] >= drift) request->shown[k] += drifts;
-    free(names);
-    return code;
+    return JLT_EXIT_DONE;
 }
 
 static jlt_exit check_shown(const jlt_simulate_request *r)

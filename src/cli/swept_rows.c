@@ -1,10 +1,10 @@
 #include "cli/swept_rows.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "cli/plot.h"
+#include "core/memory.h"
 #include "report/csv.h"
 #include "report/table.h"
 
@@ -77,7 +77,7 @@ static unsigned tell_missing(const char *where, char *const *names, unsigned cou
 static bool map_columns(column_map *map, jlt_swept_rows *self, size_t point, const char *names)
 {
     char where[JLT_GRID_PLACE_MAX], *own[COLUMNS_MAX], *whole[COLUMNS_MAX];
-    char *own_text = strdup(names), *whole_text = strdup(self->names);
+    JLT_FREED char *own_text = strdup(names), *whole_text = strdup(self->names);
     const bool is_new = self->odd == NULL || strcmp(self->odd, names) != 0;
     const bool has_memory = own_text != NULL && whole_text != NULL;
 
@@ -98,8 +98,6 @@ static bool map_columns(column_map *map, jlt_swept_rows *self, size_t point, con
             self->odd = strdup(names);
         }
     }
-    free(own_text);
-    free(whole_text);
     return has_memory;
 }
 
@@ -155,10 +153,9 @@ static jlt_exit write_rows(jlt_swept_rows *self, size_t point, const char *text,
     FILE *file = self->common->table.file;
     char values[JLT_GRID_PLACE_MAX] = "", where[JLT_GRID_PLACE_MAX];
     column_map map;
-    char *own = strndup(names, strcspn(names, "\n"));
+    JLT_FREED char *own = strndup(names, strcspn(names, "\n"));
     const bool has_memory = own != NULL && map_columns(&map, self, point, own);
 
-    free(own);
     if (!has_memory) return jlt_command_no_memory();
     (void)jlt_grid_place(where, self->axes, self->count, point);
     jlt_grid_fields(values, self->axes, self->count, point);
@@ -179,7 +176,8 @@ static jlt_exit write_rows(jlt_swept_rows *self, size_t point, const char *text,
 
 static jlt_exit choose(jlt_swept_rows *self)
 {
-    char *text = strdup(self->names), *columns[COLUMNS_MAX];
+    JLT_FREED char *text = strdup(self->names);
+    char *columns[COLUMNS_MAX];
     const char *names[JLT_SWEPT_AXES_MAX + COLUMNS_MAX];
     unsigned count = 0;
     jlt_exit code = JLT_EXIT_DONE;
@@ -190,7 +188,6 @@ static jlt_exit choose(jlt_swept_rows *self)
     self->shown[1] = count + (self->lead < own ? self->lead : own - 1);
     for (unsigned i = 0; i < own; i++) names[count++] = columns[i];
     if (self->common->plot != NULL) code = jlt_plot_shown(self->shown, self->common, names, count);
-    free(text);
     return code;
 }
 
@@ -270,7 +267,8 @@ static bool stands_before(const char *text, size_t place, const char *name)
  * begin with one, each name once. */
 static void caption(jlt_plot *plot, const jlt_swept_rows *self)
 {
-    char *text = strdup(self->header != NULL ? self->header : ""), *lines = NULL, *words = NULL;
+    JLT_FREED char *text = strdup(self->header != NULL ? self->header : "");
+    char *lines = NULL, *words = NULL;
 
     for (char *line = text == NULL ? NULL : strtok_r(text, "\n", &lines); line != NULL; line = strtok_r(NULL, "\n", &lines)) {
         const char *levels = "# levels ", *start = strncmp(line, levels, strlen(levels)) == 0 ? line + strlen(levels) : line + 2;
@@ -282,7 +280,6 @@ static void caption(jlt_plot *plot, const jlt_swept_rows *self)
             if (!stands_before(self->header, (size_t)(word - text), word)) jlt_plot_value(plot, word, strtod(equals + 1, NULL));
         }
     }
-    free(text);
 }
 
 jlt_exit jlt_swept_rows_draw(const jlt_swept_rows *self)

@@ -1,10 +1,11 @@
 #include "core/spool.h"
 
+#include "core/memory.h"
+
 #include <errno.h>
 #include <fcntl.h>
 #include <stdbool.h>
 #include <stdint.h>
-#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -70,13 +71,12 @@ static int open_file(jlt_spool *self)
 
     if (file >= 0) return file;
     if (folder == NULL || *folder == '\0') folder = "/tmp";
-    char *path = malloc(strlen(folder) + sizeof name);
+    JLT_FREED char *path = malloc(strlen(folder) + sizeof name);
     if (path == NULL) return -1;
     strcpy(path, folder);
     strcat(path, name);
     file = mkstemp(path);
     if (file >= 0) unlink(path);
-    free(path);
     if (file >= 0 && fcntl(file, F_SETFD, FD_CLOEXEC) != 0) {
         close(file);
         return -1;

@@ -1,4 +1,4 @@
-/** The status that every fallible function returns, and the macros that pass a failure on. */
+/** The status that every fallible function returns, and the macros that pass a failure on and give back what a block holds. */
 #ifndef JLT_CORE_STATUS_H
 #define JLT_CORE_STATUS_H
 
@@ -40,6 +40,15 @@ typedef enum { JLT_STATUS_LIST(JLT_STATUS_ENUM) } jlt_status;
     do {                                         \
         if ((st = (call)) != JLT_OK) goto done;  \
     } while (0)
+
+/* Marks a variable for which `clear`, called with its address, gives back what it holds where its block ends, however it is left;
+ * a pointer to an object of its own is declared by JLT_OWNED, and set to NULL where the object is handed on:
+ *     JLT_OWNED(jlt_map) *map = NULL;
+ * No JLT_TRY may stand before them in their block. JLT_OWNED_TYPE stands beside the type's destroy. */
+#define JLT_CLEARED(clear) __attribute__((cleanup(clear)))
+#define JLT_OWNED(type) JLT_CLEARED(type##_destroy_at) type
+#define JLT_OWNED_TYPE(type) \
+    static inline void type##_destroy_at(type **place) { type##_destroy(*place); }
 
 /* The meaning of a status, one sentence without a full stop; never NULL. */
 const char *jlt_status_text(jlt_status status);

@@ -2,9 +2,9 @@
 
 #include <math.h>
 #include <stdbool.h>
-#include <stdlib.h>
 #include <string.h>
 
+#include "core/memory.h"
 #include "dynamics/linear.h"
 
 jlt_status jlt_branch_init(jlt_branch *out, jlt_map *map, const jlt_periodic *saddle, bool stable, int side, double seed)
@@ -71,8 +71,8 @@ jlt_status jlt_branch_point(const jlt_branch *self, double q[2], double sigma)
 jlt_status jlt_branch_points(const jlt_branch *const *branches, jlt_map_batch *maps, jlt_status *status, double *q, double *tangent,
                              const double *sigma, size_t count)
 {
-    size_t *returns = calloc(count + 1, sizeof *returns);
-    int *directions = calloc(count + 1, sizeof *directions);
+    JLT_FREED size_t *returns = calloc(count + 1, sizeof *returns);
+    JLT_FREED int *directions = calloc(count + 1, sizeof *directions);
     jlt_map_images room = { 0 };
     double start[2], rate;
     jlt_status st = returns != NULL && directions != NULL ? jlt_map_batch_images(&room, 2, count + 1) : JLT_ERR_NOMEM;
@@ -90,7 +90,5 @@ jlt_status jlt_branch_points(const jlt_branch *const *branches, jlt_map_batch *m
         turn(tangent + 2 * i, branches[i], rate, room.slope + 4 * i);
     }
     jlt_map_batch_images_clear(&room);
-    free(returns);
-    free(directions);
     return st;
 }

@@ -1,9 +1,10 @@
 #include "dynamics/branch_area.h"
 
+#include "core/memory.h"
+
 #include <math.h>
 #include <stdbool.h>
 #include <stdint.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* Tolerated error of a piece's area, in scaled coordinates. */
@@ -335,20 +336,15 @@ jlt_status jlt_branch_area_to(jlt_branch_area *areas, const jlt_branch *branch, 
 {
     const jlt_chart *chart = jlt_map_batch_flow(maps)->chart;
     size_t joint_count = 0, part_count = 0;
-    part *parts = NULL;
     jlt_branch_area now = { .area = 0 };
-    jlt_status st = JLT_OK;
 
     if (count == 0) return JLT_OK;
-    joint *list = joints_of(&joint_count, curve, sigma, q, count);
+    JLT_FREED joint *list = joints_of(&joint_count, curve, sigma, q, count);
     if (list == NULL) return JLT_ERR_NOMEM;
-    JLT_TRY(find_ends(list, joint_count, branch, maps));
-    JLT_TRY(refine(&list, &joint_count, branch));
-    parts = calloc(joint_count, sizeof *parts);
-    if (parts == NULL) {
-        st = JLT_ERR_NOMEM;
-        goto done;
-    }
+    JLT_PASS(find_ends(list, joint_count, branch, maps));
+    JLT_PASS(refine(&list, &joint_count, branch));
+    JLT_FREED part *parts = calloc(joint_count, sizeof *parts);
+    if (parts == NULL) return JLT_ERR_NOMEM;
     for (size_t k = 0; k + 1 < joint_count; k++) {
         if (!list[k].is_open) continue;
         part *p = &parts[part_count];
@@ -359,7 +355,7 @@ jlt_status jlt_branch_area_to(jlt_branch_area *areas, const jlt_branch *branch, 
         p->gap = INFINITY;
         parts[part_count++].joint = k;
     }
-    JLT_TRY(integrate_all(list, parts, part_count, branch, maps));
+    JLT_PASS(integrate_all(list, parts, part_count, branch, maps));
     for (size_t k = 0; k < joint_count; k++) {
         double chord[2];
         if (list[k].index != SIZE_MAX) areas[list[k].index] = now;
@@ -369,10 +365,7 @@ jlt_status jlt_branch_area_to(jlt_branch_area *areas, const jlt_branch *branch, 
         now.error += list[k].error;
         for (int c = 0; c < 2; c++) now.at[c] += chord[c];
     }
-done:
-    free(parts);
-    free(list);
-    return st;
+    return JLT_OK;
 }
 
 double jlt_branch_area_between(const jlt_branch_area *from, const jlt_branch_area *to)

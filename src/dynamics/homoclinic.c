@@ -189,16 +189,15 @@ static jlt_status angles_again(jlt_homoclinic *points, size_t count, const jlt_b
 static jlt_status angle_errors(jlt_homoclinic *points, size_t count, const jlt_branch *const branches[2], jlt_map_batch *fine,
                                jlt_map_batch *coarse)
 {
-    refinement *room = calloc(count + 1, sizeof *room);
-    jlt_status st = room != NULL ? JLT_OK : JLT_ERR_NOMEM;
+    JLT_FREED refinement *room = calloc(count + 1, sizeof *room);
 
+    if (room == NULL) return JLT_ERR_NOMEM;
     for (size_t i = 0; i < count; i++) points[i].angle_error = 0;
-    if (st == JLT_OK) st = angles_again(points, count, branches, coarse, 1, room);
-    if (st == JLT_OK) st = angles_again(points, count, branches, fine, 2, room);
-    if (st == JLT_OK) st = angles_again(points, count, branches, coarse, 2, room);
+    JLT_PASS(angles_again(points, count, branches, coarse, 1, room));
+    JLT_PASS(angles_again(points, count, branches, fine, 2, room));
+    JLT_PASS(angles_again(points, count, branches, coarse, 2, room));
     for (size_t i = 0; i < count; i++) points[i].angle_error *= 2;
-    free(room);
-    return st;
+    return JLT_OK;
 }
 
 static int compare(const void *left, const void *right)
@@ -294,38 +293,30 @@ jlt_status jlt_homoclinic_find(jlt_homoclinic **points, size_t *count, size_t *t
 {
     const jlt_chart *chart = jlt_map_batch_flow(fine)->chart;
     const jlt_branch *const branches[] = { unstable_branch, stable_branch };
-    refinement *list = NULL;
-    jlt_homoclinic *found = NULL;
-    bool *has_twin = NULL;
+    JLT_FREED refinement *list = NULL;
     size_t candidates = 0, kept = 0, apart = 0;
-    jlt_status st = JLT_OK;
 
     *points = NULL;
     *count = 0;
     if (touching != NULL) *touching = 0;
-    JLT_TRY(find_candidates(&list, &candidates, unstable, stable, mirrored, chart));
-    if (candidates == 0) goto done;
-    found = calloc(2 * candidates, sizeof *found);
-    has_twin = calloc(candidates, sizeof *has_twin);
-    st = found != NULL && has_twin != NULL ? refine(list, candidates, branches, fine, 12) : JLT_ERR_NOMEM;
-    if (st != JLT_OK) goto done;
+    JLT_PASS(find_candidates(&list, &candidates, unstable, stable, mirrored, chart));
+    if (candidates == 0) return JLT_OK;
+    JLT_FREED jlt_homoclinic *found = calloc(2 * candidates, sizeof *found);
+    JLT_FREED bool *has_twin = calloc(candidates, sizeof *has_twin);
+    JLT_PASS(found != NULL && has_twin != NULL ? refine(list, candidates, branches, fine, 12) : JLT_ERR_NOMEM);
     for (size_t i = 0; i < candidates; i++) {
         if (list[i].status != JLT_OK || list[i].best.residual > 1e-8) continue;
         has_twin[kept] = list[i].has_twin;
         found[kept++] = list[i].best;
     }
-    JLT_TRY(angle_errors(found, kept, branches, fine, coarse));
+    JLT_PASS(angle_errors(found, kept, branches, fine, coarse));
     for (size_t i = 0, alone = kept; i < alone; i++)
         if (has_twin[i]) found[kept++] = image_of(&found[i], chart);
     kept = keep_crossings(found, kept, &apart, chart);
     if (touching != NULL) *touching = apart;
     finish(points, count, found, kept);
     found = NULL; /* ownership moved to the caller */
-done:
-    free(list);
-    free(found);
-    free(has_twin);
-    return st;
+    return JLT_OK;
 }
 
 jlt_status jlt_homoclinic_reflect(jlt_homoclinic **out, const jlt_homoclinic *points, size_t count,

@@ -51,8 +51,7 @@ static int watch(void *context, jlt_orbit *orbit)
 
 jlt_status jlt_map_create(jlt_map **out, const jlt_flow *flow)
 {
-    jlt_status st = JLT_OK;
-    jlt_map *self = NULL;
+    JLT_OWNED(jlt_map) *self = NULL;
 
     *out = NULL;
     if (flow->chart == NULL || flow->field == NULL || flow->chart->states != flow->field->dim) return JLT_ERR_ARG;
@@ -64,19 +63,17 @@ jlt_status jlt_map_create(jlt_map **out, const jlt_flow *flow)
     self->flow = *flow;
     if (self->flow.method == NULL) self->flow.method = jlt_method_find(NULL);
     if (self->flow.max_steps == 0) self->flow.max_steps = 100000;
-    JLT_TRY(jlt_varied_make(&self->varied, self->flow.field, self->flow.rhs_jacobian, self->flow.chart->dim));
+    JLT_PASS(jlt_varied_make(&self->varied, self->flow.field, self->flow.rhs_jacobian, self->flow.chart->dim));
     /* The varied field has no jet. */
-    JLT_TRY(jlt_orbit_create(&self->orbit, self->flow.method->needs_jet ? jlt_method_find(NULL) : self->flow.method,
-                             &self->varied.field,
-                             &(jlt_options){
-                                 .tolerance = flow->tolerance, .max_steps = self->flow.max_steps, .interrupt = flow->interrupt }));
+    JLT_PASS(jlt_orbit_create(&self->orbit, self->flow.method->needs_jet ? jlt_method_find(NULL) : self->flow.method,
+                              &self->varied.field,
+                              &(jlt_options){
+                                  .tolerance = flow->tolerance, .max_steps = self->flow.max_steps, .interrupt = flow->interrupt }));
     jlt_orbit_observe(self->orbit, watch, self);
-    JLT_TRY(jlt_section_create(&self->section, &self->flow));
+    JLT_PASS(jlt_section_create(&self->section, &self->flow));
     *out = self;
     self = NULL; /* ownership moved to the caller */
-done:
-    jlt_map_destroy(self);
-    return st;
+    return JLT_OK;
 }
 
 void jlt_map_destroy(jlt_map *self)

@@ -38,6 +38,7 @@ typedef struct jlt_map jlt_map;
  *  Errors: ARG; UNSUPPORTED, the field has no Jacobian; NOMEM. */
 JLT_CHECKED jlt_status jlt_map_create(jlt_map **out, const jlt_flow *flow);
 void jlt_map_destroy(jlt_map *self); /* NULL is legal */
+JLT_OWNED_TYPE(jlt_map)
 
 /* The map's copy of the flow, borrowed. */
 const jlt_flow *jlt_map_flow(const jlt_map *self);

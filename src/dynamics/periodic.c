@@ -93,14 +93,13 @@ jlt_status jlt_periodic_measure(jlt_map *map, jlt_periodic *io)
     const double tolerance = jlt_map_flow(map)->tolerance;
     const unsigned d = chart->dim;
     jlt_periodic orbit = *io;
-    jlt_shooting at = { 0 };
+    JLT_CLEARED(jlt_shooting_clear) jlt_shooting at = { 0 };
     double *slope;
     unsigned i;
-    jlt_status st = JLT_OK;
 
     if (io->period == 0 || io->period > JLT_PERIODIC_MAX) return JLT_ERR_ARG;
-    JLT_TRY(jlt_shooting_create(&at, d, orbit.period));
-    JLT_TRY(jlt_shooting_of(&at, map, orbit.points, orbit.period));
+    JLT_PASS(jlt_shooting_create(&at, d, orbit.period));
+    JLT_PASS(jlt_shooting_of(&at, map, orbit.points, orbit.period));
     slope = at.slopes; /* of the whole orbit, in place of the first return's */
     for (size_t k = 1; k < orbit.period; k++) jlt_linear_multiply(slope, at.slopes + k * d * d, slope, d);
     for (i = 0; d == 2 && i < 4; i++) orbit.slope[i] = ldexp(slope[i], chart->scale[i / 2] - chart->scale[i % 2]);
@@ -110,7 +109,7 @@ jlt_status jlt_periodic_measure(jlt_map *map, jlt_periodic *io)
     orbit.defect = at.defect;
     orbit.determinant = exp(at.expansion);
     orbit.determinant_slope = at.determinant;
-    JLT_TRY(jlt_linear_eigenvalues(orbit.re, orbit.im, slope, d));
+    JLT_PASS(jlt_linear_eigenvalues(orbit.re, orbit.im, slope, d));
     /* With one coordinate, a small multiplier keeps its digits through the divergence alone; DP gives its sign. */
     if (d == 1) {
         const bool turns_over = slope[0] < -orbit.determinant / 2 && slope[0] > -2 * orbit.determinant;
@@ -122,9 +121,7 @@ jlt_status jlt_periodic_measure(jlt_map *map, jlt_periodic *io)
     orbit.type = classify(orbit.re, orbit.im, d);
     if (d > 2) leave_known(&orbit, slope, tolerance != 0 ? tolerance : JLT_ORBIT_TOLERANCE, d);
     *io = orbit;
-done:
-    jlt_shooting_clear(&at);
-    return st;
+    return JLT_OK;
 }
 
 bool jlt_periodic_moves(const jlt_flow *flow, const jlt_periodic *orbit)

@@ -25,7 +25,7 @@ static jlt_status moves(double *out, jlt_map *map, const double *q)
     const jlt_chart *chart = flow->chart;
     const unsigned dim = chart->dim;
     double at[JLT_CHART_DIM_MAX + 1], low[JLT_CHART_DIM_MAX + 1], high[JLT_CHART_DIM_MAX + 1], times[SAMPLES];
-    double *x = jlt_memory_array(SAMPLES + 1, chart->states * sizeof *x);
+    JLT_FREED double *x = jlt_memory_array(SAMPLES + 1, chart->states * sizeof *x);
     jlt_orbit *orbit = NULL;
     jlt_image image;
     size_t done = 0;
@@ -44,7 +44,6 @@ static jlt_status moves(double *out, jlt_map *map, const double *q)
     }
     for (unsigned k = 0; st == JLT_OK && k <= dim; k++) out[k] = (high[k] - low[k]) / 2;
     jlt_orbit_destroy(orbit);
-    free(x);
     return st;
 }
 
@@ -68,7 +67,8 @@ jlt_status jlt_scale_find(jlt_system *system, const double *starts, size_t count
 {
     jlt_chart *chart = system->chart_base;
     const unsigned dim = chart->dim, width = dim + 1;
-    double *rows = jlt_memory_array(count + 1, width * sizeof *rows), *column = jlt_memory_array(count + 1, sizeof *column);
+    JLT_FREED double *rows = jlt_memory_array(count + 1, width * sizeof *rows);
+    JLT_FREED double *column = jlt_memory_array(count + 1, sizeof *column);
     jlt_map *map = NULL;
     const double noise = 10 * (system->flow.tolerance != 0 ? system->flow.tolerance : JLT_ORBIT_TOLERANCE);
     size_t known = 0;
@@ -89,8 +89,6 @@ jlt_status jlt_scale_find(jlt_system *system, const double *starts, size_t count
         else chart->column_scale = exponent;
     }
     jlt_map_destroy(map);
-    free(rows);
-    free(column);
     return st;
 }
 

@@ -110,8 +110,7 @@ static jlt_status add_conditions(jlt_section *self, const jlt_observed *observed
 
 jlt_status jlt_section_create(jlt_section **out, const jlt_flow *flow)
 {
-    jlt_status st = JLT_OK;
-    jlt_section *self = NULL;
+    JLT_OWNED(jlt_section) *self = NULL;
 
     *out = NULL;
     if (flow->chart == NULL || flow->field == NULL || flow->chart->states != flow->field->dim) return JLT_ERR_ARG;
@@ -121,22 +120,20 @@ jlt_status jlt_section_create(jlt_section **out, const jlt_flow *flow)
     if (self->flow.method == NULL) self->flow.method = jlt_method_find(NULL);
     if (self->flow.max_steps == 0) self->flow.max_steps = 100000;
     self->flow.t_max = self->flow.t_max == 0 ? INFINITY : ldexp(self->flow.t_max, -self->flow.units.time);
-    JLT_TRY(jlt_orbit_create(&self->orbit, self->flow.method, self->flow.field,
-                             &(jlt_options){ .tolerance = flow->tolerance,
-                                             .max_steps = self->flow.max_steps,
-                                             .invariants = flow->kept,
-                                             .project = flow->kept.count > 0,
-                                             .interrupt = flow->interrupt }));
+    JLT_PASS(jlt_orbit_create(&self->orbit, self->flow.method, self->flow.field,
+                              &(jlt_options){ .tolerance = flow->tolerance,
+                                              .max_steps = self->flow.max_steps,
+                                              .invariants = flow->kept,
+                                              .project = flow->kept.count > 0,
+                                              .interrupt = flow->interrupt }));
     self->crossings = self->event_count = jlt_chart_events(flow->chart, self->events, flow->direction);
-    if (flow->observed != NULL && flow->end_where_invalid) JLT_TRY(add_conditions(self, flow->observed));
+    if (flow->observed != NULL && flow->end_where_invalid) JLT_PASS(add_conditions(self, flow->observed));
     self->watched.observed = flow->observed;
     self->watched.looks_within = self->event_count == self->crossings;
     jlt_orbit_observe(self->orbit, watch, self);
     *out = self;
     self = NULL; /* ownership moved to the caller */
-done:
-    jlt_section_destroy(self);
-    return st;
+    return JLT_OK;
 }
 
 void jlt_section_destroy(jlt_section *self)

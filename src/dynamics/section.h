@@ -83,6 +83,7 @@ typedef struct jlt_section jlt_section;
  *  UNSUPPORTED, end_where_invalid with more conditions than events fit (JLT_ORBIT_EVENTS_MAX); as jlt_orbit_create; NOMEM. */
 JLT_CHECKED jlt_status jlt_section_create(jlt_section **out, const jlt_flow *flow);
 void jlt_section_destroy(jlt_section *self); /* NULL is legal */
+JLT_OWNED_TYPE(jlt_section)
 
 /** Start at q (dim,) on the section, time_direction +1 or -1. row (may be NULL) gets the start itself, number 0.
  *  Errors: ARG, another time_direction; as the chart's lift. */

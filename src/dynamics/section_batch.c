@@ -2,9 +2,9 @@
 
 #include <math.h>
 #include <stdbool.h>
-#include <stdlib.h>
 #include <string.h>
 
+#include "core/memory.h"
 #include "core/spool.h"
 #include "dynamics/section_flows.h"
 #include "integrate/rest.h"
@@ -303,12 +303,11 @@ static jlt_status lift_starts(jlt_section_batch *self, const double *q, const si
 static jlt_status follow_in_lanes(jlt_section_batch *self)
 {
     jlt_batch_map map = self->map;
-    jlt_batch_case *cases = jlt_section_flows_cases(&self->flows, map.kernels, map.watch != NULL);
+    JLT_FREED jlt_batch_case *cases = jlt_section_flows_cases(&self->flows, map.kernels, map.watch != NULL);
     jlt_status st = JLT_ERR_NOMEM;
 
     map.cases = cases, map.case_of = self->flow_of;
     if (cases != NULL) st = jlt_batch_section(&map, self->starts, self->lanes, self->returns, keep_row, keep_end, self, NULL);
-    free(cases);
     return st;
 }
 

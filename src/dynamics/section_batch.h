@@ -35,6 +35,7 @@ typedef struct jlt_section_batch jlt_section_batch;
 JLT_CHECKED jlt_status jlt_section_batch_create(jlt_section_batch **out, const jlt_flow *flow, const jlt_kernel_batch *kernels,
                                                 const jlt_section_batch_options *options);
 void jlt_section_batch_destroy(jlt_section_batch *self); /* NULL is legal */
+JLT_OWNED_TYPE(jlt_section_batch)
 
 /** Add a flow, whose orbits jlt_section_batch_run_each follows beside those of the others. It may differ from the first in
  *  parameters, levels and units alone. project: its instance if options.project is given, else NULL. What it points to must live as

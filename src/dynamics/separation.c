@@ -1,9 +1,9 @@
 #include "dynamics/separation.h"
 
 #include <stdint.h>
-#include <stdlib.h>
 #include <string.h>
 
+#include "core/memory.h"
 #include "dynamics/section_batch.h"
 
 enum { ROWS = 48, BLOCK = 256 /* orbits that are followed at once, for each thread */ };
@@ -94,24 +94,20 @@ static jlt_status follow(cells *self, const jlt_flow *flow, const start *starts,
 {
     const jlt_separation_options *o = self->options;
     const size_t most = BLOCK * (o->threads > 1 ? o->threads : 1);
-    double *q = malloc(2 * most * sizeof *q);
-    jlt_section_batch *batch = NULL;
-    jlt_status st = JLT_ERR_NOMEM;
+    JLT_FREED double *q = malloc(2 * most * sizeof *q);
+    JLT_OWNED(jlt_section_batch) *batch = NULL;
 
-    if (q == NULL) goto done;
-    JLT_TRY(jlt_section_batch_create(&batch, flow, o->kernels,
-                                     &(jlt_section_batch_options){ .threads = o->threads, .backwards = backwards }));
+    if (q == NULL) return JLT_ERR_NOMEM;
+    JLT_PASS(jlt_section_batch_create(&batch, flow, o->kernels,
+                                      &(jlt_section_batch_options){ .threads = o->threads, .backwards = backwards }));
     for (size_t first = 0; first < count; first += most) {
         const size_t here = count - first < most ? count - first : most;
         for (size_t i = 0; i < here; i++) memcpy(q + 2 * i, starts[first + i].q, sizeof starts->q);
-        JLT_TRY(jlt_section_batch_run(batch, q, here, o->settle + o->returns));
+        JLT_PASS(jlt_section_batch_run(batch, q, here, o->settle + o->returns));
         for (size_t i = 0; i < here; i++)
-            JLT_TRY(count_orbit(self, batch, i, backwards, !backwards && starts[first + i].mirrored));
+            JLT_PASS(count_orbit(self, batch, i, backwards, !backwards && starts[first + i].mirrored));
     }
-done:
-    jlt_section_batch_destroy(batch);
-    free(q);
-    return st;
+    return JLT_OK;
 }
 
 static int compare(const void *a, const void *b)
@@ -146,18 +142,14 @@ static size_t keep_lonely(start *starts, size_t count)
 /* Follow all orbits in both directions of time. */
 static jlt_status follow_all(cells *self, const jlt_flow *flow, const double *q, size_t count)
 {
-    start *starts = malloc((count > 0 ? count : 1) * sizeof *starts);
-    jlt_status st = JLT_ERR_NOMEM;
+    JLT_FREED start *starts = malloc((count > 0 ? count : 1) * sizeof *starts);
 
-    if (starts == NULL) goto done;
+    if (starts == NULL) return JLT_ERR_NOMEM;
     for (size_t i = 0; i < count; i++) starts[i] = (start){ .q = { q[2 * i], q[2 * i + 1] } };
     if (self->options->by_mirror && !flow->end_where_invalid && !jlt_field_watches(flow->field))
         find_mirrored(starts, count, flow->chart);
-    JLT_TRY(follow(self, flow, starts, count, false));
-    JLT_TRY(follow(self, flow, starts, keep_lonely(starts, count), true));
-done:
-    free(starts);
-    return st;
+    JLT_PASS(follow(self, flow, starts, count, false));
+    return follow(self, flow, starts, keep_lonely(starts, count), true);
 }
 
 static bool visited(const unsigned char *first, size_t cell, unsigned row)

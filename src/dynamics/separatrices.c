@@ -1,7 +1,8 @@
 #include "dynamics/separatrices.h"
 
+#include "core/memory.h"
+
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 void jlt_separatrices_clear(jlt_separatrices *self)
@@ -134,27 +135,24 @@ static size_t gather(const jlt_separatrices *self, swept *list, double *sigma, d
 static jlt_status measure_lobes(jlt_separatrices *self, jlt_map_batch *maps)
 {
     const size_t room = 2 * (self->count[0][0] + self->count[0][1] + self->count[1][0] + self->count[1][1]) + 1;
-    swept *list = calloc(room, sizeof *list);
-    double *sigma = calloc(3 * room, sizeof *sigma); /* (room,), then q, (room, 2) */
-    jlt_branch_area *areas = calloc(room, sizeof *areas);
-    jlt_status st = list != NULL && sigma != NULL && areas != NULL ? JLT_OK : JLT_ERR_NOMEM;
+    JLT_FREED swept *list = calloc(room, sizeof *list);
+    JLT_FREED double *sigma = calloc(3 * room, sizeof *sigma); /* (room,), then q, (room, 2) */
+    JLT_FREED jlt_branch_area *areas = calloc(room, sizeof *areas);
 
-    for (int k = 0; st == JLT_OK && k < JLT_SEPARATRICES; k++) {
+    if (list == NULL || sigma == NULL || areas == NULL) return JLT_ERR_NOMEM;
+    for (int k = 0; k < JLT_SEPARATRICES; k++) {
         if (self->original[k] < JLT_SEPARATRICES) continue;
         double *const q = sigma + room;
         const size_t n = gather(self, list, sigma, q, k);
-        st = jlt_branch_area_to(areas, &self->branch[k], &self->curve[k], sigma, q, n, maps);
-        for (size_t i = 0; st == JLT_OK && i < n; i++) {
+        JLT_PASS(jlt_branch_area_to(areas, &self->branch[k], &self->curve[k], sigma, q, n, maps));
+        for (size_t i = 0; i < n; i++) {
             jlt_branch_area *out = &list[i].of->area[(k >= 2) != list[i].mirrored];
             *out = list[i].mirrored ? jlt_branch_area_mirrored(&areas[i], self->chart) : areas[i];
         }
     }
-    for (int u = 0; st == JLT_OK && u < 2; u++)
+    for (int u = 0; u < 2; u++)
         for (int s = 0; s < 2; s++) jlt_homoclinic_measure_lobes(self->crossings[u][s], self->count[u][s], self->chart);
-    free(areas);
-    free(sigma);
-    free(list);
-    return st;
+    return JLT_OK;
 }
 
 /* Add to lobe_error twice the change of each lobe along branches from seeds twice as large, with polygons of their own: it shows

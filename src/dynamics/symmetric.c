@@ -1,7 +1,8 @@
 #include "dynamics/symmetric.h"
 
+#include "core/memory.h"
+
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 static const double pi = 3.14159265358979323846;
@@ -127,7 +128,7 @@ jlt_status jlt_symmetric_search(jlt_map *map, const jlt_symmetric_line *line, si
     search self = { .map = map, .line = line, .mirrored = JLT_CHART_DIM_MAX };
     jlt_flow both = *flow;
     jlt_status st = JLT_OK;
-    double *table = NULL, *at = NULL, *work = NULL;
+    JLT_FREED double *table = NULL, *at = NULL, *work = NULL;
     const size_t crossings = flow->direction == JLT_BOTH ? period_max / 2 : period_max;
 
     if (line->samples < 2 || line->free >= chart->dim || !(line->low < line->high)) return JLT_ERR_ARG;
@@ -162,8 +163,5 @@ jlt_status jlt_symmetric_search(jlt_map *map, const jlt_symmetric_line *line, si
         }
 done:
     jlt_section_destroy(self.both);
-    free(table);
-    free(at);
-    free(work);
     return st;
 }

@@ -107,8 +107,7 @@ jlt_status jlt_system_plane(jlt_system **out, const jlt_descriptor *descriptor, 
 {
     const char *state_names[JLT_CHART_STATES_MAX];
     int all_signs[JLT_CHART_STATES_MAX];
-    jlt_system *self = NULL;
-    jlt_status st = JLT_OK;
+    JLT_OWNED(jlt_system) *self = NULL;
 
     *out = NULL;
     if (descriptor->state_count > JLT_CHART_STATES_MAX) return JLT_ERR_ARG;
@@ -118,19 +117,17 @@ jlt_status jlt_system_plane(jlt_system **out, const jlt_descriptor *descriptor, 
         state_names[i] = descriptor->states[i].name;
         all_signs[i] = signs != NULL && i < descriptor->state_count - descriptor->lifted_count ? signs[i] : 1;
     }
-    JLT_TRY(jlt_system_bind(self, descriptor, params, &(jlt_units){ 0 }, options));
-    JLT_TRY(jlt_field_of(&plane_of(self)->told, self->told));
-    JLT_TRY(jlt_chart_plane(&self->chart.plane, descriptor->state_count, column, level, state_names,
-                            signs != NULL ? all_signs : NULL));
+    JLT_PASS(jlt_system_bind(self, descriptor, params, &(jlt_units){ 0 }, options));
+    JLT_PASS(jlt_field_of(&plane_of(self)->told, self->told));
+    JLT_PASS(jlt_chart_plane(&self->chart.plane, descriptor->state_count, column, level, state_names,
+                             signs != NULL ? all_signs : NULL));
     self->chart.plane.bounds = descriptor->states;
     self->chart.plane.domain = &plane_of(self)->told.domain;
-    if (descriptor->lifted_count > 0) JLT_TRY(add_roots(self));
+    if (descriptor->lifted_count > 0) JLT_PASS(add_roots(self));
     set_chart(self);
     *out = self;
     self = NULL;
-done:
-    jlt_system_destroy(self);
-    return st;
+    return JLT_OK;
 }
 
 enum { POINTS = 5, PARTS = 16 };
@@ -264,22 +261,18 @@ jlt_status jlt_system_count_in(jlt_system *self, const jlt_units *units)
 {
     const jlt_descriptor *d = self->told->descriptor;
     const double *params = self->told->params;
-    jlt_instance *instance = NULL;
+    JLT_OWNED(jlt_instance) *instance = NULL;
     jlt_observed *observed = NULL;
-    jlt_status st = JLT_OK;
 
-    JLT_TRY(jlt_instance_create_in(&instance, d, params, units));
-    JLT_TRY(jlt_observed_create(&observed, d, params, units));
+    JLT_PASS(jlt_instance_create_in(&instance, d, params, units));
+    JLT_PASS(jlt_observed_create(&observed, d, params, units));
     if (self->instance != self->told) jlt_instance_destroy(self->instance);
     jlt_observed_destroy(self->observed);
     self->instance = instance;
     self->flow.observed = self->observed = observed;
     instance = NULL; /* ownership moved to the system */
     set_units(self, units);
-    st = jlt_field_of(&self->field, self->instance);
-done:
-    jlt_instance_destroy(instance);
-    return st;
+    return jlt_field_of(&self->field, self->instance);
 }
 
 jlt_status jlt_system_count(jlt_system *self, const double *sizes)

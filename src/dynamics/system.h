@@ -62,6 +62,7 @@ JLT_CHECKED jlt_status jlt_system_count_in(jlt_system *self, const jlt_units *un
  *  roots. *out points into the system. Errors: UNSUPPORTED, more than JLT_INVARIANTS_MAX with relations. */
 JLT_CHECKED jlt_status jlt_system_invariants(jlt_invariants *out, jlt_system *self);
 void jlt_system_destroy(jlt_system *self); /* NULL is legal */
+JLT_OWNED_TYPE(jlt_system)
 
 /** A family of systems in one value, with the system and the map of the value that was asked for last. Set `system` and `map`
  *  to NULL before use. */

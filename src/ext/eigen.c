@@ -1,5 +1,6 @@
 #include "ext/eigen.h"
 
+#include "core/memory.h"
 #include "ext/gsl.h"
 
 #include <gsl/gsl_eigen.h>
@@ -10,7 +11,6 @@
 
 #include <math.h>
 #include <stdbool.h>
-#include <stdlib.h>
 #include <string.h>
 
 static jlt_status status_of(int gsl)
@@ -80,7 +80,7 @@ jlt_status jlt_eigen_polynomial_roots(double *re, double *im, const double *coef
 {
     jlt_status st = JLT_ERR_NOMEM;
     gsl_poly_complex_workspace *space = NULL;
-    double *ascending = NULL, *roots = NULL;
+    JLT_FREED double *ascending = NULL, *roots = NULL;
 
     if (n == 0) return JLT_OK;
     if (!all_finite(coefficients, n + 1)) return JLT_ERR_NONFINITE;
@@ -99,8 +99,6 @@ jlt_status jlt_eigen_polynomial_roots(double *re, double *im, const double *coef
     if (!all_finite(re, n) || !all_finite(im, n)) st = JLT_ERR_NONFINITE;
 done:
     gsl_poly_complex_workspace_free(space);
-    free(ascending);
-    free(roots);
     return st;
 }
 

@@ -3,6 +3,7 @@
 #ifndef JLT_EXT_EXACT_MATRIX_H
 #define JLT_EXT_EXACT_MATRIX_H
 
+#include "core/status.h"
 #include "ext/exact_poly.h"
 
 enum { JLT_EXACT_FACTORS_MAX = 16 };
@@ -29,6 +30,7 @@ typedef struct jlt_exact_matrix {
 
 jlt_exact_matrix *jlt_exact_matrix_create(size_t n); /* returns NULL if memory is out */
 void jlt_exact_matrix_destroy(jlt_exact_matrix *m);  /* legal on NULL */
+JLT_OWNED_TYPE(jlt_exact_matrix)
 
 /** Compute the characteristic polynomial, by reduction to Hessenberg form, the multiplicity of zero, and one factor: the
  *  polynomial divided by x^zeros.

@@ -59,6 +59,7 @@ typedef int (*jlt_observer)(void *context, jlt_orbit *orbit);
 JLT_CHECKED jlt_status jlt_orbit_create(jlt_orbit **out, const jlt_method *method, const jlt_field *field,
                                         const jlt_options *options);
 void jlt_orbit_destroy(jlt_orbit *self); /* NULL is legal */
+JLT_OWNED_TYPE(jlt_orbit)
 
 /** Start at x, shape (dim,), at time t, forwards (direction +1) or backwards (-1) in time. The invariants' levels, and the side
  *  of each event that the orbit is on, are those of x.

@@ -28,46 +28,41 @@ static void count_states(jlt_quantity *states, const jlt_descriptor *descriptor,
 jlt_status jlt_instance_create_in(jlt_instance **instance, const jlt_descriptor *descriptor, const double *params,
                                   const jlt_units *units)
 {
-    jlt_status st = JLT_OK;
-    jlt_instance *self = NULL;
+    JLT_OWNED(jlt_instance) *self = NULL;
     const jlt_region *region;
     double value;
     size_t index;
 
     *instance = NULL;
     if (descriptor == NULL || params == NULL) return JLT_ERR_ARG;
-    JLT_TRY(jlt_descriptor_check_params(descriptor, params, &index));
-    JLT_TRY(jlt_region_check(&region, &value, descriptor, params, NULL));
-    st = JLT_ERR_NOMEM;
+    JLT_PASS(jlt_descriptor_check_params(descriptor, params, &index));
+    JLT_PASS(jlt_region_check(&region, &value, descriptor, params, NULL));
     self = calloc(1, sizeof *self);
-    if (self == NULL) goto done;
+    if (self == NULL) return JLT_ERR_NOMEM;
     self->descriptor = descriptor;
     self->params = jlt_memory_array(descriptor->param_count, sizeof *self->params);
     self->counted = jlt_memory_array(descriptor->param_count, sizeof *self->counted);
     self->prepared = jlt_memory_array(descriptor->prepared_count, sizeof *self->prepared);
     self->states = jlt_memory_array(descriptor->state_count, sizeof *self->states);
-    if (self->params == NULL || self->counted == NULL || self->prepared == NULL || self->states == NULL) goto done;
+    if (self->params == NULL || self->counted == NULL || self->prepared == NULL || self->states == NULL) return JLT_ERR_NOMEM;
     memcpy(self->params, params, descriptor->param_count * sizeof *params);
     jlt_units_count(self->counted, params, descriptor->params, descriptor->param_count, units);
-    JLT_TRY(jlt_kernel_prepare_params(self->prepared, descriptor, self->counted));
+    JLT_PASS(jlt_kernel_prepare_params(self->prepared, descriptor, self->counted));
     count_states(self->states, descriptor, units);
     *instance = self;
     self = NULL; /* ownership moved to the caller */
-done:
-    jlt_instance_destroy(self);
-    return st;
+    return JLT_OK;
 }
 
 jlt_status jlt_instance_units(jlt_units *out, const jlt_descriptor *model, const double *params, const double *x)
 {
     const unsigned n = model->state_count;
-    double *still = jlt_memory_array(2 * n, sizeof *still);
-    jlt_instance *instance = NULL;
+    JLT_FREED double *still = jlt_memory_array(2 * n, sizeof *still);
+    JLT_OWNED(jlt_instance) *instance = NULL;
     jlt_units units = { 0 };
-    jlt_status st = JLT_ERR_NOMEM;
 
-    if (still == NULL) goto done;
-    JLT_TRY(jlt_instance_create(&instance, model, params));
+    if (still == NULL) return JLT_ERR_NOMEM;
+    JLT_PASS(jlt_instance_create(&instance, model, params));
     jlt_units_of_sizes(&units, params, model->params, model->param_count, x, model->states, n);
     for (unsigned i = 0; i < n; i++)
         if (jlt_units_exponent(&(jlt_units){ .time = 1 }, model->states[i].unit) == 0) still[i] = x[i];
@@ -76,10 +71,7 @@ jlt_status jlt_instance_units(jlt_units *out, const jlt_descriptor *model, const
     jlt_units_of_rate(&units,
                       fmax(jlt_units_rate(&units, x, model->states, n, 0), jlt_units_rate(&units, f, model->states, n, 1)));
     *out = units;
-done:
-    jlt_instance_destroy(instance);
-    free(still);
-    return st;
+    return JLT_OK;
 }
 
 void jlt_instance_destroy(jlt_instance *instance)

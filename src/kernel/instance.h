@@ -36,6 +36,7 @@ JLT_CHECKED jlt_status jlt_instance_create_in(jlt_instance **instance, const jlt
  *  or typical sizes of the states, in the table's units. Errors: as jlt_instance_create. */
 JLT_CHECKED jlt_status jlt_instance_units(jlt_units *out, const jlt_descriptor *model, const double *params, const double *x);
 void jlt_instance_destroy(jlt_instance *instance); /* legal on NULL */
+JLT_OWNED_TYPE(jlt_instance)
 
 /** Evaluate the field, or what derives from it, at one state. The state must be in the domain; the evaluation is checked as
  *  jlt_kernel_eval does. In: x, shape (state_count,), in the order of descriptor->states and the units of the instance.

@@ -15,27 +15,23 @@ struct jlt_observed {
 jlt_status jlt_observed_create(jlt_observed **observed, const jlt_descriptor *of, const double *params, const jlt_units *units)
 {
     const jlt_descriptor *general = jlt_descriptor_sibling(of, NULL, of->time, NULL);
-    jlt_status st = JLT_ERR_UNSUPPORTED;
-    jlt_observed *self = NULL;
+    JLT_OWNED(jlt_observed) *self = NULL;
 
     *observed = NULL;
     if (general == NULL || general->valid_count > JLT_OBSERVED_CONDITIONS_MAX || of->state_count > JLT_OBSERVED_STATES_MAX)
-        goto done;
-    st = JLT_ERR_NOMEM;
+        return JLT_ERR_UNSUPPORTED;
     self = calloc(1, sizeof *self);
-    if (self == NULL) goto done;
+    if (self == NULL) return JLT_ERR_NOMEM;
     self->exponents = calloc(of->state_count, sizeof *self->exponents);
-    if (self->exponents == NULL) goto done;
-    JLT_TRY(jlt_instance_create(&self->general, general, params));
+    if (self->exponents == NULL) return JLT_ERR_NOMEM;
+    JLT_PASS(jlt_instance_create(&self->general, general, params));
     for (unsigned i = 0; i < of->state_count; i++) {
         self->exponents[i] = jlt_units_exponent(units, of->states[i].unit);
         self->scaled |= self->exponents[i] != 0;
     }
     *observed = self;
     self = NULL; /* ownership moved to the caller */
-done:
-    jlt_observed_destroy(self);
-    return st;
+    return JLT_OK;
 }
 
 void jlt_observed_destroy(jlt_observed *observed)

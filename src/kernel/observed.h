@@ -19,6 +19,7 @@ typedef struct jlt_observed jlt_observed;
 JLT_CHECKED jlt_status jlt_observed_create(jlt_observed **observed, const jlt_descriptor *of, const double *params,
                                            const jlt_units *units);
 void jlt_observed_destroy(jlt_observed *observed); /* legal on NULL */
+JLT_OWNED_TYPE(jlt_observed)
 
 /** The number of observed quantities, and their names, units and meanings, shape (count,). */
 unsigned jlt_observed_count(const jlt_observed *observed);

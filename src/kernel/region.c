@@ -32,7 +32,7 @@ jlt_status jlt_region_check(const jlt_region **region, double *value, const jlt_
 
     *region = NULL;
     if (count == 0 && divisors == 0) return JLT_OK;
-    double *room = jlt_memory_array((size_t)count + 2 * divisors + states + descriptor->prepared_count, sizeof *room);
+    JLT_FREED double *room = jlt_memory_array((size_t)count + 2 * divisors + states + descriptor->prepared_count, sizeof *room);
     if (room == NULL) return JLT_ERR_NOMEM;
     double *divisor = room + count, *nowhere = divisor + 2 * divisors;
     for (unsigned i = 0; i < states; i++) nowhere[i] = 0;
@@ -48,7 +48,6 @@ jlt_status jlt_region_check(const jlt_region **region, double *value, const jlt_
         *region = &descriptor->divisors[i];
         *value = divisor[2 * i];
     }
-    free(room);
     return *region == NULL ? JLT_OK : JLT_ERR_DOMAIN;
 }
 

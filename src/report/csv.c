@@ -1,13 +1,13 @@
 #include "report/csv.h"
 
 #include "core/digits.h"
+#include "core/memory.h"
 #include "report/decimal.h"
 #include "report/json.h"
 #include "report/table.h"
 
 #include <math.h>
 #include <stdbool.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* How many fields are formatted before they are written. */
@@ -37,9 +37,8 @@ static void write_json(FILE *stream, const jlt_csv_settings *s)
                       params, "levels", levels, "method", text_or_null(s->method), "tolerance",
                       s->method != NULL ? jlt_json_number(s->tolerance) : json_null());
     if (unproved(s) != NULL) (void)json_object_set_new(whole, "unproved", text_or_null(unproved(s)));
-    char *text = whole != NULL ? json_dumps(whole, JSON_COMPACT | JSON_REAL_PRECISION(17)) : NULL;
+    JLT_FREED char *text = whole != NULL ? json_dumps(whole, JSON_COMPACT | JSON_REAL_PRECISION(17)) : NULL;
     if (text != NULL) fprintf(stream, "# %s\n", text);
-    free(text);
     json_decref(whole);
 }
 
@@ -71,7 +70,7 @@ FILE *jlt_csv_names_begin(jlt_csv_names *self, FILE *file)
 static jlt_status write_names(FILE *file, char *text)
 {
     const size_t count = jlt_table_cut(NULL, 0, text);
-    char **names = calloc(count, sizeof *names);
+    JLT_FREED char **names = calloc(count, sizeof *names);
     jlt_table_form form = { .count = 0 };
     jlt_status st = names != NULL ? JLT_OK : JLT_ERR_NOMEM;
 
@@ -79,7 +78,6 @@ static jlt_status write_names(FILE *file, char *text)
     if (st == JLT_OK) st = jlt_table_form_open(&form, names, count, strcmp);
     for (size_t i = 0; st == JLT_OK && i < count; i++) fprintf(file, "%s%s", i > 0 ? "," : "", form.columns[i].name);
     jlt_table_form_close(&form);
-    free(names);
     return st;
 }
 

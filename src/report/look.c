@@ -161,7 +161,8 @@ static double ticks(jlt_extent range, double step)
     return floor(range.high / step + 1e-9) - ceil(range.low / step - 1e-9) + 1;
 }
 
-double jlt_look_step(jlt_extent range, double room)
+/* The distance between ticks, so that about `room` of them or fewer lie in the range, and at least two if it is not empty. */
+static double step_of(jlt_extent range, double room)
 {
     const double least = (range.high - range.low) / fmax(3, room), power = pow(10, floor(log10(least))),
                  part = least / power * (1 - 1e-9);
@@ -194,7 +195,7 @@ jlt_extent jlt_look_axis(FILE *stream, const jlt_look *self, char axis, const ch
     fprintf(stream, "set %crange [%s:%s]\n", axis, ends[0], ends[1]);
     if (fabs(period - two_pi) < 1e-9 && range.high - range.low > two_pi / 2.001 && range.high - range.low < 1000)
         angle_ticks(stream, axis, range.low, range.high, room);
-    else fprintf(stream, "set %ctics %.15g\n", axis, jlt_look_step(range, room));
+    else fprintf(stream, "set %ctics %.15g\n", axis, step_of(range, room));
     return range;
 }
 
@@ -236,7 +237,7 @@ static int widest(jlt_extent values, double step)
 
 void jlt_look_palette(FILE *stream, const jlt_look *self, const char *label, jlt_extent values)
 {
-    const double step = values.high > values.low ? jlt_look_step(values, 6) : 0;
+    const double step = values.high > values.low ? step_of(values, 6) : 0;
 
     fputs("set cblabel ", stream);
     jlt_look_quote(stream, label);

@@ -51,9 +51,6 @@ unsigned jlt_look_lines(FILE *stream, const jlt_look *self, const char *text, bo
  *  (JLT_LOOK_LABEL_MAX,). */
 void jlt_look_label(char *label, const char *name, const char *unit);
 
-/** The distance between ticks, so that about `room` of them or fewer lie in the range, and at least two if it is not empty. */
-double jlt_look_step(jlt_extent range, double room);
-
 /** Write the axis 'x' or 'y' with its label in markup, its range and as many ticks as fit. panels: how many panels share the
  *  picture in the direction of this axis. period: 2 pi for an angle, whose ticks are multiples of pi/2 where the range is long;
  *  else 0. Returns the range drawn: that of --xrange or --yrange where given. */

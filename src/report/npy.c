@@ -1,12 +1,12 @@
 #include "report/npy.h"
 
 #include "core/digits.h"
+#include "core/memory.h"
 #include "report/table.h"
 
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 enum { ALIGNMENT = 64, NUMBER = sizeof(uint64_t), BLOCK = 1 << 20 };
@@ -51,12 +51,10 @@ static jlt_status describe(char **text, size_t *size, const jlt_table_form *form
 /* Set the width of a row, and the size of the header so that it has room for any number of rows. */
 static jlt_status measure(jlt_npy *self)
 {
-    char *text = NULL;
+    JLT_FREED char *text = NULL;
     size_t size = 0;
-    const jlt_status st = describe(&text, &size, &self->form, SIZE_MAX);
 
-    free(text);
-    if (st != JLT_OK) return st;
+    JLT_PASS(describe(&text, &size, &self->form, SIZE_MAX));
     self->width = 0;
     for (size_t i = 0; i < self->form.count; i++) self->width += width_of(&self->form.columns[i]);
     self->head = (12 + size + 1 + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
@@ -65,25 +63,20 @@ static jlt_status measure(jlt_npy *self)
 
 static jlt_status write_head(jlt_npy *self)
 {
-    char *text = NULL, *head = malloc(self->head);
+    JLT_FREED char *text = NULL, *head = malloc(self->head);
     size_t size = 0;
-    jlt_status st = describe(&text, &size, &self->form, self->form.rows);
+    const unsigned version = self->head - 10 <= UINT16_MAX ? 1 : 2, lead = version == 1 ? 10 : 12;
 
-    if (head == NULL) st = JLT_ERR_NOMEM;
-    if (st == JLT_OK) {
-        const unsigned version = self->head - 10 <= UINT16_MAX ? 1 : 2, lead = version == 1 ? 10 : 12;
-        memset(head, ' ', self->head);
-        memcpy(head, "\x93NUMPY", 6);
-        head[6] = (char)version;
-        head[7] = 0;
-        put_number(head + 8, self->head - lead, lead - 8);
-        memcpy(head + lead, text, size);
-        head[self->head - 1] = '\n';
-        st = jlt_file_put(self->place, head, self->head, 0);
-    }
-    free(head);
-    free(text);
-    return st;
+    if (head == NULL) return JLT_ERR_NOMEM;
+    JLT_PASS(describe(&text, &size, &self->form, self->form.rows));
+    memset(head, ' ', self->head);
+    memcpy(head, "\x93NUMPY", 6);
+    head[6] = (char)version;
+    head[7] = 0;
+    put_number(head + 8, self->head - lead, lead - 8);
+    memcpy(head + lead, text, size);
+    head[self->head - 1] = '\n';
+    return jlt_file_put(self->place, head, self->head, 0);
 }
 
 jlt_status jlt_npy_create(jlt_npy **out, jlt_file *place)
@@ -227,14 +220,12 @@ jlt_status jlt_npy_row(jlt_npy *self, char *const *fields)
 static jlt_status take_names(jlt_npy *self, char *line)
 {
     const size_t count = jlt_table_cut(NULL, 0, line);
-    char **names = calloc(count, sizeof *names);
-    jlt_status st = names != NULL ? JLT_OK : JLT_ERR_NOMEM;
+    JLT_FREED char **names = calloc(count, sizeof *names);
 
-    for (size_t i = 0; st == JLT_OK && i < count; i++, line += strlen(line) + 1) names[i] = line;
-    if (st == JLT_OK) st = jlt_table_form_open(&self->form, names, count, strcmp);
-    if (st == JLT_OK) st = measure(self);
-    free(names);
-    return st;
+    if (names == NULL) return JLT_ERR_NOMEM;
+    for (size_t i = 0; i < count; i++, line += strlen(line) + 1) names[i] = line;
+    JLT_PASS(jlt_table_form_open(&self->form, names, count, strcmp));
+    return measure(self);
 }
 
 static jlt_status take_line(jlt_npy *self, char *line)

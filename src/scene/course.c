@@ -177,8 +177,7 @@ jlt_status jlt_course_create(jlt_course **out, const jlt_plan *plan, const jlt_q
                              const jlt_course_options *options)
 {
     const jlt_descriptor *model = question->model;
-    jlt_course *self = NULL;
-    jlt_status st = JLT_OK;
+    JLT_OWNED(jlt_course) *self = NULL;
 
     *out = NULL;
     if (model->state_count > JLT_PLAN_STATES_MAX || model->param_count > JLT_PLAN_PARAMS_MAX
@@ -187,28 +186,24 @@ jlt_status jlt_course_create(jlt_course **out, const jlt_plan *plan, const jlt_q
     self = calloc(1, sizeof *self);
     if (self == NULL) return JLT_ERR_NOMEM;
     copy_question(self, plan, question, options);
-    JLT_TRY(jlt_course_units(&self->units, plan, &self->question));
+    JLT_PASS(jlt_course_units(&self->units, plan, &self->question));
     jlt_units_count(self->params, question->params, model->params, model->param_count, &self->units);
     jlt_units_count(self->start, question->start, model->states, self->states, &self->units);
     memcpy(self->x, self->start, self->states * sizeof *self->x);
-    JLT_TRY(jlt_instance_create_in(&self->watch, plan->reduced, question->params, &self->units));
-    JLT_TRY(jlt_course_drift_begin(&self->drift, self->watch, self->start));
-    JLT_TRY(jlt_course_conditions_open(&self->conditions, model, question->params, &self->units));
-    st = JLT_ERR_NOMEM;
+    JLT_PASS(jlt_instance_create_in(&self->watch, plan->reduced, question->params, &self->units));
+    JLT_PASS(jlt_course_drift_begin(&self->drift, self->watch, self->start));
+    JLT_PASS(jlt_course_conditions_open(&self->conditions, model, question->params, &self->units));
     self->seen = calloc(jlt_observed_count(self->conditions.observed) + 1, sizeof *self->seen);
-    if (self->seen == NULL) goto done;
-    st = JLT_OK;
+    if (self->seen == NULL) return JLT_ERR_NOMEM;
     note_conditions(self, 0, self->start);
-    if (self->is_rod) JLT_TRY(jlt_rod_open(&self->rod, model, self->params, self->start));
+    if (self->is_rod) JLT_PASS(jlt_rod_open(&self->rod, model, self->params, self->start));
     else {
-        JLT_TRY(open_leg(self, plan->chosen, self->start, 0));
-        JLT_TRY(tell_params(self));
+        JLT_PASS(open_leg(self, plan->chosen, self->start, 0));
+        JLT_PASS(tell_params(self));
     }
     *out = self;
     self = NULL;
-done:
-    jlt_course_destroy(self);
-    return st;
+    return JLT_OK;
 }
 
 void jlt_course_destroy(jlt_course *self)

@@ -49,6 +49,7 @@ typedef struct jlt_course jlt_course;
 JLT_CHECKED jlt_status jlt_course_create(jlt_course **out, const jlt_plan *plan, const jlt_question *question,
                                          const jlt_course_options *options);
 void jlt_course_destroy(jlt_course *self); /* NULL is legal */
+JLT_OWNED_TYPE(jlt_course)
 
 /** Advance to time t, in the table's unit; the start is at 0, and times must go in one direction. *row is filled whenever JLT_OK is
  *  returned. Errors: those of jlt_orbit_next; DOMAIN, the tier's coordinates end before t and no other tier serves: the row then

@@ -28,7 +28,7 @@ jlt_status jlt_course_drift_begin(jlt_course_drift *out, const jlt_instance *wat
 {
     const jlt_descriptor *d = watch->descriptor;
     const unsigned all = d->integral_values.call == NULL ? 0 : (unsigned)d->integral_count, states = (unsigned)d->state_count;
-    double *slopes = jlt_memory_array(all + 1, states * sizeof *slopes); /* rows of unwatched integrals too */
+    JLT_FREED double *slopes = jlt_memory_array(all + 1, states * sizeof *slopes); /* rows of unwatched integrals too */
 
     if (slopes == NULL) return JLT_ERR_NOMEM;
     *out = (jlt_course_drift){ .watch = watch, .count = all < JLT_COURSE_DRIFT_MAX ? all : JLT_COURSE_DRIFT_MAX };
@@ -40,7 +40,6 @@ jlt_status jlt_course_drift_begin(jlt_course_drift *out, const jlt_instance *wat
         change *= largest(x, states);
         out->size[i] = fmax(fabs(out->first[i]), change > 0 ? fmin(1, change) : 1);
     }
-    free(slopes);
     return JLT_OK;
 }
 

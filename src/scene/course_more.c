@@ -52,8 +52,7 @@ jlt_status jlt_course_more_follow(jlt_course_more *self, const jlt_leg *leg, con
 {
     const jlt_descriptor *of = leg->view.instance->descriptor;
     double params[JLT_WAY_VALUES_MAX];
-    jlt_observed *observed = NULL;
-    jlt_status st;
+    JLT_OWNED(jlt_observed) *observed = NULL;
 
     if (self->quantities != NULL) {
         jlt_observed_destroy(self->observed);
@@ -61,17 +60,13 @@ jlt_status jlt_course_more_follow(jlt_course_more *self, const jlt_leg *leg, con
         return JLT_OK;
     }
     jlt_units_restore(params, leg->view.instance->counted, of->params, of->param_count, units);
-    JLT_TRY(jlt_observed_create(&observed, of, params, units));
-    st = JLT_ERR_NOMEM;
+    JLT_PASS(jlt_observed_create(&observed, of, params, units));
     self->seen = calloc(jlt_observed_count(observed) + 1, sizeof *self->seen);
-    if (self->seen == NULL) goto done;
+    if (self->seen == NULL) return JLT_ERR_NOMEM;
     self->observed = observed;
     observed = NULL; /* ownership moved to self */
     self->units = units;
-    st = choose(self, jlt_descriptor_sibling(of, NULL, of->time, NULL), asked);
-done:
-    jlt_observed_destroy(observed);
-    return st;
+    return choose(self, jlt_descriptor_sibling(of, NULL, of->time, NULL), asked);
 }
 
 void jlt_course_more_close(jlt_course_more *self)

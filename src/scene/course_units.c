@@ -21,17 +21,16 @@ jlt_status jlt_course_units_serve(bool *serves, const jlt_tier *tier, const doub
     double counted_params[JLT_PLAN_PARAMS_MAX], counted_x[JLT_PLAN_STATES_MAX], y[2][JLT_WAY_VALUES_MAX],
         back[2][JLT_WAY_VALUES_MAX];
     char refusal[JLT_TIER_TEXT_MAX];
-    jlt_tier_view told = { .instance = NULL }, view = { .instance = NULL };
+    JLT_CLEARED(jlt_tier_close) jlt_tier_view told = { .instance = NULL }, view = { .instance = NULL };
     jlt_tier there = *tier;
-    jlt_status st = JLT_OK;
 
     *serves = tier->way_count == 0; /* without ways the tier is the asked table, perhaps with a state eliminated */
-    if (*serves) return st;
+    if (*serves) return JLT_OK;
     there.units = *units;
     jlt_units_count(counted_params, params, model->params, model->param_count, units);
     jlt_units_count(counted_x, x, model->states, model->state_count, units);
-    JLT_TRY(jlt_tier_open(&told, y[0], refusal, tier, params, x));
-    st = jlt_tier_open(&view, y[1], refusal, &there, counted_params, counted_x);
+    JLT_PASS(jlt_tier_open(&told, y[0], refusal, tier, params, x));
+    const jlt_status st = jlt_tier_open(&view, y[1], refusal, &there, counted_params, counted_x);
     if (st == JLT_OK && view.instance->descriptor == told.instance->descriptor) {
         const jlt_descriptor *kernel = view.instance->descriptor;
         jlt_tier_extract(&told, back[0], y[0]);
@@ -41,11 +40,7 @@ jlt_status jlt_course_units_serve(bool *serves, const jlt_tier *tier, const doub
             && agree(back[0], back[1], model->states, model->state_count, units))
             *serves = kernel->scales || is_of_table(units);
     }
-    if (st == JLT_ERR_UNSUPPORTED) st = JLT_OK;
-done:
-    jlt_tier_close(&view);
-    jlt_tier_close(&told);
-    return st;
+    return st == JLT_ERR_UNSUPPORTED ? JLT_OK : st;
 }
 
 jlt_status jlt_course_units(jlt_units *out, const jlt_plan *plan, const jlt_question *question)

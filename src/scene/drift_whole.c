@@ -115,9 +115,8 @@ jlt_status jlt_drift_whole_follow(jlt_drift *self, jlt_drift_end *end, const jlt
                                    .project = project };
     rest_watch rest;
     double now[JLT_INVARIANTS_MAX];
-    jlt_orbit *orbit = NULL;
+    JLT_OWNED(jlt_orbit) *orbit = NULL;
     jlt_outcome at = { .t = 0 };
-    jlt_status st = JLT_OK;
 
     jlt_drift_begin(self, end);
     whole->invariants.values(whole->start, whole->invariants.p, now);
@@ -125,22 +124,20 @@ jlt_status jlt_drift_whole_follow(jlt_drift *self, jlt_drift_end *end, const jlt
         self->first[k] = now[self->watched[k]];
         self->sizes[k] = self->first[k] != 0 ? fabs(self->first[k]) : 1;
     }
-    JLT_TRY(jlt_orbit_create(&orbit, method, &whole->field, &to_orbit));
+    JLT_PASS(jlt_orbit_create(&orbit, method, &whole->field, &to_orbit));
     jlt_orbit_observe(orbit, watch, &rest);
-    JLT_TRY(jlt_orbit_start(orbit, 0, whole->start, 1));
+    JLT_PASS(jlt_orbit_start(orbit, 0, whole->start, 1));
     for (size_t i = 1; i <= self->returns && !self->stopped; i++) {
         rest.rest = (jlt_rest_watch){ 0 };
-        JLT_TRY(jlt_orbit_next(orbit, INFINITY, &section, 1, &at));
+        JLT_PASS(jlt_orbit_next(orbit, INFINITY, &section, 1, &at));
         if (at.end == JLT_END_INTERRUPT) break;
         if (at.end != JLT_END_EVENT) {
             end_by(end, whole, &at, ldexp(at.t, whole->time), i - 1);
             break;
         }
         whole->invariants.values(at.x, whole->invariants.p, now);
-        JLT_TRY(jlt_drift_note(self, i, ldexp(at.t, whole->time), jlt_orbit_stepper(orbit)->evaluations, now));
+        JLT_PASS(jlt_drift_note(self, i, ldexp(at.t, whole->time), jlt_orbit_stepper(orbit)->evaluations, now));
     }
     jlt_drift_finish(self, end);
-done:
-    jlt_orbit_destroy(orbit);
-    return st;
+    return JLT_OK;
 }

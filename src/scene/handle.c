@@ -37,25 +37,22 @@ static jlt_status find_model(const jlt_descriptor **out, const char *model)
 /* The table's default parameters, replaced by the given values, and checked; for the caller to free(). */
 static jlt_status read_params(double **out, const jlt_descriptor *d, const char *const *names, const double *values, size_t count)
 {
-    double *params = jlt_memory_array(d->param_count, sizeof *params), value;
-    jlt_status st = JLT_ERR_NOMEM;
+    JLT_FREED double *params = jlt_memory_array(d->param_count, sizeof *params);
+    double value;
     const jlt_region *region;
     size_t index;
 
-    if (params == NULL) goto done;
+    if (params == NULL) return JLT_ERR_NOMEM;
     for (unsigned i = 0; i < d->param_count; i++) params[i] = d->params[i].value;
-    st = JLT_ERR_ARG;
     for (size_t i = 0; i < count; i++) {
-        if (!jlt_descriptor_param(d, names[i], &index)) goto done;
+        if (!jlt_descriptor_param(d, names[i], &index)) return JLT_ERR_ARG;
         params[index] = values[i];
     }
-    JLT_TRY(jlt_descriptor_check_params(d, params, &index));
-    JLT_TRY(jlt_region_check(&region, &value, d, params, NULL));
+    JLT_PASS(jlt_descriptor_check_params(d, params, &index));
+    JLT_PASS(jlt_region_check(&region, &value, d, params, NULL));
     *out = params;
     params = NULL;
-done:
-    free(params);
-    return st;
+    return JLT_OK;
 }
 
 /* ---- returns to a section ---- */
@@ -123,22 +120,18 @@ jlt_status jlt_handle_section_plane(jlt_handle_section **out, const char *model,
     const jlt_flow options = { .tolerance = tolerance,
                                .direction = direction > 0 ? JLT_RISING : direction < 0 ? JLT_FALLING : JLT_BOTH };
     const jlt_descriptor *d;
-    double *params = NULL;
-    jlt_system *system = NULL;
+    JLT_FREED double *params = NULL;
+    JLT_OWNED(jlt_system) *system = NULL;
     size_t column;
-    jlt_status st;
 
     *out = NULL;
-    JLT_TRY(find_model(&d, model));
+    JLT_PASS(find_model(&d, model));
     if (!jlt_descriptor_state(d, state, &column)) return JLT_ERR_ARG;
-    JLT_TRY(read_params(&params, d, names, values, count));
-    JLT_TRY(jlt_system_plane(&system, jlt_system_regular(d), params, (unsigned)column, level, NULL, &options));
-    JLT_TRY(set_angles(system, d));
-    st = open_section(out, system);
+    JLT_PASS(read_params(&params, d, names, values, count));
+    JLT_PASS(jlt_system_plane(&system, jlt_system_regular(d), params, (unsigned)column, level, NULL, &options));
+    JLT_PASS(set_angles(system, d));
+    const jlt_status st = open_section(out, system);
     system = NULL;
-done:
-    jlt_system_destroy(system);
-    free(params);
     return st;
 }
 

@@ -197,7 +197,7 @@ jlt_status jlt_scene_read(jlt_scene **out, char *message, const char *path, cons
     jlt_value_reader r = { .file = path, .message = message, .program = program };
     jlt_scene *scene = NULL;
     config_t config;
-    char *text = NULL;
+    JLT_FREED char *text = NULL;
 
     *out = NULL;
     *message = '\0';
@@ -217,7 +217,6 @@ jlt_status jlt_scene_read(jlt_scene **out, char *message, const char *path, cons
 done:
     if (st == JLT_ERR_NOMEM) (void)jlt_value_complain(&r, 0, "out of memory");
     jlt_scene_destroy(scene);
-    free(text);
     config_destroy(&config);
     return st;
 }

@@ -115,18 +115,15 @@ static bool is_eliminated(const jlt_tier *tier) { return tier->elimination[0] !=
 static jlt_status find_level(double *level, const jlt_tier_view *view, const jlt_descriptor *kernel, const double *x)
 {
     double values[JLT_WAY_VALUES_MAX];
-    jlt_instance *full = NULL;
-    jlt_status st = JLT_OK;
+    JLT_OWNED(jlt_instance) *full = NULL;
 
     *level = 0;
     if (x == NULL) return JLT_OK;
     if (view->tier.asked->integral_count > JLT_WAY_VALUES_MAX) return JLT_ERR_UNSUPPORTED;
-    JLT_TRY(jlt_instance_create(&full, view->tier.asked, view->params[0]));
+    JLT_PASS(jlt_instance_create(&full, view->tier.asked, view->params[0]));
     full->descriptor->integral_values.call(x, full->prepared, values);
     *level = values[kernel->level_integral];
-done:
-    jlt_instance_destroy(full);
-    return st;
+    return JLT_OK;
 }
 
 /* Bind the kernel to the parameters of the tier's table and, if a state is eliminated, to the level of the asked model's state

@@ -2,10 +2,10 @@
 
 #include <sqlite3.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 
+#include "core/memory.h"
 #include "report/json.h"
 
 struct jlt_database {
@@ -30,13 +30,11 @@ static jlt_status execute(const jlt_database *self, char **message, const char *
 
 static jlt_status find_names(jlt_database *self)
 {
-    char **names = calloc(self->form->count + 1, sizeof *names);
-    jlt_status st = names != NULL ? JLT_OK : JLT_ERR_NOMEM;
+    JLT_FREED char **names = calloc(self->form->count + 1, sizeof *names);
 
-    for (size_t i = 0; st == JLT_OK && i < self->form->count; i++) names[i] = self->form->columns[i].name;
-    if (st == JLT_OK) st = jlt_table_form_open(&self->names, names, self->form->count, strcasecmp);
-    free(names);
-    return st;
+    if (names == NULL) return JLT_ERR_NOMEM;
+    for (size_t i = 0; i < self->form->count; i++) names[i] = self->form->columns[i].name;
+    return jlt_table_form_open(&self->names, names, self->form->count, strcasecmp);
 }
 
 /* Write the columns of CREATE TABLE: quoted names with their SQL types. */
@@ -50,10 +48,9 @@ static void write_columns(FILE *stream, const jlt_database *self)
 
 static jlt_status make_tables(jlt_database *self, char **message)
 {
-    char *text = NULL;
+    JLT_FREED char *text = NULL;
     size_t size = 0;
     FILE *stream = open_memstream(&text, &size);
-    jlt_status st;
 
     if (stream == NULL) return JLT_ERR_NOMEM;
     fputs("CREATE TABLE provenance (name TEXT PRIMARY KEY, value TEXT) WITHOUT ROWID;"
@@ -62,14 +59,12 @@ static jlt_status make_tables(jlt_database *self, char **message)
     write_columns(stream, self);
     fputs(");", stream);
     if (fclose(stream) != 0) return JLT_ERR_NOMEM;
-    st = execute(self, message, text);
-    free(text);
-    return st;
+    return execute(self, message, text);
 }
 
 static jlt_status prepare(jlt_database *self, char **message)
 {
-    char *text = NULL;
+    JLT_FREED char *text = NULL;
     size_t size = 0;
     FILE *stream = open_memstream(&text, &size);
     jlt_status st;
@@ -80,7 +75,6 @@ static jlt_status prepare(jlt_database *self, char **message)
     fputc(')', stream);
     if (fclose(stream) != 0) return JLT_ERR_NOMEM;
     st = told(self, message, sqlite3_prepare_v2(self->db, text, -1, &self->row, NULL));
-    free(text);
     return st != JLT_OK ? st : told(self, message, sqlite3_prepare_v2(self->db, "INSERT INTO pieces VALUES (?, ?, ?)", -1,
                                                                       &self->piece, NULL));
 }
@@ -122,26 +116,23 @@ static jlt_status add_provenance(const jlt_database *self, char **message, const
 jlt_status jlt_database_create(jlt_database **out, char **message, const char *path, const jlt_table_form *form, size_t over,
                                const char *study)
 {
-    jlt_database *self = calloc(1, sizeof *self);
-    jlt_status st = JLT_OK;
+    JLT_OWNED(jlt_database) *self = calloc(1, sizeof *self);
 
     *out = NULL;
     *message = NULL;
     if (self == NULL) return JLT_ERR_NOMEM;
     self->form = form;
     self->over = over;
-    JLT_TRY(find_names(self));
-    JLT_TRY(told(self, message, sqlite3_open(path, &self->db)));
+    JLT_PASS(find_names(self));
+    JLT_PASS(told(self, message, sqlite3_open(path, &self->db)));
     /* No other process sees the file before it is finished, so no journal is needed for a rollback. */
-    JLT_TRY(execute(self, message, "PRAGMA page_size = 4096; PRAGMA journal_mode = OFF; PRAGMA synchronous = OFF; BEGIN"));
-    JLT_TRY(make_tables(self, message));
-    JLT_TRY(add_provenance(self, message, study));
-    JLT_TRY(prepare(self, message));
+    JLT_PASS(execute(self, message, "PRAGMA page_size = 4096; PRAGMA journal_mode = OFF; PRAGMA synchronous = OFF; BEGIN"));
+    JLT_PASS(make_tables(self, message));
+    JLT_PASS(add_provenance(self, message, study));
+    JLT_PASS(prepare(self, message));
     *out = self;
     self = NULL;
-done:
-    jlt_database_destroy(self);
-    return st;
+    return JLT_OK;
 }
 
 jlt_status jlt_database_piece(jlt_database *self, const jlt_shard_record *record)

@@ -24,5 +24,6 @@ JLT_CHECKED jlt_status jlt_database_row(jlt_database *self, char *const *fields)
 /** Make the indexes, close the file, and free `self`, also on failure. *message: as above. Errors: IO, NOMEM. */
 JLT_CHECKED jlt_status jlt_database_finish(jlt_database *self, char **message);
 void jlt_database_destroy(jlt_database *self); /* NULL is legal; not legal after jlt_database_finish */
+JLT_OWNED_TYPE(jlt_database)
 
 #endif

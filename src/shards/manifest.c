@@ -1,16 +1,15 @@
 #include "shards/manifest.h"
 
-#include <stdlib.h>
 #include <string.h>
 
+#include "core/memory.h"
 #include "report/json.h"
 
 static void show(FILE *stream, const json_t *value)
 {
-    char *text = value != NULL ? json_dumps(value, JSON_ENCODE_ANY | JSON_COMPACT) : NULL;
+    JLT_FREED char *text = value != NULL ? json_dumps(value, JSON_ENCODE_ANY | JSON_COMPACT) : NULL;
 
     fputs(text != NULL ? text : "nothing", stream);
-    free(text);
 }
 
 static bool compare(FILE *stream, const char *group, json_t *there, json_t *here)

@@ -1,11 +1,11 @@
 #include "spectrum/equilibrium.h"
 
+#include "core/memory.h"
 #include "ext/number.h"
 #include "kernel/descriptor.h"
 #include "spectrum/exact_point.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* ---- the formulas of the table ---- */
@@ -59,24 +59,21 @@ static jlt_status linearize(jlt_linearization *result, const jlt_equilibrium_que
     const size_t n = q->descriptor->state_count;
     double errors[JLT_LINEARIZATION_SIZE_MAX * JLT_LINEARIZATION_SIZE_MAX];
     double gradient_errors[JLT_LINEARIZATION_SIZE_MAX * JLT_LINEARIZATION_SIZE_MAX];
-    ttc_enclosure *exact = calloc(n * n, sizeof *exact);
-    jlt_status st = exact == NULL ? JLT_ERR_NOMEM : JLT_OK;
+    JLT_FREED ttc_enclosure *exact = calloc(n * n, sizeof *exact);
+    bool finite = true;
 
-    if (st == JLT_OK) st = jlt_linearization_residual(result, q->descriptor, params, x);
-    if (st != JLT_OK) goto done;
+    if (exact == NULL) return JLT_ERR_NOMEM;
+    JLT_PASS(jlt_linearization_residual(result, q->descriptor, params, x));
     jlt_oracle_set_params(q->oracle, params, q->params);
     jlt_oracle_set_states(q->oracle, x, exact_x);
-    JLT_TRY(jlt_oracle_enclose(q->oracle, exact, q->oracle->jacobian, n * n));
+    JLT_PASS(jlt_oracle_enclose(q->oracle, exact, q->oracle->jacobian, n * n));
     for (size_t i = 0; i < n * n; i++) {
         errors[i] = jlt_oracle_error(result->jacobian[i], &exact[i]);
-        if (!isfinite(errors[i])) st = JLT_ERR_NONFINITE;
+        finite &= isfinite(errors[i]) != 0;
     }
-    if (st != JLT_OK) goto done;
-    JLT_TRY(jlt_oracle_gradient_errors(q->oracle, gradient_errors, result->gradients, result->held, result->integrals));
-    st = jlt_linearization_compute(result, q->descriptor, params, x, errors, gradient_errors);
-done:
-    free(exact);
-    return st;
+    if (!finite) return JLT_ERR_NONFINITE;
+    JLT_PASS(jlt_oracle_gradient_errors(q->oracle, gradient_errors, result->gradients, result->held, result->integrals));
+    return jlt_linearization_compute(result, q->descriptor, params, x, errors, gradient_errors);
 }
 
 /* Whether x still is the double of the fraction that the caller gave. */
@@ -95,7 +92,8 @@ static jlt_status enclose(jlt_linearization *result, const jlt_equilibrium_quest
     const jlt_descriptor *d = q->descriptor;
     const jlt_equilibria *family = result->family;
     const unsigned char *given = q->find && family != NULL ? family->is_free : q->given;
-    jlt_ball_value *exact = calloc(d->param_count + 1, sizeof *exact), exact_x[JLT_LINEARIZATION_SIZE_MAX];
+    JLT_FREED jlt_ball_value *exact = calloc(d->param_count + 1, sizeof *exact);
+    jlt_ball_value exact_x[JLT_LINEARIZATION_SIZE_MAX];
     jlt_exact_matrix *matrix = NULL;
     jlt_status st = JLT_ERR_NOMEM;
 
@@ -110,7 +108,6 @@ static jlt_status enclose(jlt_linearization *result, const jlt_equilibrium_quest
         result->motion = JLT_MOTION_OPEN;
     }
     jlt_exact_matrix_destroy(matrix);
-    free(exact);
     return st;
 }
 

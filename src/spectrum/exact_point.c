@@ -170,22 +170,17 @@ jlt_status jlt_exact_point_linearize(jlt_exact_matrix **matrix, const jlt_oracle
                                      const jlt_ball_value *x, const char *family, const unsigned char *given)
 {
     const size_t n = oracle->model->state_count;
-    jlt_exact_matrix *m = jlt_exact_matrix_create(n);
-    walk w = { .size = 0 };
-    jlt_status st = JLT_ERR_NOMEM;
+    JLT_OWNED(jlt_exact_matrix) *m = jlt_exact_matrix_create(n);
+    JLT_CLEARED(end) walk w = { .size = 0 };
 
     *matrix = NULL;
-    if (m == NULL || !begin(&w, oracle, m->field)) goto done;
-    st = JLT_OK;
+    if (m == NULL || !begin(&w, oracle, m->field)) return JLT_ERR_NOMEM;
     for (size_t i = 0; i < oracle->descriptor->param_count; i++) w.values[oracle->params[i]] = &params[i];
     for (size_t i = 0; i < n; i++) w.values[oracle->states[i]] = &x[i];
     bind(&w, oracle, family, given);
-    if (!fill(m, &w, oracle)) goto done;
+    if (!fill(m, &w, oracle)) return JLT_OK;
     jlt_exact_matrix_analyse(m);
     *matrix = m;
     m = NULL; /* ownership moved to the caller */
-done:
-    end(&w);
-    jlt_exact_matrix_destroy(m);
-    return st;
+    return JLT_OK;
 }

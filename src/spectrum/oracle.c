@@ -56,29 +56,24 @@ static jlt_status read_defaults(jlt_oracle *o)
 
 jlt_status jlt_oracle_create(jlt_oracle **oracle, const jlt_descriptor *descriptor)
 {
-    jlt_oracle *self = calloc(1, sizeof *self);
+    JLT_OWNED(jlt_oracle) *self = calloc(1, sizeof *self);
     char file[256];
-    jlt_status st = JLT_ERR_NOMEM;
 
     *oracle = NULL;
-    if (self == NULL) goto done;
+    if (self == NULL) return JLT_ERR_NOMEM;
     self->descriptor = descriptor;
     snprintf(file, sizeof file, "%s.tt", descriptor->model); /* the name by which other tables refer to it */
     self->model = ttc_model_again(descriptor->table, file);
-    st = JLT_ERR_UNSUPPORTED;
-    if (self->model == NULL || self->model->state_count != descriptor->state_count) goto done;
-    st = JLT_ERR_NOMEM;
+    if (self->model == NULL || self->model->state_count != descriptor->state_count) return JLT_ERR_UNSUPPORTED;
     self->ball = ttc_ball_create(self->model);
     self->states = symbols_of(self->model, descriptor->states, descriptor->state_count);
     self->params = symbols_of(self->model, descriptor->params, descriptor->param_count);
-    if (self->ball == NULL || self->states == NULL || self->params == NULL) goto done;
-    JLT_TRY(read_defaults(self));
-    JLT_TRY(differentiate(self));
+    if (self->ball == NULL || self->states == NULL || self->params == NULL) return JLT_ERR_NOMEM;
+    JLT_PASS(read_defaults(self));
+    JLT_PASS(differentiate(self));
     *oracle = self;
     self = NULL; /* ownership moved to the caller */
-done:
-    jlt_oracle_destroy(self);
-    return st;
+    return JLT_OK;
 }
 
 void jlt_oracle_destroy(jlt_oracle *oracle)

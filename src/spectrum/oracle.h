@@ -22,6 +22,7 @@ typedef struct {
 /** Errors: NOMEM; UNSUPPORTED if the embedded table cannot be parsed, which means that the build is broken. */
 JLT_CHECKED jlt_status jlt_oracle_create(jlt_oracle **oracle, const jlt_descriptor *descriptor);
 void jlt_oracle_destroy(jlt_oracle *oracle); /* legal on NULL */
+JLT_OWNED_TYPE(jlt_oracle)
 
 /** Set the values of parameters, shape (params,), or states, shape (states,), each a double taken exactly. exact, of the same
  *  shape, or NULL: where exact[i] is not NULL, it is the value, "p/q", instead of the double. */
@@ -40,7 +41,7 @@ JLT_CHECKED jlt_status jlt_oracle_estimate(jlt_oracle *oracle, ttc_enclosure *ou
 JLT_CHECKED jlt_status jlt_oracle_gradient_errors(jlt_oracle *oracle, double *errors, const double *gradients,
                                                   const jlt_named *integrals, size_t count);
 
-/** The characteristic polynomial c[0] l^n + c[1] l^(n-1) + ... + c[n], c[0] = 1, that claim number `claim` gives: c, shape (n + 1,),
+/** The characteristic polynomial c[0] l^n + c[1] l^(n-1) + ... + c[n], c[0] = 1, that claim number `claim` gives: c, (n + 1,),
  *  which the oracle owns and computes once. Returns NULL if the claim's expression is no polynomial of degree n. */
 const ttc_id *jlt_oracle_charpoly(jlt_oracle *oracle, size_t claim);
 

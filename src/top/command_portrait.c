@@ -1,19 +1,48 @@
+/* `jellett portrait`: data and picture of the flow on M^2 of the balanced sphere. */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
-#include "top/balanced_form.h"
-#include "top/command_counterpart.h"
-#include "top/command_portrait.h"
 #include "cli/planned.h"
 #include "cli/progress.h"
 #include "cli/swept.h"
+#include "core/memory.h"
 #include "kernel/descriptor.h"
 #include "report/csv.h"
+#include "top/balanced.h"
+#include "top/balanced_form.h"
+#include "top/command_counterpart.h"
 
 static const double pi = 3.14159265358979323846;
+static const char *const names[] = { "E", "G", "F0" }; /* of the levels */
 
 enum { LEVEL = 2000, ORBITS, UNTIL, TRAJECTORIES, AT, SAMPLES = 400, TRIES_MAX = 1000, PATIENCE = 20 };
+
+typedef enum {
+    JLT_PORTRAIT_ATTRACTED, /* followed to an attracting fixed point */
+    JLT_PORTRAIT_POLE_PLUS,
+    JLT_PORTRAIT_POLE_MINUS,
+    JLT_PORTRAIT_WANDERING, /* none of these within the time */
+    JLT_PORTRAIT_FATES
+} jlt_portrait_fate;
+
+typedef struct {
+    jlt_session session;
+    jlt_assign_list level;
+    const char *trajectories; /* file for the orbits */
+    size_t orbits;
+    double until;
+
+    jlt_counterpart counterpart;  /* of the model asked for */
+    jlt_top top;                  /* with the general field and the parameters of JLT_DEFAULT_MODEL */
+    const jlt_descriptor *model;
+    double params[JLT_WAY_VALUES_MAX];
+    double start[JLT_TOP_STATES]; /* all 0 if levels are given */
+    jlt_balanced_levels levels;
+    jlt_fixed_point fixed[4];
+    unsigned fixed_count;
+    bool fixed_curve;         /* the fixed points are not isolated */
+    size_t fates[JLT_PORTRAIT_FATES];
+} jlt_portrait_request;
 
 static const struct argp_option option_table[] = {
     { "level", 'l', "E=VALUE,G=VALUE,F0=VALUE", 0, "Values of the three integrals; default those of --start", 1 },
@@ -75,10 +104,7 @@ static const struct argp parser = {
 
 static jlt_exit read_levels(jlt_portrait_request *r)
 {
-    const struct {
-        const char *name;
-        double *value;
-    } wanted[] = { { "E", &r->levels.E }, { "G", &r->levels.G }, { "F0", &r->levels.F0 } };
+    double *const values[] = { &r->levels.E, &r->levels.G, &r->levels.F0 };
     bool given[3] = { false };
 
     if ((r->level.count > 0) == (r->session.start.count > 0))
@@ -91,14 +117,14 @@ static jlt_exit read_levels(jlt_portrait_request *r)
     }
     for (size_t i = 0; i < r->level.count; i++) {
         size_t k = 0;
-        while (k < 3 && strcmp(wanted[k].name, r->level.items[i].name) != 0) k++;
+        while (k < 3 && strcmp(names[k], r->level.items[i].name) != 0) k++;
         if (k == 3)
             return jlt_command_fail(JLT_EXIT_INPUT, "--level: there is no level '%s'; there are E, G, F0", r->level.items[i].name);
-        *wanted[k].value = r->level.items[i].value;
+        *values[k] = r->level.items[i].value;
         given[k] = true;
     }
     for (size_t k = 0; k < 3; k++)
-        if (!given[k]) return jlt_command_fail(JLT_EXIT_INPUT, "--level: give %s as well", wanted[k].name);
+        if (!given[k]) return jlt_command_fail(JLT_EXIT_INPUT, "--level: give %s as well", names[k]);
     if (jlt_balanced_complete(&r->levels, &r->top) != JLT_OK)
         return jlt_command_fail(JLT_EXIT_INPUT, "no state has these levels: raise E, or take G or F0 nearer to 0");
     return JLT_EXIT_DONE;
@@ -139,9 +165,8 @@ static const char *type_of(const jlt_fixed_point *point)
 
 static void write_header(FILE *file, const jlt_portrait_request *r)
 {
-    static const char *const names[] = { "E", "G", "F0" };
     double levels[] = { r->levels.E, r->levels.G, r->levels.F0 };
-    double *params = jlt_common_steady(&r->session.common, r->session.descriptor, r->session.params);
+    JLT_FREED double *params = jlt_common_steady(&r->session.common, r->session.descriptor, r->session.params);
 
     if (params == NULL) return;
     for (unsigned k = 0; k < 3; k++)
@@ -149,7 +174,6 @@ static void write_header(FILE *file, const jlt_portrait_request *r)
     jlt_csv_header(file, &(jlt_csv_settings){ .command = r->session.common.command, .descriptor = r->session.descriptor,
                                               .params = params, .level_count = 3, .level_names = names, .levels = levels,
                                               .method = r->session.method->name, .tolerance = r->session.tolerance });
-    free(params);
 }
 
 static void write_fixed_points(FILE *file, const jlt_portrait_request *r)
@@ -288,6 +312,55 @@ static jlt_exit show_plan(const jlt_portrait_request *r)
     return JLT_EXIT_PLANNED;
 }
 
+/* Plot the half of M^2 where side * v_slip > 0. Columns of $ORBITS: psi, gamma3, v_slip; a blank line ends a line. */
+static void draw_half(jlt_plot *plot, const jlt_portrait_request *r, int side)
+{
+    static const struct {
+        unsigned colour, mark;
+        const char *name;
+    } kinds[] = { { 1, 3, "repelling" }, { 0, 7, "trace zero" }, { 4, 0, "attracting" } };
+
+    fprintf(plot->stream, "set title 'half v_{slip} %c 0'\nplot $ORBITS using 1:(%d*$3>0?$2:NaN) ", side > 0 ? '>' : '<', side);
+    jlt_look_pen(plot->stream, plot->look, (jlt_pen){ "lines", .colour = 7, .size = 0.1 });
+    fputs(" notitle", plot->stream);
+    for (unsigned kind = 0; kind < 3; kind++) {
+        bool is_named = false;
+        for (unsigned k = 0; k < r->fixed_count; k++) {
+            if (r->fixed[k].kind != kind || !(side * r->fixed[k].v_slip > 0)) continue;
+            fprintf(plot->stream, ", '+' using (%.17g):(%.17g) every ::0::0 ", r->fixed[k].psi, r->fixed[k].x[JLT_TOP_GAMMA3]);
+            jlt_look_pen(plot->stream, plot->look,
+                         (jlt_pen){ "points", .colour = kinds[kind].colour, .mark = kinds[kind].mark, .size = 1 });
+            if (is_named) fputs(" notitle", plot->stream);
+            else fprintf(plot->stream, " title '%s'", kinds[kind].name);
+            is_named = true;
+        }
+    }
+    fputs("\n", plot->stream);
+}
+
+/* Plot the orbits that were collected. Prints an error message on failure. */
+static jlt_exit draw(const jlt_portrait_request *r)
+{
+    jlt_plot plot;
+
+    if (jlt_plot_open(&plot, &r->session.common) != JLT_OK) return jlt_command_no_memory();
+    jlt_plot_panels(&plot, 2, false);
+    jlt_plot_block(&plot, "ORBITS", r->session.common.drawn);
+    jlt_plot_words(&plot, "Flow on M²\n");
+    jlt_session_caption(&plot, &r->session);
+    jlt_plot_value(&plot, "E", r->levels.E);
+    jlt_plot_value(&plot, "G", r->levels.G);
+    jlt_plot_value(&plot, "F0", r->levels.F0);
+    jlt_plot_words(&plot, "; of %zu orbits %zu are attracted, %zu end at pole +1, %zu at pole −1", r->orbits,
+                   r->fates[JLT_PORTRAIT_ATTRACTED], r->fates[JLT_PORTRAIT_POLE_PLUS], r->fates[JLT_PORTRAIT_POLE_MINUS]);
+    fputs(JLT_LOOK_GRID, plot.stream);
+    jlt_plot_axis(&plot, 'x', "ψ [rad]", (jlt_extent){ -pi, pi }, 2 * pi);
+    jlt_plot_axis(&plot, 'y', "γ_3", (jlt_extent){ -1, 1 }, 0);
+    draw_half(&plot, r, 1);
+    draw_half(&plot, r, -1);
+    return jlt_plot_draw(&plot);
+}
+
 static const jlt_swept_form swept = { &jlt_command_portrait, true, 0 };
 
 static jlt_exit run(int argc, char **argv)
@@ -312,7 +385,7 @@ static jlt_exit run(int argc, char **argv)
     if (common->points != NULL || r.trajectories != NULL) code = follow_all(&r, trajectories.file);
     if (code == JLT_EXIT_DONE) code = jlt_common_save(common);
     if (code == JLT_EXIT_DONE && r.trajectories != NULL) code = jlt_stream_close(&trajectories);
-    if (code == JLT_EXIT_DONE && common->plot != NULL) code = jlt_portrait_draw(&r);
+    if (code == JLT_EXIT_DONE && common->plot != NULL) code = draw(&r);
 done:
     jlt_stream_discard(&trajectories);
     jlt_assign_clear(&r.level);

@@ -53,7 +53,8 @@ void jlt_top_write(double *params, const jlt_descriptor *descriptor, const jlt_t
         if (jlt_descriptor_param(descriptor, given[w].name, &index)) params[index] = *given[w].value;
 }
 
-bool jlt_top_is_known(const jlt_descriptor *model)
+/* Whether a model has the top's states, in this order, and its parameters. */
+static bool is_known(const jlt_descriptor *model)
 {
     static const char *const states[JLT_TOP_STATES] = { "gamma3", "v_nu", "omega_tau", "omega_n", "omega3" };
     jlt_top top;
@@ -79,7 +80,7 @@ static const jlt_descriptor *find_field(const char *variant)
 {
     const jlt_descriptor *field = jlt_descriptor_find(JLT_DEFAULT_MODEL, variant, lifting, NULL);
 
-    if (field == NULL || !jlt_top_is_known(field->family[0]) || field->state_count != LIFTED
+    if (field == NULL || !is_known(field->family[0]) || field->state_count != LIFTED
         || field->param_count > JLT_WAY_VALUES_MAX || field->prepared_count > JLT_WAY_VALUES_MAX
         || field->integral_count > JLT_WAY_VALUES_MAX)
         return NULL;

@@ -31,9 +31,6 @@ JLT_CHECKED jlt_status jlt_top_read(jlt_top *out, const jlt_descriptor *descript
 /** Write the parameters by their names: params, shape (param_count,); NaN for those that a top does not have. */
 void jlt_top_write(double *params, const jlt_descriptor *descriptor, const jlt_top *top);
 
-/** Whether a model has the top's states, in this order, and its parameters. */
-bool jlt_top_is_known(const jlt_descriptor *model);
-
 /* sqrt(1 - gamma3^2), computed by factors; 0 if |gamma3| > 1. */
 double jlt_top_sine(double gamma3);
 

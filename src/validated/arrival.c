@@ -193,27 +193,23 @@ jlt_status jlt_arrival_compute(jlt_arrival *self, jlt_step *step, arb_srcptr sta
     const slong bits = jlt_step_bits(step), n = (slong)self->dim;
     JLT_SCOPED_VECTOR(arb, hull, n);
     JLT_SCOPED_VECTOR(arb, y, n);
-    jlt_status st = JLT_ERR_ARG;
-    jlt_set set;
+    JLT_CLEARED(jlt_set_clear) jlt_set set;
 
     jlt_set_init(&set, start, self->dim, bits);
     JLT_SCOPED_MATRIX(arb, n, n, V, local);
     JLT_SCOPED_MATRIX(arb, 1, n, delay);
     JLT_SCOPED(arb, tau);
     arb_zero(self->expansion);
-    if (jlt_step_formulas(step)->valid_count > JLT_ARRIVAL_VALIDS_MAX) goto done;
+    if (jlt_step_formulas(step)->valid_count > JLT_ARRIVAL_VALIDS_MAX) return JLT_ERR_ARG;
     for (unsigned i = 0; i < JLT_ARRIVAL_VALIDS_MAX; i++) arf_pos_inf(self->least + i);
-    JLT_TRY(carry(self, step, &set, instant));
+    JLT_PASS(carry(self, step, &set, instant));
     jlt_set_hull(hull, &set);
     jlt_set_slope(V, &set);
-    JLT_TRY(cross(step, y, tau, self->window, hull, self->dim, column, level, direction));
+    JLT_PASS(cross(step, y, tau, self->window, hull, self->dim, column, level, direction));
     jlt_step_conditions(step, self->least);
     arb_addmul(self->expansion, tau, jlt_step_output(step, jlt_formulas_divergence(jlt_step_formulas(step))), bits);
     differentiate(local, delay, step, tau, column);
     arb_mat_mul(self->slope, local, V, bits);
     arb_set_arf(self->time, instant);
-    st = land(self, step, &set, local, delay, column, level, direction);
-done:
-    jlt_set_clear(&set);
-    return st;
+    return land(self, step, &set, local, delay, column, level, direction);
 }

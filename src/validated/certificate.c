@@ -1,6 +1,7 @@
 #include "validated/certificate.h"
 
 #include "base/sha256.h"
+#include "core/memory.h"
 #include "kernel/descriptor.h"
 #include "validated/given_family.h"
 #include "validated/given_homoclinic.h"
@@ -11,7 +12,6 @@
 #include "validated/theorem.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 static const char format_name[] = "jellett 1";
@@ -208,14 +208,13 @@ static bool is_defined(jlt_certificate_report *report, jlt_certificate_verdict o
 static bool digest_of(char digest[65], json_t *certificate)
 {
     json_t *copy = json_copy(certificate);
-    char *text = NULL;
+    JLT_FREED char *text = NULL;
 
     if (copy != NULL) {
         json_object_del(copy, "digest");
         text = json_dumps(copy, JSON_COMPACT | JSON_SORT_KEYS);
     }
     if (text != NULL) ttc_sha256(digest, text, strlen(text));
-    free(text);
     json_decref(copy);
     return text != NULL;
 }

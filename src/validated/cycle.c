@@ -174,25 +174,21 @@ jlt_status jlt_cycle_refine(jlt_cycle *self, arb_ptr y, arb_ptr instants, unsign
 jlt_status jlt_cycle_reach(jlt_cycle *self, arb_ptr reach, arb_srcptr y, arb_srcptr instants, unsigned legs, const unsigned *kept)
 {
     JLT_SCOPED_VECTOR(arb, own, (slong)legs);
-    shooting orbit;
-    jlt_status st;
+    JLT_CLEARED(shooting_clear) shooting orbit;
 
     _arb_vec_set(own, instants, (slong)legs);
     shooting_init(&orbit, self, own, legs, kept);
     const jlt_krawczyk problem = problem_of(&orbit);
     JLT_SCOPED_MATRIX(arb, problem.n, 1, G);
     JLT_SCOPED_MATRIX(arb, problem.n, problem.n, DG, M);
-    JLT_TRY(shoot(&orbit, G, DG, y));
-    st = jlt_krawczyk_invert(M, DG, problem.bits) ? JLT_OK : JLT_ERR_NO_CONVERGENCE;
-    if (st != JLT_OK) goto done;
+    JLT_PASS(shoot(&orbit, G, DG, y));
+    if (!jlt_krawczyk_invert(M, DG, problem.bits)) return JLT_ERR_NO_CONVERGENCE;
     arb_mat_mul(G, M, G, problem.bits);
     for (slong i = 0; i < problem.n; i++) {
         arb_get_abs_ubound_arf(arb_midref(reach + i), arb_mat_entry(G, i, 0), problem.bits);
         mag_zero(arb_radref(reach + i));
     }
-done:
-    shooting_clear(&orbit);
-    return st;
+    return JLT_OK;
 }
 
 void jlt_cycle_result_init(jlt_cycle_result *result, const jlt_cycle *of, unsigned legs)
@@ -278,17 +274,16 @@ jlt_status jlt_cycle_prove(jlt_cycle *self, jlt_cycle_result *result, arb_srcptr
     JLT_SCOPED_VECTOR(arb, own, (slong)result->legs);
     jlt_krawczyk_verdict verdict;
     jlt_krawczyk problem;
-    shooting orbit;
-    jlt_status st;
+    JLT_CLEARED(shooting_clear) shooting orbit;
 
     _arb_vec_set(own, instants, (slong)result->legs);
     shooting_init(&orbit, self, own, result->legs, kept);
     problem = problem_of(&orbit);
     result->verdict = JLT_CYCLE_UNSHOWN;
-    JLT_TRY(jlt_krawczyk_prove(&problem, &verdict, result->solution, box));
-    if (verdict == JLT_KRAWCZYK_UNSHOWN) goto done;
+    JLT_PASS(jlt_krawczyk_prove(&problem, &verdict, result->solution, box));
+    if (verdict == JLT_KRAWCZYK_UNSHOWN) return JLT_OK;
     result->verdict = !orbit.goes_on ? JLT_CYCLE_STILL : orbit.closes ? JLT_CYCLE_PROVED : JLT_CYCLE_OPEN;
-    if (result->verdict != JLT_CYCLE_PROVED) goto done;
+    if (result->verdict != JLT_CYCLE_PROVED) return JLT_OK;
     arb_set(result->period, orbit.time);
     arb_mat_trace(result->trace, orbit.D, bits);
     arb_mat_det(result->matrix_determinant, orbit.D, bits);
@@ -297,7 +292,5 @@ jlt_status jlt_cycle_prove(jlt_cycle *self, jlt_cycle_result *result, arb_srcptr
     if (verdict == JLT_KRAWCZYK_CONTRADICTED || !arb_overlaps(result->determinant, result->matrix_determinant))
         result->verdict = JLT_CYCLE_CONTRADICTED;
     solve(result, orbit.D, bits);
-done:
-    shooting_clear(&orbit);
-    return st;
+    return JLT_OK;
 }

@@ -68,6 +68,7 @@ typedef struct jlt_cycle jlt_cycle;
  *  JLT_CYCLE_STATES_MAX states, or the levels leave no coordinate; as jlt_formulas_create, jlt_step_create; NOMEM. */
 JLT_CHECKED jlt_status jlt_cycle_create(jlt_cycle **cycle, const jlt_cycle_question *question);
 void jlt_cycle_destroy(jlt_cycle *cycle); /* legal on NULL */
+JLT_OWNED_TYPE(jlt_cycle)
 
 /** Choose coordinates on the levels: kept, shape (states - 1 - level_count,), ascending indices of states, such that the other
  *  states follow best from the integrals near the point y, shape (states - 1,). Errors: DOMAIN, the gradients are dependent. */

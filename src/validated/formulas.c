@@ -1,10 +1,10 @@
 #include "validated/formulas.h"
 
+#include "core/memory.h"
 #include "kernels/watched.h"
 #include "optimize/lower.h"
 
 #include <limits.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* The derivative by a state or a free parameter, in the field's symbols. */
@@ -93,7 +93,7 @@ static unsigned add_domain(const jlt_formulas *self, ttc_field *field, ttc_id *i
 {
     const ttc_model *model = self->model;
     unsigned count = add_region(self, field, ids);
-    unsigned char *used = ttc_model_uses(model);
+    JLT_FREED unsigned char *used = ttc_model_uses(model);
 
     if (used == NULL) return UINT_MAX;
     for (size_t i = 0; i < model->symbol_count; i++) {
@@ -113,14 +113,14 @@ static unsigned add_domain(const jlt_formulas *self, ttc_field *field, ttc_id *i
         }
         count++;
     }
-    free(used);
     return count;
 }
 
 static ttc_program *make_variation(const jlt_formulas *self, ttc_field *field)
 {
     const unsigned n = self->states, count = jlt_formulas_radicand(self, self->lifted_count);
-    ttc_id *ids = calloc(count, sizeof *ids), *divergence = NULL;
+    JLT_FREED ttc_id *ids = calloc(count, sizeof *ids);
+    ttc_id *divergence = NULL;
     ttc_program *program = NULL;
 
     if (ids == NULL) return NULL;
@@ -140,7 +140,6 @@ static ttc_program *make_variation(const jlt_formulas *self, ttc_field *field)
         ids[jlt_formulas_radicand(self, i)] =
             ttc_field_specialise(field, self->model->symbols[field->time->lifted[i]].definition);
     program = lower(field, ids, count);
-    free(ids);
     return program;
 }
 
@@ -176,7 +175,7 @@ static jlt_status create(jlt_formulas **formulas, const jlt_descriptor *descript
     jlt_formulas *self = calloc(1, sizeof *self);
     const ttc_time *lifting = NULL;
     ttc_field *field = NULL;
-    ttc_id *rates = NULL;
+    JLT_FREED ttc_id *rates = NULL;
     jlt_status st = JLT_ERR_NOMEM;
 
     *formulas = NULL;
@@ -212,7 +211,6 @@ static jlt_status create(jlt_formulas **formulas, const jlt_descriptor *descript
     *formulas = self;
     self = NULL; /* ownership moved to the caller */
 done:
-    free(rates);
     ttc_field_destroy(field);
     jlt_formulas_destroy(self);
     return st;

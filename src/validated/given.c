@@ -179,19 +179,16 @@ static jlt_status widen(jlt_given *self, unsigned legs)
     const double room = 1.5, least = 0.05;
     double reaches[JLT_CYCLE_STATES_MAX] = { 0 }, widest = 0.0;
     JLT_SCOPED_VECTOR(arb, reach, n);
-    jlt_cycle *cycle = NULL;
-    jlt_status st;
+    JLT_OWNED(jlt_cycle) *cycle = NULL;
 
-    JLT_TRY(jlt_cycle_create(&cycle, &self->question));
-    JLT_TRY(jlt_cycle_reach(cycle, reach, self->legs.box, self->legs.instants, legs, self->kept));
+    JLT_PASS(jlt_cycle_create(&cycle, &self->question));
+    JLT_PASS(jlt_cycle_reach(cycle, reach, self->legs.box, self->legs.instants, legs, self->kept));
     for (slong i = 0; i < n; i++) {
         reaches[i % width] = fmax(reaches[i % width], arf_get_d(arb_midref(reach + i), ARF_RND_UP));
         widest = fmax(widest, reaches[i % width]);
     }
     for (slong i = 0; i < n; i++) mag_set_d(arb_radref(self->legs.box + i), room * fmax(reaches[i % width], least * widest));
-done:
-    jlt_cycle_destroy(cycle);
-    return st;
+    return JLT_OK;
 }
 
 /* Whether parameters or levels are written as intervals. Numbers that are no binary fractions are balls too, but do not count. */

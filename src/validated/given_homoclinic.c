@@ -103,20 +103,15 @@ static json_t *write_given(const jlt_given_homoclinic *self, const jlt_reversor 
 jlt_status jlt_given_homoclinic_make(const jlt_given *of, json_t *given, const jlt_reversor *reversor, unsigned legs,
                                      const double *x, const double *T, int landing)
 {
-    jlt_given_homoclinic self;
-    jlt_cycle *cycle = NULL;
-    jlt_status st = JLT_ERR_ARG;
+    JLT_CLEARED(jlt_given_homoclinic_clear) jlt_given_homoclinic self;
+    JLT_OWNED(jlt_cycle) *cycle = NULL;
 
     begin(&self, of, reversor, landing);
     if (legs < 1 || legs > JLT_CYCLE_LEGS_MAX || of->legs.count != 1 || of->kept_count != 2 || of->question.free_count > 0)
-        goto done;
+        return JLT_ERR_ARG;
     jlt_given_legs_guess(&self.legs, &of->question, legs, x, T);
     take_legs(&self);
-    JLT_TRY(jlt_cycle_create(&cycle, &of->question));
-    JLT_TRY(jlt_homoclinic_make(cycle, &self.question));
-    st = json_object_set_new(given, "homoclinic", write_given(&self, reversor)) == 0 ? JLT_OK : JLT_ERR_NOMEM;
-done:
-    jlt_cycle_destroy(cycle);
-    jlt_given_homoclinic_clear(&self);
-    return st;
+    JLT_PASS(jlt_cycle_create(&cycle, &of->question));
+    JLT_PASS(jlt_homoclinic_make(cycle, &self.question));
+    return json_object_set_new(given, "homoclinic", write_given(&self, reversor)) == 0 ? JLT_OK : JLT_ERR_NOMEM;
 }

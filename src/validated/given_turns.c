@@ -1,10 +1,10 @@
 #include "validated/given_turns.h"
 
+#include "core/memory.h"
 #include "kernel/descriptor.h"
 #include "prove/prove.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 enum { TURNS_MAX = 1000000 };
@@ -106,14 +106,13 @@ bool jlt_given_turns_read(jlt_given_legs *self, const jlt_cycle_question *questi
                           char problem[JLT_GIVEN_PROBLEM_MAX])
 {
     const jlt_descriptor *d = question->descriptor;
-    int *counts = calloc((size_t)self->count * d->state_count, sizeof *counts);
+    JLT_FREED int *counts = calloc((size_t)self->count * d->state_count, sizeof *counts);
     bool good = counts != NULL;
 
     if (!good) snprintf(problem, JLT_GIVEN_PROBLEM_MAX, "turns: %s", jlt_status_text(JLT_ERR_NOMEM));
     for (unsigned i = 0; good && i < self->count; i++)
         good = read_leg(counts + i * d->state_count, d, json_object_get(json_array_get(legs, i), "turns"), problem);
     good = good && jlt_given_turns_set(self, question, counts, problem);
-    free(counts);
     return good;
 }
 

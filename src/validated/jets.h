@@ -22,6 +22,7 @@ unsigned jlt_jets_terms(unsigned degree);
 JLT_CHECKED jlt_status jlt_jets_create(jlt_jets **jets, const jlt_formulas *of, const ttc_program *program, unsigned order,
                                        unsigned degree);
 void jlt_jets_destroy(jlt_jets *jets); /* legal on NULL */
+JLT_OWNED_TYPE(jlt_jets)
 
 /** Compute the coefficients at x, shape (dim, terms), with params, shape (params,): of states up to `order`, of outputs below it;
  *  if order is 0, the values of the outputs. A coefficient without a finite enclosure, and all that depend on it, are not finite.

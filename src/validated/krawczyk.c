@@ -136,28 +136,22 @@ jlt_status jlt_krawczyk_prove(const jlt_krawczyk *self, jlt_krawczyk_verdict *ve
     const slong n = self->n;
     JLT_SCOPED_VECTOR(arb, K, n);
     bool regular = false;
-    operator op;
-    jlt_status st;
+    JLT_CLEARED(operator_clear) operator op;
 
     *verdict = JLT_KRAWCZYK_UNSHOWN;
-    JLT_TRY(operator_init(&op, self, &regular, box));
-    if (!regular) goto done;
-    JLT_TRY(operator_apply(&op, K, box));
-    if (!all_inside(box, K, n)) goto done;
+    JLT_PASS(operator_init(&op, self, &regular, box));
+    if (!regular) return JLT_OK;
+    JLT_PASS(operator_apply(&op, K, box));
+    if (!all_inside(box, K, n)) return JLT_OK;
     *verdict = JLT_KRAWCZYK_PROVED;
     for (double before = INFINITY; width_of(K, n) < before - 3;) {
         before = width_of(K, n);
         _arb_vec_set(solution, K, n);
-        JLT_TRY(operator_apply(&op, K, solution));
+        JLT_PASS(operator_apply(&op, K, solution));
         for (slong i = 0; i < n; i++)
             if (!arb_intersection(K + i, K + i, solution + i, self->bits)) *verdict = JLT_KRAWCZYK_CONTRADICTED;
     }
     for (slong i = 0; i < n; i++) /* evaluate at the solution what the caller reads from the context of the equations */
-        if (!arb_equal(op.between + i, solution + i)) {
-            st = evaluate(self, op.unused, op.DG, solution);
-            break;
-        }
-done:
-    operator_clear(&op);
-    return st;
+        if (!arb_equal(op.between + i, solution + i)) return evaluate(self, op.unused, op.DG, solution);
+    return JLT_OK;
 }

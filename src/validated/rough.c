@@ -80,7 +80,8 @@ static bool spread(const jlt_rough *self, arb_ptr z, const arb_t span, bool with
     return finite;
 }
 
-bool jlt_rough_enclose(jlt_rough *self, const arf_t h)
+/* Find y whose interior contains the solutions from the set over [0, h]. Returns false if h is too long. */
+static bool enclose(jlt_rough *self, const arf_t h)
 {
     const unsigned n = self->of->dim * self->terms;
     const slong bits = self->accuracy.bits;
@@ -115,7 +116,7 @@ bool jlt_rough_validate(jlt_rough *self, arf_t h, jlt_rough_excess further, void
 
     for (unsigned attempt = 0; attempt < TRIES; attempt++) {
         double factor = 0.7;
-        if (jlt_rough_enclose(self, h)) {
+        if (enclose(self, h)) {
             const double remainder = size_of(self, self->rough, self->accuracy.order) + K * log2(arf_get_d(h, ARF_RND_UP));
             double excess = remainder + tolerance - slack;
             if (excess <= 0 && further != NULL) excess = fmax(excess, further(context, h));

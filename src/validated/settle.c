@@ -1,8 +1,8 @@
 #include "validated/settle.h"
 
+#include "core/memory.h"
 #include "ext/scoped.h"
 
-#include <stdlib.h>
 
 enum { ATTEMPTS = 8 };
 
@@ -211,7 +211,7 @@ bool jlt_settle(jlt_settle_result *result, jlt_step *step, arb_srcptr x)
 {
     const jlt_formulas *of = jlt_step_formulas(step);
     const unsigned n = of->dim, root = of->states - 1 - of->lifted_count; /* then the lifted roots, then the clock */
-    bool *vanishes = calloc(n, sizeof *vanishes);
+    JLT_FREED bool *vanishes = calloc(n, sizeof *vanishes);
     settling self = { .step = step, .x = x, .vanishes = vanishes, .dim = n, .root = root, .bits = jlt_step_bits(step),
                       .which = calloc(n, sizeof *self.which), .box = _arb_vec_init(n), .room = _arb_vec_init(n) };
     bool settled = false;
@@ -237,6 +237,5 @@ bool jlt_settle(jlt_settle_result *result, jlt_step *step, arb_srcptr x)
     _arb_vec_clear(self.box, n);
     _arb_vec_clear(self.room, n);
     free(self.which);
-    free(vanishes);
     return settled;
 }

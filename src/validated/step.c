@@ -27,9 +27,8 @@ jlt_rough_accuracy jlt_step_accuracy_for(unsigned digits)
 jlt_status jlt_step_create(jlt_step **step, const jlt_formulas *of, arb_srcptr params, jlt_rough_accuracy accuracy,
                            jlt_step_watch *watch)
 {
-    jlt_step *self = calloc(1, sizeof *self);
+    JLT_OWNED(jlt_step) *self = calloc(1, sizeof *self);
     const slong n = (slong)of->dim;
-    jlt_status st;
 
     *step = NULL;
     if (self == NULL) return JLT_ERR_NOMEM;
@@ -45,14 +44,12 @@ jlt_status jlt_step_create(jlt_step **step, const jlt_formulas *of, arb_srcptr p
     arb_mat_init(self->derivative, n, n);
     arb_mat_init(self->rest, n, n);
     _arb_vec_set(self->params, params, (slong)of->params);
-    JLT_TRY(jlt_jets_create(&self->point, of, of->motion, accuracy.order, 0));
-    JLT_TRY(jlt_rough_init(&self->around, of, of->variation, self->params, accuracy, 0));
-    JLT_TRY(jlt_jets_create(&self->plain, of, of->variation, 0, 0));
+    JLT_PASS(jlt_jets_create(&self->point, of, of->motion, accuracy.order, 0));
+    JLT_PASS(jlt_rough_init(&self->around, of, of->variation, self->params, accuracy, 0));
+    JLT_PASS(jlt_jets_create(&self->plain, of, of->variation, 0, 0));
     *step = self;
     self = NULL; /* ownership moved to the caller */
-done:
-    jlt_step_destroy(self);
-    return st;
+    return JLT_OK;
 }
 
 void jlt_step_destroy(jlt_step *step)

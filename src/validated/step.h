@@ -31,6 +31,7 @@ typedef struct {
 JLT_CHECKED jlt_status jlt_step_create(jlt_step **step, const jlt_formulas *of, arb_srcptr params, jlt_rough_accuracy accuracy,
                                        jlt_step_watch *watch);
 void jlt_step_destroy(jlt_step *step); /* legal on NULL */
+JLT_OWNED_TYPE(jlt_step)
 
 /** Move the set by one step. In/out: h, exact and positive, on input the largest length, on output the length of the step;
  *  expansion, to which the integral of the divergence is added; least, shape (of->valid_count,), lower bounds of the conditions so

@@ -1,8 +1,8 @@
 #include "validated/symmetry.h"
 
+#include "core/memory.h"
 #include "validated/cycle_map.h"
 
-#include <stdlib.h>
 
 /* The parity of a function f under R: EVEN, f(Rx) = f(x); ODD, f(Rx) = -f(x); zero is both. */
 enum { NONE = 0, EVEN = 1, ODD = 2, BOTH = 3 };
@@ -40,7 +40,7 @@ bool jlt_symmetry_keeps(const jlt_cycle *of, const signed char *signs)
 {
     const jlt_cycle_question *q = of->question;
     const ttc_program *program = of->formulas->levels;
-    unsigned char *parities = calloc(ttc_program_size(program) + 1, 1);
+    JLT_FREED unsigned char *parities = calloc(ttc_program_size(program) + 1, 1);
     bool keeps = parities != NULL && signs[q->column] < 0 && arb_is_zero(q->section);
 
     for (size_t v = 0; keeps && v < ttc_program_size(program); v++)
@@ -49,7 +49,6 @@ bool jlt_symmetry_keeps(const jlt_cycle *of, const signed char *signs)
         const unsigned char found = parities[ttc_program_output_at(program, j)];
         keeps = found & EVEN || (found & ODD && arb_is_zero(q->level_values + j));
     }
-    free(parities);
     return keeps;
 }
 

@@ -58,15 +58,13 @@ static jlt_status begin(const course *self, arb_srcptr y)
     const jlt_cycle_question *q = self->of->question;
     const unsigned m = q->level_count;
     unsigned left[JLT_CYCLE_STATES_MAX];
-    jlt_jets *levels = NULL;
-    jlt_status st;
+    JLT_OWNED(jlt_jets) *levels = NULL;
     JLT_SCOPED_MATRIX(arb, m, m, inverse);
 
     fix(self, y);
     for (unsigned j = 0; j < 2; j++) arb_one(self->x + self->kept[j] * TERMS + 1 + j);
-    JLT_TRY(jlt_jets_create(&levels, self->of->formulas, self->of->formulas->levels, 0, DEGREE));
-    st = invert_levels(self, inverse, left, y) ? JLT_OK : JLT_ERR_DOMAIN;
-    if (st != JLT_OK) goto done;
+    JLT_PASS(jlt_jets_create(&levels, self->of->formulas, self->of->formulas->levels, 0, DEGREE));
+    if (!invert_levels(self, inverse, left, y)) return JLT_ERR_DOMAIN;
     for (unsigned degree = 1; degree <= DEGREE; degree++) {
         jlt_jets_run(levels, self->x, q->params, self->bits);
         for (unsigned term = first_of(degree); term < first_of(degree + 1); term++)
@@ -75,9 +73,7 @@ static jlt_status begin(const course *self, arb_srcptr y)
                     arb_submul(self->x + left[i] * TERMS + term, arb_mat_entry(inverse, i, j), jlt_jets_output(levels, j) + term,
                                self->bits);
     }
-done:
-    jlt_jets_destroy(levels);
-    return st;
+    return JLT_OK;
 }
 
 /* ---- transport by the flow ---- */

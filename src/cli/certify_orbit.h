@@ -1,8 +1,21 @@
-/** Finds a symmetric homoclinic orbit in doubles, from which `jellett certify homoclinic` starts. */
-#ifndef JLT_CLI_CERTIFY_HOMOCLINIC_H
-#define JLT_CLI_CERTIFY_HOMOCLINIC_H
+/** Finds in doubles the orbits from which certificates are made: periodic ones, cut into legs, and symmetric homoclinic ones. */
+#ifndef JLT_CLI_CERTIFY_ORBIT_H
+#define JLT_CLI_CERTIFY_ORBIT_H
 
+#include "cli/motion.h"
 #include "dynamics/map.h"
+
+/** Check that --modulo gives no other periods than the table, in which certificates count turns. States without a period in the
+ *  table pass: the certificate refuses their turns. */
+jlt_exit jlt_certify_cycle_check(const jlt_system *system);
+
+/** Find the orbit that closes after `period` returns near q, shape (dim,). Out: *legs, its least number of returns; for each leg
+ *  its start, x, shape (*legs, states), without lifted roots; its duration, T, shape (*legs,); and turns, shape (*legs, states),
+ *  the numbers of periods that each angle has gained at its end and that are taken off at the start of the next leg. All have room
+ *  for `period` legs. *near_one, the distance from 1 of the multiplier that is nearest to it. Errors: as jlt_periodic_find; as
+ *  jlt_orbit_propagate. */
+JLT_CHECKED jlt_status jlt_certify_cycle_find(double *x, double *T, int *turns, unsigned *legs, double *near_one,
+                                              const jlt_system *system, const double *q, size_t period);
 
 enum { JLT_CERTIFY_RETURNS_MAX = 128 };
 
