@@ -345,7 +345,7 @@ static void prove_tested(ttc_task *task, ttc_prover prover, const ttc_subcase *s
 static void look_at_zeros(cover *c, ttc_subcase *start)
 {
     if (c->task->status != TTC_UNSETTLED || c->task->unexcluded == TTC_NONE) return;
-    if (c->task->claim->kind == TTC_CLAIM_EMBEDDING) return; /* it is claimed for parameters in general, which a level may set */
+    c->task->is_at_zeros = true;
     start->goals[start->goal_count++] = c->task->unexcluded;
     descend(c, start);
 }
