@@ -248,14 +248,17 @@ static size_t rank_of_products(ttc_task *task, const leaf_image *image, ttc_rati
 }
 
 /* Returns true if the minor, for any values of what does not move, is nonzero for some values of what does: as a polynomial in the
- * latter its coefficients have no common zero. */
-static bool stays(ttc_task *task, const ttc_ratio *minor, const bool *moves)
+ * latter its coefficients have no common zero. text: NULL, or gets a point at whose parameters it is zero for all values. */
+static bool stays(ttc_task *task, const ttc_ratio *minor, const bool *moves, char **text)
 {
     fmpz_mpoly_t polynomial;
     fmpz_mpoly_init(polynomial, task->ring->context);
     fmpz_mpoly_set(polynomial, minor->numerator, task->ring->context);
-    const bool apart = separate(task, polynomial, moves);
-    const ttc_search_result result = apart ? ttc_vanishing_search(task, polynomial, moves, NULL) : TTC_POINT_NOT_DECIDED;
+    ttc_search_result result = TTC_POINT_NOT_DECIDED;
+    if (separate(task, polynomial, moves)) {
+        const bool is_minor = fmpz_mpoly_equal(polynomial, minor->numerator, task->ring->context);
+        result = ttc_vanishing_search(task, polynomial, minor->denominator, moves, is_minor ? text : NULL);
+    }
     fmpz_mpoly_clear(polynomial, task->ring->context);
     return result == TTC_POINT_IMPOSSIBLE || result == TTC_POINT_EXCLUDED;
 }
@@ -271,10 +274,15 @@ static void require_minor(ttc_task *task, const ttc_model *target, const leaf_im
         return;
     }
     bool *moves = moves_on_levels(task, target);
-    if (moves == NULL || !(stays(task, minor, moves) || (image->tangent.constraint_count == 0 &&
-            rank_with(task, image, true, false, moves, minor) == target->state_count && stays(task, minor, moves)) ||
-            (rank_of_products(task, image, minor) == rank && stays(task, minor, moves))))
+    char *point = NULL;
+    /* If the rows are those of the states, and independent, their dimension is lower wherever the determinant of products is 0. */
+    const bool tells = image->state_rows == rank && image->param_rows == 0 && task->claim->modulo_count == 0;
+    if (moves == NULL || !(stays(task, minor, moves, NULL) || (image->tangent.constraint_count == 0 &&
+            rank_with(task, image, true, false, moves, minor) == target->state_count && stays(task, minor, moves, NULL)) ||
+            (rank_of_products(task, image, minor) == rank && stays(task, minor, moves, tells ? &point : NULL)))) {
+        if (point != NULL) ttc_task_refute_at(task, point, NULL, "for these parameters the image is of lower dimension");
         ttc_task_unsettle(task, "for some parameters the image may be of lower dimension");
+    }
     free(moves);
 }
 
