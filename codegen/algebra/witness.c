@@ -25,7 +25,8 @@ bool ttc_witness_init(ttc_witness *point, ttc_valuation *valuation)
     if (balls == NULL || point->values == NULL) return false;
     balls->exact = calloc(count + 1, sizeof *balls->exact);
     balls->state = calloc(count + 1, 1);
-    if (balls->exact == NULL || balls->state == NULL) return false;
+    point->angles = calloc(count + 1, sizeof *point->angles);
+    if (balls->exact == NULL || balls->state == NULL || point->angles == NULL) return false;
     for (size_t i = 0; i < count; i++) {
         fmpq_init(point->values + i);
         fmpq_init(balls->exact + i);
@@ -33,6 +34,7 @@ bool ttc_witness_init(ttc_witness *point, ttc_valuation *valuation)
     balls->precision = FIRST_PRECISION;
     balls->ball = _arb_vec_init((slong)count);
     balls->count = count;
+    ttc_witness_find_angles(point);
     return true;
 }
 
@@ -51,6 +53,7 @@ void ttc_witness_clear(ttc_witness *point)
         free(balls->state);
         free(balls);
     }
+    free(point->angles);
     free(point->values);
     *point = (ttc_witness){ .valuation = NULL };
 }
@@ -71,23 +74,17 @@ static size_t generator_index(const ttc_witness *point, slong variable)
     return i;
 }
 
-/* Returns true if a zero level has bound the cosine: the angle then follows from the cosine. */
-static bool is_bound_angle(const ttc_witness *point, uint32_t cosine)
-{
-    return ttc_valuation_is_bound(point->valuation, cosine);
-}
-
 bool ttc_witness_is_function(const ttc_witness *point, slong variable)
 {
     const ttc_model *model = ttc_valuation_model(point->valuation);
     size_t symbol = ttc_valuation_symbol(point->valuation, variable);
     if (symbol >= model->symbol_count) return false;
     switch (model->symbols[symbol].kind) {
-    case TTC_COSINE: return !is_bound_angle(point, (uint32_t)symbol);
+    case TTC_COSINE: return !ttc_valuation_is_bound(point->valuation, (uint32_t)symbol);
     case TTC_EXP:
     case TTC_LOG:
     case TTC_PI: return true;
-    case TTC_SINE: return !is_bound_angle(point, model->symbols[symbol].partner);
+    case TTC_SINE: return !ttc_valuation_is_bound(point->valuation, model->symbols[symbol].partner);
     default: return false;
     }
 }
@@ -95,7 +92,7 @@ bool ttc_witness_is_function(const ttc_witness *point, slong variable)
 bool ttc_witness_is_free(const ttc_witness *point, slong variable)
 {
     return generator_index(point, variable) == point->ring->generator_count && !ttc_witness_is_function(point, variable)
-           && ttc_witness_angle_of(point, variable) == 0;
+           && point->angles[variable] == 0;
 }
 
 static void enclose_variable(ttc_witness *point, slong variable, slong precision);
@@ -227,23 +224,32 @@ static void enclose_function(ttc_witness *point, slong variable, ttc_symbol_kind
     balls->state[variable] = ENCLOSED;
 }
 
-/* Enclose the angle of a bound cosine and its sine that is the first one above the lower end of its interval, where it has one. */
-static void enclose_angle(ttc_witness *point, slong variable, uint32_t cosine, slong precision)
+/* Enclose a variable v that the angle k v + rest tells: v = (atan2(sine, cosine) - rest)/k, with turns. */
+static void enclose_told(ttc_witness *point, slong variable, slong precision)
 {
     const ttc_model *model = ttc_valuation_model(point->valuation);
-    struct ttc_witness_balls *balls = point->balls;
+    const ttc_symbol_entry *cosine = &model->symbols[point->angles[variable]];
+    arb_ptr out = point->balls->ball + variable;
     ttc_ratio value;
-    arb_t c;
+    fmpq_t slope;
+    arb_t term;
     ttc_ratio_init(point->ring, &value);
-    arb_init(c);
-    ttc_evaluate(point->valuation, &value, model->symbols[cosine].node);
-    ttc_witness_enclose(c, point, &value, precision);
-    ttc_evaluate(point->valuation, &value, model->symbols[model->symbols[cosine].partner].node);
-    ttc_witness_enclose(balls->ball + variable, point, &value, precision);
-    arb_atan2(balls->ball + variable, balls->ball + variable, c, precision);
-    ttc_witness_add_turns(balls->ball + variable, model, ttc_valuation_symbol(point->valuation, variable), precision);
-    balls->state[variable] = ENCLOSED;
-    arb_clear(c);
+    fmpq_init(slope);
+    arb_init(term);
+    ttc_evaluate(point->valuation, &value, cosine->node);
+    ttc_witness_enclose(term, point, &value, precision);
+    ttc_evaluate(point->valuation, &value, model->symbols[cosine->partner].node);
+    ttc_witness_enclose(out, point, &value, precision);
+    arb_atan2(out, out, term, precision);
+    ttc_witness_split_angle(slope, &value, point, variable);
+    ttc_witness_enclose(term, point, &value, precision);
+    arb_sub(out, out, term, precision);
+    arb_mul_fmpz(out, out, fmpq_denref(slope), precision);
+    arb_div_fmpz(out, out, fmpq_numref(slope), precision);
+    ttc_witness_add_turns(out, slope, model, ttc_valuation_symbol(point->valuation, variable), precision);
+    point->balls->state[variable] = ENCLOSED;
+    arb_clear(term);
+    fmpq_clear(slope);
     ttc_ratio_clear(point->ring, &value);
 }
 
@@ -253,12 +259,11 @@ static void enclose_variable(ttc_witness *point, slong variable, slong precision
     if (balls->state[variable] == BUSY) arb_indeterminate(balls->ball + variable);
     if (balls->state[variable] != UNKNOWN) return;
     balls->state[variable] = BUSY;
-    uint32_t cosine = ttc_witness_angle_of(point, variable);
     size_t index = generator_index(point, variable);
     if (ttc_witness_is_function(point, variable)) {
         enclose_function(point, variable, kind_of(point, variable), precision);
-    } else if (cosine != 0) {
-        enclose_angle(point, variable, cosine, precision);
+    } else if (point->angles[variable] != 0) {
+        enclose_told(point, variable, precision);
     } else if (index < point->ring->generator_count) {
         enclose_root(point, variable, index, precision);
     } else {
@@ -322,8 +327,8 @@ static ttc_truth roots_are_real(ttc_witness *point)
     return truth;
 }
 
-/* Check the sign that is known of a state or parameter which is the angle of a bound cosine. Conditions omit such signs, as other
- * values are chosen with them. */
+/* Check the sign that is known of a state or parameter which an angle tells. Conditions omit such signs, as other values are chosen
+ * with them. */
 static ttc_truth angles_have_their_signs(ttc_witness *point, const ttc_conditions *conditions)
 {
     ttc_truth truth = TTC_HOLDS;
@@ -332,7 +337,7 @@ static ttc_truth angles_have_their_signs(ttc_witness *point, const ttc_condition
     ttc_ratio_init(point->ring, &angle);
     arb_init(ball);
     for (slong v = 0; truth != TTC_FAILS && v < (slong)point->ring->variable_count; v++) {
-        if (ttc_witness_angle_of(point, v) == 0) continue;
+        if (point->angles[v] == 0) continue;
         ttc_ratio_set_variable(point->ring, &angle, v);
         const unsigned signs = ttc_conditions_signs(conditions, angle.numerator);
         ttc_witness_enclose(ball, point, &angle, FIRST_PRECISION);
@@ -367,7 +372,7 @@ static ttc_truth bound_values_exist(ttc_witness *point)
 ttc_truth ttc_witness_meets_all(ttc_witness *point, const ttc_conditions *conditions)
 {
     if (conditions->contradictory) return TTC_FAILS;
-    if (ttc_witness_has_obscure_angle(point)) return TTC_UNCLEAR;
+    if (point->has_obscure_angle) return TTC_UNCLEAR;
     ttc_truth truth = roots_are_real(point);
     if (truth == TTC_HOLDS) truth = angles_have_their_signs(point, conditions);
     for (size_t i = 0; truth != TTC_FAILS && i < conditions->count; i++) {

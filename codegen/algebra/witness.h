@@ -17,6 +17,8 @@ typedef struct {
     ttc_ring *ring;
     fmpq *values;      /* by variable; used for free variables only */
     unsigned negative; /* bit i: generator number i is negative, if it may have either sign */
+    uint32_t *angles;  /* by variable: the bound cosine whose angle tells its value; 0: none */
+    bool has_obscure_angle; /* a bound cosine has an angle that tells no variable: nothing is decided at a point then */
     struct ttc_witness_balls *balls; /* values of all variables at the precision in use */
 } ttc_witness;
 
@@ -25,7 +27,7 @@ typedef enum { TTC_HOLDS, TTC_FAILS, TTC_UNCLEAR } ttc_truth;
 bool ttc_witness_init(ttc_witness *point, ttc_valuation *valuation); /* false when memory is out; must be cleared even then */
 void ttc_witness_clear(ttc_witness *point);
 
-/* Returns true if `values` gives the variable's value: it is no generator, no function, and no angle of a bound cosine. */
+/* Returns true if `values` gives the variable's value: it is no generator, no function, and not told by an angle. */
 bool ttc_witness_is_free(const ttc_witness *point, slong variable);
 
 /* Returns true if the variable is a function whose value follows from its argument, or pi. */
@@ -38,19 +40,19 @@ void ttc_witness_changed(ttc_witness *point);
  * otherwise. */
 ttc_truth ttc_witness_meets_all(ttc_witness *point, const ttc_conditions *conditions);
 
-/* The bound cosine whose angle is this variable; 0 if there is none. */
-uint32_t ttc_witness_angle_of(const ttc_witness *point, slong variable);
-
-/* Returns true if a bound cosine has an angle that is no unbound state, parameter or level: nothing is decided at a point then. */
-bool ttc_witness_has_obscure_angle(const ttc_witness *point);
+/* Set `angles` and `has_obscure_angle`. An angle tells a state, parameter or level in which it is linear with a number as slope. */
+void ttc_witness_find_angles(ttc_witness *point);
 
 /* HOLDS if each sine whose sign ring->choices selects has, at this point, the sign of the sine of its angle. */
 ttc_truth ttc_witness_sines(ttc_witness *point);
 
-/* Add the whole turns with which an angle, the value of a state or parameter, is the first above the lower end of its interval, or
- * the last below the upper one if there is no lower one. It stays as it is where it has no such end; it is not finite where it may
- * lie on it, for all that is known with this precision. */
-void ttc_witness_add_turns(arb_t angle, const ttc_model *model, size_t symbol, slong precision);
+/* The angle that tells this variable is slope*variable + rest. */
+void ttc_witness_split_angle(fmpq_t slope, ttc_ratio *rest, const ttc_witness *point, slong variable);
+
+/* Add the turns, whole ones of an angle with this slope, with which the value of a state or parameter is the first above the lower
+ * end of its interval, or the last below the upper one if there is no lower one. It stays as it is where it has no such end; it is
+ * not finite where it may lie on it, for all that is known with this precision. */
+void ttc_witness_add_turns(arb_t value, const fmpq_t slope, const ttc_model *model, size_t symbol, slong precision);
 
 /* Enclose a ratio in a ball of `precision` bits, which is not finite if the denominator may be zero. */
 void ttc_witness_enclose(arb_t out, ttc_witness *point, const ttc_ratio *ratio, slong precision);

@@ -1,29 +1,54 @@
-/* Angles of cosines that zero levels have bound, which follow from these. */
+/* What the angles of cosines that zero levels have bound tell of states, parameters and levels. */
 #include "algebra/witness.h"
 
-uint32_t ttc_witness_angle_of(const ttc_witness *point, slong variable)
+/* Returns true if the angle is linear in the variable with a number as its slope. */
+static bool has_slope(fmpq_t slope, const ttc_ring *ring, const ttc_ratio *angle, slong variable)
 {
-    const ttc_model *model = ttc_valuation_model(point->valuation);
-    size_t symbol = ttc_valuation_symbol(point->valuation, variable);
-    for (uint32_t i = 1; symbol < model->symbol_count && i < model->symbol_count; i++) {
-        bool is_given = model->symbols[i].kind == TTC_COSINE && ttc_valuation_is_bound(point->valuation, i);
-        if (is_given && model->symbols[i].definition == model->symbols[symbol].node) return i;
+    fmpz_mpoly_t derivative;
+    fmpz_mpoly_init(derivative, ring->context);
+    fmpz_mpoly_derivative(derivative, angle->numerator, variable, ring->context);
+    const bool has = !fmpz_mpoly_is_zero(derivative, ring->context) && fmpz_mpoly_is_fmpz(derivative, ring->context) &&
+                     fmpz_mpoly_is_fmpz(angle->denominator, ring->context);
+    if (has) {
+        fmpz_mpoly_get_fmpz(fmpq_numref(slope), derivative, ring->context);
+        fmpz_mpoly_get_fmpz(fmpq_denref(slope), angle->denominator, ring->context);
+        fmpq_canonicalise(slope);
     }
-    return 0;
+    fmpz_mpoly_clear(derivative, ring->context);
+    return has;
 }
 
-bool ttc_witness_has_obscure_angle(const ttc_witness *point)
+/* The first variable that the angle tells, and that no other angle does; -1 if there is none. */
+static slong told_by(const ttc_witness *point, const ttc_ratio *angle)
 {
     const ttc_model *model = ttc_valuation_model(point->valuation);
+    slong told = -1;
+    fmpq_t slope;
+    fmpq_init(slope);
+    for (slong v = 0; told < 0 && v < (slong)point->ring->variable_count; v++) {
+        const size_t symbol = ttc_valuation_symbol(point->valuation, v);
+        const ttc_symbol_kind kind = symbol < model->symbol_count ? model->symbols[symbol].kind : TTC_COSINE;
+        if ((kind == TTC_STATE || kind == TTC_PARAM || kind == TTC_LEVEL) && !ttc_ring_is_generator(point->ring, v) &&
+            point->angles[v] == 0 && has_slope(slope, point->ring, angle, v))
+            told = v;
+    }
+    fmpq_clear(slope);
+    return told;
+}
+
+void ttc_witness_find_angles(ttc_witness *point)
+{
+    const ttc_model *model = ttc_valuation_model(point->valuation);
+    ttc_ratio angle;
+    ttc_ratio_init(point->ring, &angle);
     for (uint32_t i = 1; i < model->symbol_count; i++) {
         if (model->symbols[i].kind != TTC_COSINE || !ttc_valuation_is_bound(point->valuation, i)) continue;
-        if (ttc_kind_of(model->graph, model->symbols[i].definition) != TTC_SYMBOL) return true;
-        uint32_t angle = ttc_symbol_of(model->graph, model->symbols[i].definition);
-        const ttc_symbol_kind kind = model->symbols[angle].kind;
-        if (kind != TTC_STATE && kind != TTC_PARAM && kind != TTC_LEVEL) return true;
-        if (ttc_valuation_is_bound(point->valuation, angle)) return true;
+        ttc_evaluate(point->valuation, &angle, model->symbols[i].definition);
+        const slong told = told_by(point, &angle);
+        if (told >= 0) point->angles[told] = i;
+        else point->has_obscure_angle = true;
     }
-    return false;
+    ttc_ratio_clear(point->ring, &angle);
 }
 
 /* A number that the symbol's value exceeds, or that it stays below; NULL if none is known. */
@@ -32,7 +57,7 @@ static const fmpq *end_of(const ttc_model *model, ttc_id end)
     return end != TTC_NONE && ttc_kind_of(model->graph, end) == TTC_NUMBER ? ttc_coefficient(model->graph, end) : NULL;
 }
 
-void ttc_witness_add_turns(arb_t angle, const ttc_model *model, size_t symbol, slong precision)
+void ttc_witness_add_turns(arb_t value, const fmpq_t slope, const ttc_model *model, size_t symbol, slong precision)
 {
     const ttc_symbol_entry *entry = &model->symbols[symbol];
     const bool is_positive = entry->kind == TTC_PARAM && (entry->sign == TTC_POSITIVE || entry->sign == TTC_NONNEGATIVE);
@@ -46,17 +71,31 @@ void ttc_witness_add_turns(arb_t angle, const ttc_model *model, size_t symbol, s
     if (low != NULL || high != NULL) arb_set_fmpq(rest, low != NULL ? low : high, precision);
     arb_const_pi(turn, precision);
     arb_mul_2exp_si(turn, turn, 1);
-    arb_sub(rest, rest, angle, precision);
+    arb_div_fmpz(turn, turn, fmpq_numref(slope), precision);
+    arb_mul_fmpz(turn, turn, fmpq_denref(slope), precision);
+    arb_abs(turn, turn);
+    arb_sub(rest, rest, value, precision);
     arb_div(rest, rest, turn, precision);
     if (low != NULL || is_positive) arb_floor(rest, rest, precision);
     else arb_ceil(rest, rest, precision);
     if (arb_get_unique_fmpz(turns, rest)) {
         fmpz_add_si(turns, turns, low != NULL || is_positive ? 1 : -1);
-        arb_addmul_fmpz(angle, turn, turns, precision);
+        arb_addmul_fmpz(value, turn, turns, precision);
     } else {
-        arb_indeterminate(angle); /* with more digits it might get other turns, and conditions would speak of two points */
+        arb_indeterminate(value); /* with more digits it might get other turns, and conditions would speak of two points */
     }
     fmpz_clear(turns);
     arb_clear(rest);
     arb_clear(turn);
+}
+
+void ttc_witness_split_angle(fmpq_t slope, ttc_ratio *rest, const ttc_witness *point, slong variable)
+{
+    const ttc_model *model = ttc_valuation_model(point->valuation);
+    fmpz_t zero;
+    fmpz_init(zero);
+    ttc_evaluate(point->valuation, rest, model->symbols[point->angles[variable]].definition);
+    has_slope(slope, point->ring, rest, variable);
+    fmpz_mpoly_evaluate_one_fmpz(rest->numerator, rest->numerator, variable, zero, point->ring->context);
+    fmpz_clear(zero);
 }

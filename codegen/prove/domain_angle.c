@@ -11,22 +11,15 @@ static bool is_never(ttc_task *task, const ttc_conditions *c, ttc_id id, unsigne
     return !(ttc_conditions_signs(c, value->numerator) & signs);
 }
 
-/* Half a turn: pi, or 3, which is less than pi, in a table that does not use pi. */
-static ttc_id half_turn(const ttc_model *model)
-{
-    for (size_t i = 0; i < model->symbol_count; i++)
-        if (model->symbols[i].kind == TTC_PI) return model->symbols[i].node;
-    return ttc_integer(model->graph, 3);
-}
-
 /* An angle that is linear in a state lies between its values at the ends of the interval. If these, with -1, 0, 1 or 2 quarter
- * turns added, lie between 0 and half a turn, the sine of the angle so turned is positive: it is -C, S, C or -S. */
-static void add_sign(ttc_task *task, ttc_conditions *c, uint32_t cosine, size_t state, ttc_ratio *value)
+ * turns added, lie between 0 and half a turn, the sine of the angle so turned is positive: it is -C, S, C or -S.
+ * half: half a turn, pi or the number 3, which is less. */
+static void add_sign(ttc_task *task, ttc_conditions *c, uint32_t cosine, size_t state, ttc_id half, ttc_ratio *value)
 {
     const ttc_model *model = task->model;
     ttc_graph *graph = model->graph;
     const ttc_symbol_entry *entry = &model->symbols[cosine], *x = &model->symbols[model->states[state]];
-    const ttc_id half = half_turn(model), slope = ttc_derive_state(model, entry->definition, state);
+    const ttc_id slope = ttc_derive_state(model, entry->definition, state);
     if (x->low == TTC_NONE || x->high == TTC_NONE || ttc_derive_state(model, slope, state) != ttc_integer(graph, 0) ||
         !is_never(task, c, slope, TTC_CAN_BE_ZERO, value))
         return;
@@ -52,6 +45,10 @@ void ttc_domain_add_angle(ttc_task *task, ttc_conditions *c, uint32_t cosine)
     ttc_ratio value;
     if (ttc_question_depends(task, task->model->symbols[cosine].node)) return;
     ttc_ratio_init(task->ring, &value);
-    for (size_t i = 0; i < task->model->state_count; i++) add_sign(task, c, cosine, i, &value);
+    for (size_t i = 0; i < task->model->state_count; i++) {
+        add_sign(task, c, cosine, i, ttc_integer(task->model->graph, 3), &value);
+        for (size_t k = 0; k < task->model->symbol_count; k++)
+            if (task->model->symbols[k].kind == TTC_PI) add_sign(task, c, cosine, i, task->model->symbols[k].node, &value);
+    }
     ttc_ratio_clear(task->ring, &value);
 }

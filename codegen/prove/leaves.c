@@ -341,12 +341,16 @@ static void prove_tested(ttc_task *task, ttc_prover prover, const ttc_subcase *s
 }
 
 /* Where what must not be zero is zero, a claim is false. Such points are often no rational numbers, and are not found as points of
- * a larger set; so what is not settled is looked at once more with this as a level of its own. */
+ * a larger set; so what is not settled is looked at once more with this as a level of its own, or as levels of its terms. */
 static void look_at_zeros(cover *c, ttc_subcase *start)
 {
-    if (c->task->status != TTC_UNSETTLED || c->task->unexcluded == TTC_NONE) return;
-    if (c->task->claim->kind == TTC_CLAIM_EMBEDDING) return; /* it is claimed for parameters in general, which a level may set */
-    start->goals[start->goal_count++] = c->task->unexcluded;
+    const ttc_graph *graph = c->task->model->graph;
+    const ttc_id zero = c->task->unexcluded;
+    if (c->task->status != TTC_UNSETTLED || zero == TTC_NONE) return;
+    const size_t terms = c->task->has_terms_of_one_sign ? ttc_part_count(graph, zero) : 1;
+    if (start->goal_count + terms > sizeof start->goals / sizeof *start->goals) return;
+    for (size_t i = 0; i < terms; i++) start->goals[start->goal_count++] = terms == 1 ? zero : ttc_part_at(graph, zero, i).id;
+    c->task->is_at_zeros = true;
     descend(c, start);
 }
 

@@ -77,7 +77,7 @@ static void require_values(ttc_task *task, const ttc_ratio *divisor)
     char *point = NULL;
     bool *moves = ttc_vanishing_moves(task);
     const ttc_search_result result =
-        moves == NULL ? TTC_POINT_NOT_DECIDED : ttc_vanishing_search(task, divisor->numerator, moves, &point);
+        moves == NULL ? TTC_POINT_NOT_DECIDED : ttc_vanishing_search(task, divisor->numerator, divisor->denominator, moves, &point);
     free(moves);
     if (result == TTC_POINT_FOUND)
         ttc_task_refute_at(task, point, divisor, "for some parameters it divides by zero at all states, so that no kernel could be "

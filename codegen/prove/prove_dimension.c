@@ -186,6 +186,8 @@ static void clear_image(ttc_task *task, leaf_image *image)
     ttc_tangent_clear(task, &image->tangent);
 }
 
+static size_t most_rows(const leaf_image *image) { return 2 * image->rows + image->tangent.constraint_count; }
+
 static void copy_rows(ttc_task *task, ttc_ratio *out, const ttc_ratio *rows, size_t count)
 {
     for (size_t i = 0; i < count; i++) ttc_ratio_set(task->ring, &out[i], &rows[i]);
@@ -199,44 +201,72 @@ static slong free_state(const ttc_task *task, size_t column)
     return ttc_valuation_variable(task->field, task->model->states[i]);
 }
 
-/* The rank of the constraints of the leaf together with the rows of states and of params, as asked for. minor: a nonzero minor of
- * this size. moves: NULL, or flags of the variables whose columns count. */
+/* The rows of states and of params, as asked for, and of the constraints of the leaf. count: their number. */
+static ttc_ratio *rows_with(ttc_task *task, const leaf_image *image, bool states, bool params, size_t *count)
+{
+    const size_t n = image->tangent.columns;
+    ttc_ratio *matrix = ttc_task_ratios(task, most_rows(image) * n);
+    *count = 0;
+    if (matrix == NULL) return NULL;
+    if (states) copy_rows(task, matrix, image->states, image->state_rows * n);
+    *count += states ? image->state_rows : 0;
+    if (params) copy_rows(task, matrix + *count * n, image->params, image->param_rows * n);
+    *count += params ? image->param_rows : 0;
+    copy_rows(task, matrix + *count * n, image->tangent.constraints, image->tangent.constraint_count * n);
+    *count += image->tangent.constraint_count;
+    return matrix;
+}
+
+/* The rank of these rows. minor: a nonzero minor of this size. moves: NULL, or flags of the variables whose columns count. */
 static size_t rank_with(ttc_task *task, const leaf_image *image, bool states, bool params, const bool *moves, ttc_ratio *minor)
 {
-    const size_t n = image->tangent.columns, most = 2 * image->rows + image->tangent.constraint_count;
-    size_t count = 0, rank = 0;
-    ttc_ratio *matrix = ttc_task_ratios(task, most * n);
+    const size_t n = image->tangent.columns;
+    size_t count, rank = 0;
+    ttc_ratio *matrix = rows_with(task, image, states, params, &count);
     ttc_ratio_set_integer(task->ring, minor, 1);
-    if (matrix == NULL) return 0;
-    if (states) copy_rows(task, matrix, image->states, image->state_rows * n);
-    count += states ? image->state_rows : 0;
-    if (params) copy_rows(task, matrix + count * n, image->params, image->param_rows * n);
-    count += params ? image->param_rows : 0;
-    copy_rows(task, matrix + count * n, image->tangent.constraints, image->tangent.constraint_count * n);
-    count += image->tangent.constraint_count;
     for (size_t i = 0; moves != NULL && i < count * n; i++)
         if (!moves[free_state(task, i % n)]) ttc_ratio_set_integer(task->ring, &matrix[i], 0);
-    rank = rank_of(task, matrix, count, n, minor);
-    ttc_task_free(task, matrix, most * n);
+    if (matrix != NULL) rank = rank_of(task, matrix, count, n, minor);
+    ttc_task_free(task, matrix, most_rows(image) * n);
+    return rank;
+}
+
+/* The rank of the products of all these rows with each other. minor: a nonzero minor of this size, by Cauchy and Binet a sum of
+ * products of minors of the rows, at least one of which is nonzero where it is. */
+static size_t rank_of_products(ttc_task *task, const leaf_image *image, ttc_ratio *minor)
+{
+    const size_t n = image->tangent.columns;
+    size_t count, rank = 0;
+    ttc_ratio *rows = rows_with(task, image, true, true, &count), *products = ttc_task_ratios(task, count * count);
+    ttc_ratio_set_integer(task->ring, minor, 1);
+    for (size_t i = 0; products != NULL && i < count * count * n; i++)
+        ttc_ratio_add_product(task->ring, &products[i / n], &rows[i / n / count * n + i % n], &rows[i / n % count * n + i % n]);
+    if (products != NULL) rank = rank_of(task, products, count, count, minor);
+    ttc_task_free(task, products, count * count);
+    ttc_task_free(task, rows, most_rows(image) * n);
     return rank;
 }
 
 /* Returns true if the minor, for any values of what does not move, is nonzero for some values of what does: as a polynomial in the
- * latter its coefficients have no common zero. */
-static bool stays(ttc_task *task, const ttc_ratio *minor, const bool *moves)
+ * latter its coefficients have no common zero. text: NULL, or gets a point at whose parameters it is zero for all values. */
+static bool stays(ttc_task *task, const ttc_ratio *minor, const bool *moves, char **text)
 {
     fmpz_mpoly_t polynomial;
     fmpz_mpoly_init(polynomial, task->ring->context);
     fmpz_mpoly_set(polynomial, minor->numerator, task->ring->context);
-    const bool apart = separate(task, polynomial, moves);
-    const ttc_search_result result = apart ? ttc_vanishing_search(task, polynomial, moves, NULL) : TTC_POINT_NOT_DECIDED;
+    ttc_search_result result = TTC_POINT_NOT_DECIDED;
+    if (separate(task, polynomial, moves)) {
+        const bool is_minor = fmpz_mpoly_equal(polynomial, minor->numerator, task->ring->context);
+        result = ttc_vanishing_search(task, polynomial, minor->denominator, moves, is_minor ? text : NULL);
+    }
     fmpz_mpoly_clear(polynomial, task->ring->context);
     return result == TTC_POINT_IMPOSSIBLE || result == TTC_POINT_EXCLUDED;
 }
 
 /* Require that images have the target's dimension for all parameters of both tables: by the minor that shows it for parameters in
- * general, or by one with the columns of variables that change on the levels of the target's parameters. */
-static void require_minor(ttc_task *task, const ttc_model *target, const leaf_image *image, ttc_ratio *minor)
+ * general, by one with the columns of variables that change on the levels of the target's parameters, or by all minors of the rank
+ * together. */
+static void require_minor(ttc_task *task, const ttc_model *target, const leaf_image *image, size_t rank, ttc_ratio *minor)
 {
     if (ttc_task_moves(task, minor) && binds_parameter(task)) {
         ttc_task_unsettle(task, "a parameter follows from the states on the levels, and for some the image may be of lower "
@@ -244,9 +274,15 @@ static void require_minor(ttc_task *task, const ttc_model *target, const leaf_im
         return;
     }
     bool *moves = moves_on_levels(task, target);
-    if (moves == NULL || !(stays(task, minor, moves) || (image->tangent.constraint_count == 0 &&
-            rank_with(task, image, true, false, moves, minor) == target->state_count && stays(task, minor, moves))))
+    char *point = NULL;
+    /* If the rows are those of the states, and independent, their dimension is lower wherever the determinant of products is 0. */
+    const bool tells = image->state_rows == rank && image->param_rows == 0 && task->claim->modulo_count == 0;
+    if (moves == NULL || !(stays(task, minor, moves, NULL) || (image->tangent.constraint_count == 0 &&
+            rank_with(task, image, true, false, moves, minor) == target->state_count && stays(task, minor, moves, NULL)) ||
+            (rank_of_products(task, image, minor) == rank && stays(task, minor, moves, tells ? &point : NULL)))) {
+        if (point != NULL) ttc_task_refute_at(task, point, NULL, "for these parameters the image is of lower dimension");
         ttc_task_unsettle(task, "for some parameters the image may be of lower dimension");
+    }
     free(moves);
 }
 
@@ -309,7 +345,7 @@ static void require_dimension(ttc_task *task, const ttc_model *target, const lea
         goto done;
     }
     const bool has = (onto && task->claim->modulo_count == 0) || has_dimension(task, &minor);
-    if (onto) require_minor(task, target, image, &minor);
+    if (onto) require_minor(task, target, image, found + fixed, &minor);
     if (!ttc_task_open(task)) goto done;
     if (!onto && !has) ttc_task_unsettle(task, "no point is known at which the image has the dimension of this table");
     task->kept += has;

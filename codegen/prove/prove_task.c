@@ -341,29 +341,30 @@ bool ttc_task_is_zero_for_any_roots(ttc_task *task, ttc_id id)
     return zero;
 }
 
-/* Set a ball evaluator to the point's coordinates, and bind the symbols of `when` to their expressions. */
+/* Set a ball evaluator to a point, and bind the symbols of `when` to their expressions. Returns false if others are bound. */
 static bool set_ball(ttc_ball *ball, ttc_task *task, const ttc_witness *point)
 {
     bool ok = true;
+    size_t bound_count = 0;
     for (uint32_t i = 0; i < task->model->symbol_count && ok; i++) {
-        slong variable = ttc_valuation_variable(task->field, i);
-        ttc_symbol_kind kind = task->model->symbols[i].kind;
-        if ((kind != TTC_PARAM && kind != TTC_STATE && kind != TTC_LEVEL) || ttc_valuation_is_bound(task->field, i)) continue;
-        char *value = fmpq_get_str(NULL, 10, point->values + variable);
+        const ttc_symbol_kind kind = task->model->symbols[i].kind;
+        const bool is_bound = ttc_valuation_is_bound(task->field, i);
+        bound_count += is_bound;
+        if ((kind != TTC_PARAM && kind != TTC_STATE && kind != TTC_LEVEL) || is_bound) continue;
+        char *value = fmpq_get_str(NULL, 10, point->values + ttc_valuation_variable(task->field, i));
         ok = ttc_ball_set_fraction(ball, i, value);
         flint_free(value);
     }
     for (size_t i = 0; i < task->claim->when.count; i++)
         ttc_ball_bind(ball, task->claim->when.items[i].symbol, task->claim->when.items[i].expression);
-    return ok;
+    return ok && bound_count == task->claim->when.count;
 }
 
 bool ttc_task_refute_at_point(ttc_task *task, ttc_id id, const char *name)
 {
     enum { MANY_ROOTS = 5, DIGITS = 12 };
     bool refuted = false, excludes_zero = false;
-    if (!ttc_task_open(task) || root_count(task->model) < MANY_ROOTS) return false;
-    if (task->claim->modulo_count > 0 || id == TTC_NONE) return false;
+    if (!ttc_task_open(task) || root_count(task->model) < MANY_ROOTS || id == TTC_NONE) return false;
     ttc_ball *ball = ttc_ball_create(task->model);
     ttc_witness point;
     if (ttc_witness_init(&point, task->field) && ball != NULL && ttc_search_point(&point, &task->domain) == TTC_POINT_FOUND

@@ -57,6 +57,8 @@ struct ttc_task {
     char why_empty[160]; /* why the last leaf without points has none; "" if that is not evident */
     bool is_integral;  /* an invariant whose level is kept as one of an integral: what is left to show is that it has a point */
     ttc_id unexcluded; /* an expression that must not be zero, and may be for all that is known; TTC_NONE: none */
+    bool has_terms_of_one_sign; /* `unexcluded` is a sum that is zero only where all its terms are */
+    bool is_at_zeros;  /* `unexcluded` is one more level, on which counts what is claimed of all points, not a dimension */
     /* the verdict so far */
     ttc_proof_status status;
     bool relies_on_solver;

@@ -152,6 +152,21 @@ static bool follows(ttc_task *task, ttc_valuation *valuation, ttc_id id, ttc_rel
     return result;
 }
 
+/* Returns true for a sum of terms of one sign, which is zero only where all its terms are. */
+static bool adds_one_sign(ttc_task *task, ttc_id id)
+{
+    const ttc_graph *graph = task->model->graph;
+    signs_of_parts s = { task, task->field, calloc(ttc_graph_size(graph) + 1, 1), id, false };
+    unsigned signs = 0;
+    for (size_t i = 0; s.signs != NULL && ttc_kind_of(graph, id) == TTC_SUM && i < ttc_part_count(graph, id); i++) {
+        const ttc_part part = ttc_part_at(graph, id, i);
+        signs |= ttc_conditions_signs_of_product(signs_of_number(part.coefficient), signs_of(&s, part.id));
+    }
+    free(s.signs);
+    return signs != 0 && fmpq_is_zero(ttc_coefficient(graph, id)) &&
+           (signs & (TTC_CAN_BE_POSITIVE | TTC_CAN_BE_NEGATIVE)) != (TTC_CAN_BE_POSITIVE | TTC_CAN_BE_NEGATIVE);
+}
+
 static void require(ttc_task *task, ttc_valuation *valuation, ttc_id id, ttc_relation relation, const char *what)
 {
     const ttc_graph *graph = ttc_valuation_model(valuation)->graph;
@@ -163,7 +178,12 @@ static void require(ttc_task *task, ttc_valuation *valuation, ttc_id id, ttc_rel
         && (follows(task, valuation, id, relation, false) || follows(task, valuation, id, relation, true))) return;
     ttc_ratio_init(task->ring, &value);
     ttc_evaluate(valuation, &value, id);
+    const bool is_first = task->unexcluded == TTC_NONE;
     ttc_task_require(task, &value, relation, "%s", what);
+    if (is_first && task->unexcluded != TTC_NONE && valuation == task->field && adds_one_sign(task, id)) {
+        task->unexcluded = id;
+        task->has_terms_of_one_sign = true;
+    }
     ttc_ratio_clear(task->ring, &value);
 }
 

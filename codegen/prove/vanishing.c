@@ -47,7 +47,8 @@ static void take_coefficient(ttc_task *task, fmpz_mpoly_t same, fmpz_mpoly_t pol
     fmpz_mpoly_clear(rest, context);
 }
 
-ttc_search_result ttc_vanishing_search(ttc_task *task, const fmpz_mpoly_t polynomial, const bool *moves, char **text)
+ttc_search_result ttc_vanishing_search(ttc_task *task, const fmpz_mpoly_t polynomial, const fmpz_mpoly_t below, const bool *moves,
+                                       char **text)
 {
     fmpz_mpoly_t rest, coefficient;
     ttc_ratio value;
@@ -62,7 +63,11 @@ ttc_search_result ttc_vanishing_search(ttc_task *task, const fmpz_mpoly_t polyno
         ttc_ratio_set_polynomial(task->ring, &value, coefficient);
         ttc_conditions_add(&task->domain, &value, TTC_IS_ZERO);
     }
-    const ttc_search_result result = ttc_task_search(task, NULL, TTC_IS_ZERO, text);
+    ttc_search_result result = ttc_task_search(task, NULL, TTC_IS_ZERO, NULL);
+    if (result == TTC_POINT_FOUND) {
+        ttc_ratio_set_polynomial(task->ring, &value, below);
+        if (ttc_task_search(task, &value, TTC_IS_NONZERO, text) != TTC_POINT_FOUND) result = TTC_POINT_NOT_DECIDED;
+    }
     ttc_conditions_rewind(&task->domain, mark, contradictory);
     ttc_ratio_clear(task->ring, &value);
     fmpz_mpoly_clear(coefficient, task->ring->context);
