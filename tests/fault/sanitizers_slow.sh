@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # AddressSanitizer and UBSan find nothing in what uses memory, and ThreadSanitizer nothing where there are threads, in a locale that
-# writes commas in numbers. ThreadSanitizer's build is clang's optimized code, which is held against references too. This takes twenty
-# minutes on two cores, half of it for two builds, in build-asan and build-tsan.
+# writes commas in numbers. The build for ThreadSanitizer is the optimized code of clang, which is held against references too. All
+# this takes twenty minutes on two cores, half of it for two builds, in build-asan and build-tsan.
 set -euo pipefail
 cd "$JLT_SOURCE_DIR"
 command -v clang > /dev/null || { echo "needs clang: tools/install-deps --checks"; exit 77; }
