@@ -1,6 +1,7 @@
 /* Computes the rows of a sweep of `jellett eigen` by several processes. */
 #include "cli/eigen.h"
 #include "cli/interrupt.h"
+#include "cli/progress.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -54,20 +55,24 @@ static void compute_row(shared_rows *all, const jlt_eigen_request *r, size_t k)
     __atomic_store_n(&all->is_done[k], 1, __ATOMIC_RELEASE);
 }
 
-static void compute_some(shared_rows *all, const jlt_eigen_request *r, const volatile sig_atomic_t *interrupt)
+/* progress: NULL in all processes but one. */
+static void compute_some(shared_rows *all, const jlt_eigen_request *r, const volatile sig_atomic_t *interrupt, jlt_progress *progress)
 {
-    for (size_t k; *interrupt == 0 && (k = __atomic_fetch_add(&all->next, 1, __ATOMIC_RELAXED)) < r->points;)
+    for (size_t k; *interrupt == 0 && (k = __atomic_fetch_add(&all->next, 1, __ATOMIC_RELAXED)) < r->points;) {
         compute_row(all, r, k);
+        if (progress != NULL) jlt_progress_show(progress, k + 1, r->points);
+    }
 }
 
 /* Compute the rows by several processes, this one among them, which at the end also computes rows that a killed process left
- * unfinished. Returns the number of finished rows: all, unless interrupted. */
+ * unfinished. Returns the number of rows before the first unfinished one: all, unless interrupted. */
 static size_t compute_all(shared_rows *all, const jlt_eigen_request *r, const volatile sig_atomic_t *interrupt)
 {
     const size_t wanted = r->processes > 0 ? r->processes : jlt_common_processors();
     const size_t others = (r->points < wanted ? r->points : wanted) - 1;
     const pid_t self = getpid();
     pid_t *made = calloc(others + 1, sizeof *made);
+    jlt_progress progress;
     size_t done = 0;
 
     for (size_t i = 0; made != NULL && i < others; i++) {
@@ -75,19 +80,21 @@ static size_t compute_all(shared_rows *all, const jlt_eigen_request *r, const vo
         if (made[i] != 0) continue;
         prctl(PR_SET_PDEATHSIG, SIGTERM); /* end also if the parent is killed */
         if (getppid() != self) _exit(0);  /* it was killed before prctl */
-        compute_some(all, r, interrupt);
+        compute_some(all, r, interrupt, NULL);
         _exit(0);
     }
-    compute_some(all, r, interrupt);
+    jlt_progress_start(&progress, "rows");
+    compute_some(all, r, interrupt, &progress);
+    jlt_progress_end(&progress);
     for (size_t i = 0; made != NULL && i < others; i++) {
         if (made[i] < 0) continue; /* fork failed: there is one process fewer */
         if (*interrupt != 0) kill(made[i], SIGTERM);
         while (waitpid(made[i], NULL, 0) < 0 && errno == EINTR) {}
     }
     free(made);
-    for (size_t k = 0; k < r->points; k++) {
-        if (all->is_done[k] == 0 && *interrupt == 0) compute_row(all, r, k);
-        done += all->is_done[k];
+    for (; done < r->points; done++) {
+        if (all->is_done[done] == 0 && *interrupt == 0) compute_row(all, r, done);
+        if (all->is_done[done] == 0) break;
     }
     return done;
 }
@@ -96,7 +103,6 @@ jlt_exit jlt_eigen_sweep(const jlt_eigen_request *request)
 {
     jlt_command_output output = { 0 };
     const volatile sig_atomic_t *const interrupt = jlt_interrupt_install();
-    const size_t count = request->points;
     size_t refused = 0;
     const jlt_eigen_row *first = NULL;
     char reason[JLT_EIGEN_REASON_MAX];
@@ -107,13 +113,9 @@ jlt_exit jlt_eigen_sweep(const jlt_eigen_request *request)
     shared_rows *const all = mmap(NULL, bytes_of(request), PROT_READ | PROT_WRITE, kind, -1, 0);
     if (all == MAP_FAILED) return jlt_command_no_memory();
     const jlt_eigen_row *const rows = all->rows;
-    all->is_done = (unsigned char *)all + bytes_of(request) - count;
-    const size_t there = compute_all(all, request, interrupt);
-    if (there < count) {
-        code = jlt_command_fail(JLT_EXIT_NUMERICAL, "interrupted; nothing is saved, as only %zu of %zu rows are there", there,
-                                count);
-        goto done;
-    }
+    all->is_done = (unsigned char *)all + bytes_of(request) - request->points;
+    const size_t count = compute_all(all, request, interrupt);
+    jlt_interrupt_draw(); /* a million rows take some seconds to write */
     for (size_t k = 0; k < count; k++)
         if (rows[k].found.status != JLT_OK && refused++ == 0) first = &rows[k];
     st = jlt_command_open(&output);
@@ -121,13 +123,15 @@ jlt_exit jlt_eigen_sweep(const jlt_eigen_request *request)
     else if (st == JLT_OK) jlt_eigen_write_csv(output.stream, request, rows, count);
     if (st != JLT_OK) code = jlt_command_fail(jlt_command_exit(st), "%s", jlt_status_text(st));
     if (code == JLT_EXIT_DONE) code = jlt_stream_deliver(&output, request->common.output);
+    if (code == JLT_EXIT_DONE && count < request->points)
+        fprintf(stderr, "jellett: interrupted; the first %zu of %zu rows are saved in %s\n", count, request->points,
+                request->common.output == NULL ? "standard output" : request->common.output);
     if (code == JLT_EXIT_DONE && request->common.plot != NULL) code = jlt_eigen_draw(request, rows, count);
     if (code == JLT_EXIT_DONE && first != NULL) {
         jlt_eigen_reason(reason, first);
         code = jlt_command_fail(jlt_command_exit(first->found.status), "%zu of %zu points refused; the first: %s", refused,
                                 count, reason);
     }
-done:
     jlt_command_discard(&output);
     munmap(all, bytes_of(request));
     return code;
