@@ -56,7 +56,8 @@ static void compute_row(shared_rows *all, const jlt_eigen_request *r, size_t k)
 }
 
 /* progress: NULL in all processes but one. */
-static void compute_some(shared_rows *all, const jlt_eigen_request *r, const volatile sig_atomic_t *interrupt, jlt_progress *progress)
+static void compute_some(shared_rows *all, const jlt_eigen_request *r, const volatile sig_atomic_t *interrupt,
+                         jlt_progress *progress)
 {
     for (size_t k; *interrupt == 0 && (k = __atomic_fetch_add(&all->next, 1, __ATOMIC_RELAXED)) < r->points;) {
         compute_row(all, r, k);

@@ -145,7 +145,7 @@ for signal in INT TERM HUP; do
         --count 1000000 -o long.csv
     [ "$(grep -c '^[0-9]' long.csv)" -eq "$(sed -n 's/.*interrupted; \([0-9]*\) whole rows.*/\1/p' err)" ] || fail "saved rows"
 done
-interrupted TERM 'interrupted; nothing is saved, as only [0-9]* of 900000' jellett eigen --set a3=0 --at v_nu=0.7,omega3=1.1 \
+interrupted TERM 'interrupted; the first [0-9]* of 900000 rows are saved' jellett eigen --set a3=0 --at v_nu=0.7,omega3=1.1 \
     --sweep gamma3=-0.9:0.9:900000
 # Proofs end at once, samples after the one in hand.
 interrupted TERM 'interrupted; \(nothing is reported\|what was not saved by now is lost\)' jellett verify spherical_top \
