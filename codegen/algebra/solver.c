@@ -348,7 +348,8 @@ static Z3_context context_of(ttc_ring *ring)
     return ring->solver;
 }
 
-ttc_solver_answer ttc_solver_ask(ttc_witness *point, const ttc_conditions *conditions, bool with_functions)
+/* again: the solver searches in another order. */
+static ttc_solver_answer ask_once(ttc_witness *point, const ttc_conditions *conditions, bool with_functions, bool again)
 {
     question q = { .point = point };
     q.variables = calloc(point->ring->variable_count + 1, sizeof(Z3_ast));
@@ -360,6 +361,7 @@ ttc_solver_answer ttc_solver_ask(ttc_witness *point, const ttc_conditions *condi
     Z3_params params = Z3_mk_params(q.z3);
     Z3_params_inc_ref(q.z3, params);
     Z3_params_set_uint(q.z3, params, Z3_mk_string_symbol(q.z3, "rlimit"), WORK_LIMIT);
+    if (again) Z3_params_set_bool(q.z3, params, Z3_mk_string_symbol(q.z3, "randomize"), false);
     /* Otherwise Z3 catches SIGINT while it works, and the program does not receive it. */
     Z3_params_set_bool(q.z3, params, Z3_mk_string_symbol(q.z3, "ctrl_c"), false);
     Z3_solver_set_params(q.z3, q.solver, params);
@@ -368,4 +370,12 @@ ttc_solver_answer ttc_solver_ask(ttc_witness *point, const ttc_conditions *condi
     Z3_solver_dec_ref(q.z3, q.solver);
     free(q.variables);
     return answer;
+}
+
+/* Some versions of Z3 (4.8.12 is one) lose points beside zeros of what they eliminate, depending on the order of the search: that
+ * there is no point is believed only if two orders agree. */
+ttc_solver_answer ttc_solver_ask(ttc_witness *point, const ttc_conditions *conditions, bool with_functions)
+{
+    const ttc_solver_answer answer = ask_once(point, conditions, with_functions, false);
+    return answer == TTC_SOLVER_NO_POINT ? ask_once(point, conditions, with_functions, true) : answer;
 }
