@@ -1,0 +1,16 @@
+/** What moves on the levels of a leaf while parameters rest. */
+#ifndef TTC_MOVEMENT_H
+#define TTC_MOVEMENT_H
+
+#include "prove/prove_task.h"
+
+/** Flags, by variable, of those that change on levels of the expressions given for the target's parameters, and of those of bound
+ *  parameters, levels and angles: for certain those that these expressions do not use. The caller frees them; NULL if memory is
+ *  out. */
+bool *ttc_movement_flags(ttc_task *task, const ttc_model *target);
+
+/** Returns true if, for all that is known, there are parameters for which what moves cannot leave a point of the leaf in all
+ *  directions together: x^2 + y^2 = a is a point for a = 0. Where no square is zero, or only one that has a derivative, it can. */
+bool ttc_movement_may_be_thin(ttc_task *task, const bool *moves);
+
+#endif
