@@ -21,8 +21,8 @@ const volatile sig_atomic_t *jlt_interrupt_install(void);
  *  regions of as many threads or fewer reuse these threads. */
 void jlt_interrupt_spare(size_t threads);
 
-/** Call it before what takes long after an interrupt, such as drawing, or saving rows that are all in memory: if the flag is set, the
- *  command gets ten more seconds from now, unless another signal comes. */
+/** Call it before what takes long after an interrupt, such as drawing, or saving rows that are all in memory: if the flag is set,
+ *  the command gets ten more seconds from now, unless another signal comes. */
 void jlt_interrupt_draw(void);
 
 /** If the flag is set, end the program by that signal, so that its parent sees what ended it. */
