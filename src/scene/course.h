@@ -38,6 +38,8 @@ typedef struct {
     int side;                 /* POLE: the end of the interval, +1 upper, -1 lower; 0: the asked model has no poles */
     unsigned pole;            /* POLE: the state that has reached an end of its interval */
     const char *unbounded;    /* after an error: the tier's state that grows without bound; NULL: none is known */
+    double step;              /* BUDGET: the time that the last step took */
+    bool stiff;               /* BUDGET: jlt_stepper_is_held, of that step */
     const char *edge;         /* DOMAIN: why the tier's coordinates end, for a message; the course's own */
 } jlt_course_row;
 
