@@ -114,6 +114,13 @@ jlt_status jlt_orbit_loss(jlt_orbit *self, double *theta, double *least, const j
     return st;
 }
 
+double jlt_orbit_least(jlt_orbit *self, const jlt_event *event)
+{
+    const double ends = fmin(jlt_locate_value(event, self->stepper->x_start), jlt_locate_value(event, self->stepper->x));
+
+    return jlt_stepper_dense(self->stepper) == JLT_OK ? fmin(ends, jlt_edge_least_after(self->stepper, event, 0)) : ends;
+}
+
 jlt_status jlt_orbit_zero(jlt_orbit *self, double *theta, const jlt_event *event)
 {
     *theta = INFINITY;
