@@ -248,8 +248,8 @@ static jlt_exit check_reversors(const options *o, const jlt_cycle_question *ques
     if (strcmp(o->kind, "symmetric") == 0 || strcmp(o->kind, "elliptic") == 0) st = jlt_symmetry_is_possible(&possible, question);
     if (st != JLT_OK) return jlt_command_fail(jlt_command_exit(st), "%s", jlt_status_text(st));
     return possible ? JLT_EXIT_DONE
-                    : jlt_command_fail(JLT_EXIT_FAILED, "not proved: no reversor of the table that is proved without a condition maps "
-                                       "the section, crossed as it is, and the levels to themselves");
+                    : jlt_command_fail(JLT_EXIT_FAILED, "not proved: no reversor of the table that is proved without a condition "
+                                       "maps the section, crossed as it is, and the levels to themselves");
 }
 
 /* Make the question about an orbit: find it in doubles, refine it in balls, and put boxes around it. */

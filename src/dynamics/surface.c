@@ -73,9 +73,11 @@ static jlt_status list_values(jlt_surface *out)
 
     if (table->param_count + out->section->level_count > JLT_CHART_VALUES_MAX) return JLT_ERR_UNSUPPORTED;
     JLT_PASS(add_params(out, JLT_SOURCE_OWN));
-    for (unsigned i = 0; i < asked->param_count; i++)
-        if (jlt_surface_value(out, asked->params[i].name) == out->count && !jlt_descriptor_param(table, asked->params[i].name, &index))
-            JLT_PASS(add(out, &asked->params[i], asked->params[i].value, JLT_SURFACE_COMPUTED));
+    for (unsigned i = 0; i < asked->param_count; i++) {
+        const jlt_quantity *q = &asked->params[i];
+        if (jlt_surface_value(out, q->name) == out->count && !jlt_descriptor_param(table, q->name, &index))
+            JLT_PASS(add(out, q, q->value, JLT_SURFACE_COMPUTED));
+    }
     out->params = out->count;
     for (unsigned i = 0; i < out->section->level_count; i++)
         JLT_PASS(add(out, &out->section->levels[i], out->section->levels[i].value, table->param_count + i));

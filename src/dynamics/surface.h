@@ -15,8 +15,8 @@
 /* Starts that a section's table names, for its default values: on a regular orbit, on a chaotic one, and near a saddle. */
 typedef enum { JLT_START_REGULAR, JLT_START_CHAOTIC, JLT_START_SADDLE, JLT_STARTS } jlt_surface_start;
 
-/* In place of an index: the value is a parameter of the asked table that the section's kernels do not take; parameters of theirs may
- * be computed from it. */
+/* In place of an index: the value is a parameter of the asked table that the section's kernels do not take; some of theirs may be
+ * computed from it. */
 enum { JLT_SURFACE_COMPUTED = ~0u >> 1 };
 
 /** Plain data. Its values are, in this order: parameters of the section's table that the asked table has by the same names, in the

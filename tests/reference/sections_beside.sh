@@ -61,7 +61,7 @@ expect 0 '^0,0,0,-3,lost_near$' jellett section ./big.tt --start x=-3 --contact 
 expect 0 '^0,1,.*,alive$' jellett section ./big.tt --start x=-1 --contact end --returns 1
 
 # A parameter of which the section's table knows nothing may be set and swept as any other, and moves no orbit.
-sed 's/model big/model more/; s/^state x/param q >= 0\ndefault q = 0\n&/; s/^integral K/observe shifted = x + q\n&/' big.tt > more.tt
+sed 's/model big/model more/; s/^state x/param q >= 0\ndefault q = 0\n&/; s/^integral K/observe moved = x + q\n&/' big.tt > more.tt
 expect 0 '^0,1,' jellett section ./more.tt --set q=1 --start x=-1 --returns 1
 awk -F, -v T="$(period 1 1)" '/^0,1,/ { exit !(($3 - T)^2 < 1e-22) }' out || fail "beside q: $(tail -1 out)"
 expect 0 '^1,0,1,' jellett section ./more.tt --sweep q=0:1:2 --start x=-1 --returns 1
