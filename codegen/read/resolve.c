@@ -336,6 +336,32 @@ static void warn_unused(ttc_parser *parser)
     }
 }
 
+static bool has_dimension(const char *name, size_t length)
+{
+    static const char *const names[] = { "kg", "m", "s" };
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+        if (strlen(names[i]) == length && memcmp(names[i], name, length) == 0) return true;
+    return false;
+}
+
+/* Warn of names in units of parameters and states that count as numbers; rad is one by right. */
+static void warn_of_units(ttc_parser *parser)
+{
+    for (size_t i = 1; i < parser->model->symbol_count; i++) {
+        const ttc_symbol_entry *entry = parser->model->symbols + i;
+        const bool counts = entry->unit != NULL && (entry->kind == TTC_PARAM || entry->kind == TTC_STATE);
+        for (const char *at = counts ? entry->unit : ""; *at != '\0';) {
+            const size_t length = strcspn(at, "*/ ^()");
+            const bool is_name = *at >= 'A' && !(length == 3 && memcmp(at, "rad", length) == 0);
+            if (is_name && !has_dimension(at, length))
+                ttc_report(parser->diagnostics, TTC_WARNING, entry->place.line, entry->place.column,
+                           "'%.*s' in the unit of %s counts as a number (only kg, m and s have dimensions)", (int)length, at,
+                           entry->name);
+            at += length + (at[length] != '\0');
+        }
+    }
+}
+
 void ttc_parse_resolve(ttc_parser *parser)
 {
     for (size_t i = 0; i < parser->reference_count; i++) resolve_reference(parser, parser->references + i);
@@ -350,5 +376,6 @@ void ttc_parse_resolve(ttc_parser *parser)
     check_observed(parser);
     for (size_t i = 0; i < parser->model->elimination_count; i++) solve_elimination(parser, parser->model->eliminations + i);
     warn_unused(parser);
+    warn_of_units(parser);
     warn_of_divisors(parser);
 }

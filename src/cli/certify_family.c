@@ -2,6 +2,7 @@
 
 #include "ball/ball.h"
 #include "ext/number.h"
+#include "validated/given_family.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -117,6 +118,17 @@ static jlt_exit find_family(const ttc_claim **family, const ttc_model *model, co
     return jlt_command_fail(JLT_EXIT_INPUT, "%s has no family of equilibria '%s'; it has %s", model->name, name, names);
 }
 
+/* Refuse what the proof would refuse to begin with, such as a family that is not proved to consist of equilibria. */
+static jlt_exit check(const json_t *given, const jlt_descriptor *d)
+{
+    jlt_given_family read;
+    char problem[JLT_GIVEN_PROBLEM_MAX] = "";
+    const bool serves = jlt_given_family_read(&read, given, d, problem);
+
+    jlt_given_family_clear(&read);
+    return serves ? JLT_EXIT_DONE : jlt_command_fail(JLT_EXIT_INPUT, "%s", problem);
+}
+
 jlt_exit jlt_certify_family(json_t **given, const jlt_certify_family_options *o, const jlt_assign_list *set,
                             const jlt_descriptor *d)
 {
@@ -132,7 +144,7 @@ jlt_exit jlt_certify_family(json_t **given, const jlt_certify_family_options *o,
     if (code == JLT_EXIT_DONE)
         *given = json_pack("{s:{s:s,s:s},s:s,s:O,s:i,s:i}", "table", "name", d->model, "sha256", d->sha256, "family", family->name,
                            "box", box, "limit", (int)o->limit, "digits", (int)o->digits);
-    if (code == JLT_EXIT_DONE && *given == NULL) code = jlt_command_no_memory();
+    if (code == JLT_EXIT_DONE) code = *given != NULL ? check(*given, d) : jlt_command_no_memory();
     json_decref(box);
     ttc_model_destroy(model);
     return code;

@@ -8,6 +8,7 @@
 #include "validated/certificate.h"
 #include "validated/given_family.h"
 #include "validated/given_homoclinic.h"
+#include "validated/symmetry.h"
 #include "validated/theorem.h"
 
 #include <string.h>
@@ -238,6 +239,19 @@ static jlt_exit add_homoclinic(json_t *given, const jlt_given *question, const o
                                            o->motion.starts[0], jlt_status_text(st));
 }
 
+/* Refuse a proof of symmetry for which the table has no reversor, before the orbit is refined. */
+static jlt_exit check_reversors(const options *o, const jlt_cycle_question *question)
+{
+    bool possible = true;
+    jlt_status st = JLT_OK;
+
+    if (strcmp(o->kind, "symmetric") == 0 || strcmp(o->kind, "elliptic") == 0) st = jlt_symmetry_is_possible(&possible, question);
+    if (st != JLT_OK) return jlt_command_fail(jlt_command_exit(st), "%s", jlt_status_text(st));
+    return possible ? JLT_EXIT_DONE
+                    : jlt_command_fail(JLT_EXIT_FAILED, "not proved: no reversor of the table that is proved without a condition "
+                                       "maps the section, crossed as it is, and the levels to themselves");
+}
+
 /* Make the question about an orbit: find it in doubles, refine it in balls, and put boxes around it. */
 static jlt_exit ask(json_t **given, const jlt_descriptor **d, options *o, jlt_system *system)
 {
@@ -256,8 +270,10 @@ static jlt_exit ask(json_t **given, const jlt_descriptor **d, options *o, jlt_sy
     if (st != JLT_OK) code = jlt_motion_no_orbit(st, system, o->motion.starts[0]);
     if (code == JLT_EXIT_DONE) code = jlt_certify_given(given, d, &o->motion, system, &o->spread, (unsigned)o->digits);
     if (code != JLT_EXIT_DONE) return code;
-    if (!jlt_given_read(&question, *given, *d, &o->watch, problem)) code = jlt_command_fail(JLT_EXIT_INPUT, "%s", problem);
-    else if ((st = jlt_given_make_legs(&question, *given, legs, x, T, turns, o->radius, problem)) != JLT_OK && *problem != '\0')
+    code = jlt_given_read(&question, *given, *d, &o->watch, problem) ? check_reversors(o, &question.question)
+                                                                     : jlt_command_fail(JLT_EXIT_INPUT, "%s", problem);
+    if (code == JLT_EXIT_DONE) st = jlt_given_make_legs(&question, *given, legs, x, T, turns, o->radius, problem);
+    if (st != JLT_OK && *problem != '\0')
         code = jlt_command_fail(JLT_EXIT_INPUT, "%s", problem);
     else if (st == JLT_ERR_DOMAIN)
         code = jlt_command_fail(JLT_EXIT_FAILED, unshown, o->motion.starts[0], o->digits, (*d)->model);
@@ -266,7 +282,7 @@ static jlt_exit ask(json_t **given, const jlt_descriptor **d, options *o, jlt_sy
     else if (st != JLT_OK)
         code = jlt_command_fail(JLT_EXIT_NUMERICAL, "the orbit could not be refined with %zu digits: %s", o->digits,
                                 jlt_status_text(st));
-    else if (strcmp(o->kind, "homoclinic") == 0) code = add_homoclinic(*given, &question, o, system);
+    else if (code == JLT_EXIT_DONE && strcmp(o->kind, "homoclinic") == 0) code = add_homoclinic(*given, &question, o, system);
     jlt_given_clear(&question);
     return code;
 }

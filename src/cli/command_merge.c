@@ -6,13 +6,14 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "cli/column_map.h"
 #include "cli/merged.h"
 #include "cli/study.h"
 #include "core/memory.h"
 #include "report/json.h"
 #include "shards/gather.h"
 
-enum { OUTPUTS_MAX = 4, COLUMNS_MAX = 512 };
+enum { OUTPUTS_MAX = 4, COLUMNS_MAX = JLT_COLUMN_MAP_MAX };
 
 typedef struct {
     const char **places; /* files and folders, as typed */
@@ -68,8 +69,10 @@ typedef struct {
     jlt_grid_axis over[JLT_STUDY_OVER_MAX];
     size_t over_count, outer;
     jlt_table_form form;
-    char *names; /* the line that begins every piece's rows; owned */
-    size_t named; /* the piece that it was taken from */
+    char *names;  /* the line that begins the first piece's rows; owned */
+    char *here;   /* that of the first piece at the present value of what the study runs over; NULL: none has come; owned */
+    size_t named; /* that piece */
+    char *odd;    /* the line of the last piece with other columns than `names`; owned */
     jlt_merged outputs[OUTPUTS_MAX];
     size_t output_count;
     bool counts; /* the first column of the command's rows is the number of an orbit */
@@ -185,17 +188,17 @@ static jlt_exit begin_form(merge *self, const char *line)
     return st == JLT_OK ? JLT_EXIT_DONE : jlt_command_fail(JLT_EXIT_INPUT, "there are more than %d columns", COLUMNS_MAX);
 }
 
-/* Refuse a piece whose columns, or else the `count` fields of a row of it, are not those of the table. */
+/* Refuse a piece whose columns, or else the `count` fields of a row of it, are not those of its command's other pieces. */
 static jlt_exit bad_piece(const merge *self, size_t piece, const char *columns, size_t count)
 {
     const char *path = jlt_gather_path(self->gather, piece);
 
-    if (strcmp(columns, self->names) == 0)
+    if (strcmp(columns, self->here) == 0)
         return jlt_command_fail(JLT_EXIT_INPUT, "%s: a row of piece %zu has %zu fields for the columns %s: remove the file, and "
                                 "run jellett sweep --resume", path, piece, count, columns);
     jlt_command_fail(JLT_EXIT_INPUT, "%s: piece %zu has the columns %s", path, piece, columns);
     return jlt_command_fail(JLT_EXIT_INPUT, "%s: piece %zu has the columns %s: remove the file with the wrong ones, and run "
-                            "jellett sweep --resume", jlt_gather_path(self->gather, self->named), self->named, self->names);
+                            "jellett sweep --resume", jlt_gather_path(self->gather, self->named), self->named, self->here);
 }
 
 /* Take a row: the first pass learns the kinds of columns from it, the second writes it. */
@@ -220,22 +223,29 @@ static void renumber(const merge *self, char **field, char number[24], size_t *n
 /* Take the rows of a piece. text: its lines, and over: the values that the study runs over; both are cut into fields. */
 static jlt_exit take_rows(merge *self, char *text, char *over, size_t piece, bool is_second)
 {
-    char *fields[COLUMNS_MAX + JLT_STUDY_OVER_MAX], number[24], *line = strsep(&text, "\n");
+    char *fields[COLUMNS_MAX], *row[COLUMNS_MAX + JLT_STUDY_OVER_MAX], number[24], place[JLT_GRID_PLACE_MAX], none[] = "";
+    const char *columns = strsep(&text, "\n");
     const size_t before = self->over_count;
     size_t next = self->base;
-    jlt_exit code = JLT_EXIT_DONE;
+    jlt_column_map map;
+    jlt_exit code = self->names == NULL ? begin_form(self, columns) : JLT_EXIT_DONE;
 
-    if (self->names == NULL) {
+    (void)jlt_grid_place(place, self->over, before, piece / (jlt_gather_pieces(self->gather) / self->outer));
+    if (code != JLT_EXIT_DONE) return code;
+    if (self->here == NULL) {
         self->named = piece;
-        code = begin_form(self, line);
+        self->here = strdup(columns);
+        if (self->here == NULL) return jlt_command_no_memory();
     }
-    if (code == JLT_EXIT_DONE && strcmp(line, self->names) != 0) code = bad_piece(self, piece, line, 0);
-    if (before > 0) (void)jlt_table_cut(fields, before, over);
-    while (code == JLT_EXIT_DONE && (line = strsep(&text, "\n")) != NULL && *line != '\0') {
-        const size_t count = jlt_table_cut(fields + before, COLUMNS_MAX, line);
-        if (before + count != self->form.count) return bad_piece(self, piece, self->names, count);
-        if (self->counts) renumber(self, &fields[before], number, &next);
-        code = take_row(self, fields, is_second);
+    if (strcmp(columns, self->here) != 0) return bad_piece(self, piece, columns, 0);
+    if (!jlt_column_map_make(&map, &self->odd, place, self->names, columns)) return jlt_command_no_memory();
+    if (before > 0) (void)jlt_table_cut(row, before, over);
+    for (char *line; code == JLT_EXIT_DONE && (line = strsep(&text, "\n")) != NULL && *line != '\0';) {
+        const size_t count = jlt_table_cut(fields, COLUMNS_MAX, line);
+        if (count != map.own) return bad_piece(self, piece, columns, count);
+        if (self->counts) renumber(self, &fields[0], number, &next);
+        for (unsigned i = 0; i < map.count; i++) row[before + i] = map.from[i] < count ? fields[map.from[i]] : none;
+        code = take_row(self, row, is_second);
     }
     self->base = next;
     return code;
@@ -258,7 +268,11 @@ static jlt_exit pass(merge *self, bool is_second)
         const jlt_status st = jlt_gather_piece(self->gather, &record, i);
         if (st != JLT_OK) return jlt_command_fail(jlt_command_exit(st), "piece %zu cannot be read again: %s", i,
                                                   jlt_status_text(st));
-        if (i % each == 0) self->base = 0;
+        if (i % each == 0) {
+            self->base = 0;
+            free(self->here);
+            self->here = NULL;
+        }
         for (size_t k = 0; is_second && k < self->output_count; k++)
             if (!jlt_merged_piece(&self->outputs[k], &record)) return jlt_command_cannot_write(self->outputs[k].path);
         if (!is_second) note(self, &record);
@@ -358,6 +372,8 @@ static jlt_exit run(int argc, char **argv)
     for (size_t i = 0; i < files.count; i++) free(files.paths[i]);
     free(files.paths);
     free(self.names);
+    free(self.here);
+    free(self.odd);
     free(o.places);
     return code;
 }

@@ -303,6 +303,9 @@ static void write_row(FILE *file, jlt_simulate_request *r, const jlt_course_row 
     if (r->session.common.points != NULL) jlt_simulate_point(r, row);
 }
 
+static const char too_stiff[] = ", in which no state moves by 1e-4 of its size: the motion is stiff, as rates limit steps that it "
+                                "no longer shows, and no --method here is made for that";
+
 static jlt_exit cannot_go_on(const jlt_simulate_request *r, const jlt_course_row *row, jlt_status st)
 {
     if (st == JLT_ERR_DOMAIN)
@@ -311,6 +314,10 @@ static jlt_exit cannot_go_on(const jlt_simulate_request *r, const jlt_course_row
     if (row->unbounded != NULL)
         return jlt_command_fail(jlt_command_exit(st), "%s seems to grow without bound towards t = %.10g: %s", row->unbounded,
                                 row->t, jlt_status_text(st));
+    if (st == JLT_ERR_BUDGET)
+        return jlt_command_fail(jlt_command_exit(st),
+                                "the orbit could not be followed beyond t = %.10g: its steps take %.3g of time%s", row->t,
+                                row->step, row->stiff ? too_stiff : "");
     return jlt_command_fail(jlt_command_exit(st), "the orbit could not be followed beyond t = %.10g: %s", row->t,
                             jlt_status_text(st));
 }

@@ -3,12 +3,13 @@
 #include <math.h>
 #include <string.h>
 
+#include "cli/column_map.h"
 #include "cli/plot.h"
 #include "core/memory.h"
 #include "report/csv.h"
 #include "report/table.h"
 
-enum { COLUMNS_MAX = 256 };
+enum { COLUMNS_MAX = JLT_COLUMN_MAP_MAX };
 
 /* The length of the line at the start of the text, without its newline. Out: *next, the line after it, NULL if there is none. */
 static size_t line_at(const char *text, const char **next)
@@ -50,59 +51,8 @@ static unsigned cut(char *fields[COLUMNS_MAX], char *line)
     return (unsigned)(count < COLUMNS_MAX ? count : COLUMNS_MAX);
 }
 
-/* from: for each column of the table, shape (count,), its index among a point's columns, COLUMNS_MAX if it is not among them. */
-typedef struct {
-    unsigned from[COLUMNS_MAX], count;
-    bool same; /* the point has the table's columns; `from` is not set */
-} column_map;
-
-/* Print which of the names are not among `others`. Returns their number. */
-static unsigned tell_missing(const char *where, char *const *names, unsigned count, char *const *others, unsigned other_count,
-                             const char *ending)
-{
-    unsigned missing = 0;
-
-    for (unsigned i = 0; i < count; i++) {
-        unsigned k = 0;
-        while (k < other_count && strcmp(names[i], others[k]) != 0) k++;
-        if (k < other_count) continue;
-        if (missing++ == 0) fprintf(stderr, "jellett: at %s:", where);
-        fprintf(stderr, "%s %s", missing > 1 ? "," : "", names[i]);
-    }
-    if (missing > 0) fprintf(stderr, ": %s\n", ending);
-    return missing;
-}
-
-/* Map the columns `names` of a point to those of the table, and print the differences once. Returns false when memory is out. */
-static bool map_columns(column_map *map, jlt_swept_rows *self, size_t point, const char *names)
-{
-    char where[JLT_GRID_PLACE_MAX], *own[COLUMNS_MAX], *whole[COLUMNS_MAX];
-    JLT_FREED char *own_text = strdup(names), *whole_text = strdup(self->names);
-    const bool is_new = self->odd == NULL || strcmp(self->odd, names) != 0;
-    const bool has_memory = own_text != NULL && whole_text != NULL;
-
-    *map = (column_map){ .same = strcmp(names, self->names) == 0 };
-    if (has_memory && !map->same) {
-        const unsigned count = cut(own, own_text);
-        map->count = cut(whole, whole_text);
-        for (unsigned i = 0; i < map->count; i++) {
-            unsigned k = 0;
-            while (k < count && strcmp(own[k], whole[i]) != 0) k++;
-            map->from[i] = k < count ? k : COLUMNS_MAX;
-        }
-        (void)jlt_grid_place(where, self->axes, self->count, point);
-        if (is_new) {
-            (void)tell_missing(where, whole, map->count, own, count, "no columns here, and left empty");
-            (void)tell_missing(where, own, count, whole, map->count, "columns that the first point has not, and left out");
-            free(self->odd);
-            self->odd = strdup(names);
-        }
-    }
-    return has_memory;
-}
-
 /* A row of the table without its newline, the point's values and the mapped fields; for the caller to free. */
-static char *row_of(const column_map *map, const char *values, const char *row, size_t length)
+static char *row_of(const jlt_column_map *map, const char *values, const char *row, size_t length)
 {
     char *text = NULL, *line, *fields[COLUMNS_MAX];
     size_t size = 0;
@@ -117,7 +67,7 @@ static char *row_of(const column_map *map, const char *values, const char *row, 
     }
     fprintf(stream, "%s%s", values, map->same ? line : "");
     const unsigned count = map->same ? 0 : cut(fields, line);
-    for (unsigned i = 0; i < map->count; i++)
+    for (unsigned i = 0; !map->same && i < map->count; i++)
         fprintf(stream, "%s%s", i > 0 ? "," : "", map->from[i] < count ? fields[map->from[i]] : "");
     free(line);
     if (fclose(stream) == 0) return text;
@@ -152,12 +102,11 @@ static jlt_exit write_rows(jlt_swept_rows *self, size_t point, const char *text,
 {
     FILE *file = self->common->table.file;
     char values[JLT_GRID_PLACE_MAX] = "", where[JLT_GRID_PLACE_MAX];
-    column_map map;
+    jlt_column_map map;
     JLT_FREED char *own = strndup(names, strcspn(names, "\n"));
-    const bool has_memory = own != NULL && map_columns(&map, self, point, own);
 
-    if (!has_memory) return jlt_command_no_memory();
     (void)jlt_grid_place(where, self->axes, self->count, point);
+    if (own == NULL || !jlt_column_map_make(&map, &self->odd, where, self->names, own)) return jlt_command_no_memory();
     jlt_grid_fields(values, self->axes, self->count, point);
     for (const char *next; text != NULL && *text != '\0'; text = next) {
         const size_t length = line_at(text, &next);

@@ -69,12 +69,15 @@ static jlt_status add_params(jlt_surface *out, jlt_source source)
 static jlt_status list_values(jlt_surface *out)
 {
     const jlt_descriptor *asked = out->asked, *table = out->table;
+    size_t index;
 
     if (table->param_count + out->section->level_count > JLT_CHART_VALUES_MAX) return JLT_ERR_UNSUPPORTED;
     JLT_PASS(add_params(out, JLT_SOURCE_OWN));
-    for (unsigned i = 0; jlt_link_computes(&out->link) && i < asked->param_count; i++)
-        if (jlt_surface_value(out, asked->params[i].name) == out->count)
-            JLT_PASS(add(out, &asked->params[i], asked->params[i].value, JLT_SURFACE_COMPUTED));
+    for (unsigned i = 0; i < asked->param_count; i++) {
+        const jlt_quantity *q = &asked->params[i];
+        if (jlt_surface_value(out, q->name) == out->count && !jlt_descriptor_param(table, q->name, &index))
+            JLT_PASS(add(out, q, q->value, JLT_SURFACE_COMPUTED));
+    }
     out->params = out->count;
     for (unsigned i = 0; i < out->section->level_count; i++)
         JLT_PASS(add(out, &out->section->levels[i], out->section->levels[i].value, table->param_count + i));
@@ -163,16 +166,14 @@ void jlt_surface_arrange(double *out, const jlt_surface *surface, const double *
         if (surface->entries[i] != JLT_SURFACE_COMPUTED) out[surface->entries[i]] = values[i];
 }
 
-/* Check the parameters of the section's table, and those of the asked one where others are computed from them. */
+/* Check the parameters of the asked table, and of the section's. */
 static jlt_status check_params(const jlt_surface *surface, const double *values, const double *arranged)
 {
     double params[JLT_WAY_VALUES_MAX];
     size_t index;
 
-    if (jlt_link_computes(&surface->link)) {
-        ask(params, surface, values);
-        JLT_PASS(jlt_descriptor_check_params(surface->asked, params, &index));
-    }
+    ask(params, surface, values);
+    JLT_PASS(jlt_descriptor_check_params(surface->asked, params, &index));
     return jlt_descriptor_check_params(surface->table, arranged, &index);
 }
 

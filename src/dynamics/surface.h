@@ -15,12 +15,12 @@
 /* Starts that a section's table names, for its default values: on a regular orbit, on a chaotic one, and near a saddle. */
 typedef enum { JLT_START_REGULAR, JLT_START_CHAOTIC, JLT_START_SADDLE, JLT_STARTS } jlt_surface_start;
 
-/* In place of an index: the value is a parameter of the asked table that the section's kernels do not take, but from which
- * parameters of theirs are computed. */
+/* In place of an index: the value is a parameter of the asked table that the section's kernels do not take; some of theirs may be
+ * computed from it. */
 enum { JLT_SURFACE_COMPUTED = ~0u >> 1 };
 
 /** Plain data. Its values are, in this order: parameters of the section's table that the asked table has by the same names, in the
- *  former's order; parameters of the asked table from which others are computed; levels. */
+ *  former's order; the other parameters of the asked table; levels. */
 typedef struct jlt_surface {
     const jlt_descriptor *asked;      /* the asked table's field from which it was found */
     const jlt_descriptor *table;      /* the section's: its general field, in the time that lifts most roots */

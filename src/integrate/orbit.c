@@ -13,6 +13,7 @@
 #include "integrate/watch.h"
 
 static const size_t default_steps = 10000000;
+enum { PACE = 1 << 17 }; /* steps after which the pace of an orbit is looked at */
 
 struct jlt_orbit {
     jlt_stepper *stepper;
@@ -26,6 +27,8 @@ struct jlt_orbit {
     unsigned pending_count, next_pending;
     double cursor;  /* theta up to which the last step has been handed out */
     double *at, *slope; /* (stride,): the state handed out, and work; the watches' arrays follow */
+
+    double pace_time, paced; /* where the last PACE steps began, and the time that the PACE steps before them took the orbit */
 
     jlt_invariant_watch invariants;
     jlt_pole_verdict pole;
@@ -111,6 +114,13 @@ jlt_status jlt_orbit_loss(jlt_orbit *self, double *theta, double *least, const j
     return st;
 }
 
+double jlt_orbit_least(jlt_orbit *self, const jlt_event *event)
+{
+    const double ends = fmin(jlt_locate_value(event, self->stepper->x_start), jlt_locate_value(event, self->stepper->x));
+
+    return jlt_stepper_dense(self->stepper) == JLT_OK ? fmin(ends, jlt_edge_least_after(self->stepper, event, 0)) : ends;
+}
+
 jlt_status jlt_orbit_zero(jlt_orbit *self, double *theta, const jlt_event *event)
 {
     *theta = INFINITY;
@@ -185,11 +195,6 @@ static void hand_out_point(jlt_orbit *self, jlt_outcome *out, jlt_end end)
     hand_out(self, out, end, 1);
 }
 
-static double time_at_start(const jlt_stepper *stepper)
-{
-    return stepper->columns > stepper->field->dim ? stepper->x_start[stepper->field->dim] : stepper->tau_start;
-}
-
 /* Up to rounding: the last step to t_end may fall short of it by an ulp. */
 static bool at_time(const jlt_stepper *stepper, double t)
 {
@@ -201,7 +206,7 @@ static bool at_time(const jlt_stepper *stepper, double t)
 static jlt_status hand_out_time(jlt_orbit *self, jlt_outcome *out, double t_end)
 {
     jlt_stepper *stepper = self->stepper;
-    const double now = jlt_stepper_time(stepper), from = time_at_start(stepper);
+    const double now = jlt_stepper_time(stepper), from = jlt_stepper_time_start(stepper);
     jlt_crossing at = { .theta = now == from ? 1 : (t_end - from) / (now - from), .direction = 1 };
 
     if (at_time(stepper, t_end)) {
@@ -282,11 +287,26 @@ static double longest_step(const jlt_orbit *self)
     return longest;
 }
 
+/* Whether `steps` more steps may take the orbit to t_end. They do not if it is stiff, and would not even go a fourth of the way if
+ * steps went on to grow as they have grown from the last PACE steps but one to the last. */
+static bool may_arrive(jlt_orbit *self, double t_end, size_t steps)
+{
+    const double now = jlt_stepper_time(self->stepper), made = fabs(now - self->pace_time), growth = fmax(made / self->paced, 1);
+    const double rounds = (double)steps / PACE, rest = fabs(t_end - now);
+    const double ahead = made * (growth > 1 ? growth * expm1(rounds * log(growth)) / (growth - 1) : rounds);
+    const bool told = self->paced > 0 && isfinite(rest) && jlt_stepper_is_held(self->stepper);
+
+    self->pace_time = now;
+    self->paced = made;
+    return !told || 4 * ahead >= rest;
+}
+
 jlt_status jlt_orbit_next(jlt_orbit *self, double t_end, const jlt_event *events, unsigned count, jlt_outcome *out)
 {
     jlt_status st = JLT_OK;
     jlt_stepper *stepper = self->stepper;
     const size_t spent = stepper->steps + stepper->rejected;
+    size_t looked = 0;
     bool found = false;
 
     if (count > JLT_ORBIT_EVENTS_MAX || isnan(t_end)) return JLT_ERR_ARG;
@@ -294,6 +314,8 @@ jlt_status jlt_orbit_next(jlt_orbit *self, double t_end, const jlt_event *events
         if (events[e].value == NULL && (events[e].column >= stepper->columns || !isfinite(events[e].level))) return JLT_ERR_ARG;
     if (!isfinite(t_end)) t_end = stepper->direction * INFINITY;
     JLT_TRY(watch_events(self, events, count));
+    self->pace_time = jlt_stepper_time(stepper);
+    self->paced = 0;
 
     for (;;) {
         JLT_TRY(rest_of_step(self, out, &found, t_end));
@@ -306,7 +328,13 @@ jlt_status jlt_orbit_next(jlt_orbit *self, double t_end, const jlt_event *events
             hand_out_point(self, out, JLT_END_INTERRUPT);
             return JLT_OK;
         }
-        if (stepper->steps + stepper->rejected - spent >= self->options.max_steps) {
+        const size_t used = stepper->steps + stepper->rejected - spent;
+        bool hopeless = used >= self->options.max_steps;
+        if (!hopeless && used - looked >= PACE) {
+            looked = used;
+            hopeless = !may_arrive(self, t_end, self->options.max_steps - used);
+        }
+        if (hopeless) {
             st = JLT_ERR_BUDGET;
             goto done;
         }

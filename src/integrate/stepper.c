@@ -197,3 +197,17 @@ double jlt_stepper_time(const jlt_stepper *self)
 {
     return self->columns > self->field->dim ? self->x[self->field->dim] : self->tau;
 }
+
+double jlt_stepper_time_start(const jlt_stepper *self)
+{
+    return self->columns > self->field->dim ? self->x_start[self->field->dim] : self->tau_start;
+}
+
+bool jlt_stepper_is_held(const jlt_stepper *self)
+{
+    static const double least = 1e-4;
+
+    for (unsigned i = 0; i < self->field->dim; i++)
+        if (!(fabs(self->x[i] - self->x_start[i]) < least * jlt_larger(fabs(self->x[i]), self->scale[i]))) return false;
+    return true;
+}

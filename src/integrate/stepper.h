@@ -96,7 +96,12 @@ JLT_CHECKED jlt_status jlt_stepper_dense(jlt_stepper *self);
 double jlt_stepper_value(const jlt_stepper *self, unsigned column, double theta);
 void jlt_stepper_values(const jlt_stepper *self, double theta, double *out);
 
-/** Physical time now, at the rounding level. */
+/** Physical time now, at the rounding level; and where the last step began. */
 double jlt_stepper_time(const jlt_stepper *self);
+double jlt_stepper_time_start(const jlt_stepper *self);
+
+/** Whether the last step moved every controlled state by less than 1e-4 of its size. No method needs so short steps to be accurate:
+ *  what limits them is a rate of the field that the motion no longer shows (a stiff motion). */
+bool jlt_stepper_is_held(const jlt_stepper *self);
 
 #endif

@@ -325,6 +325,14 @@ static void name_edge(jlt_course *self, unsigned edge)
     else jlt_leg_end_text(self->edge, leg, edge);
 }
 
+static void tell_step(const jlt_course *self, jlt_course_row *row)
+{
+    const jlt_stepper *stepper = jlt_orbit_stepper(self->leg->orbit);
+
+    row->step = ldexp(fabs(jlt_stepper_time(stepper) - jlt_stepper_time_start(stepper)), self->units.time);
+    row->stiff = jlt_stepper_is_held(stepper);
+}
+
 static jlt_status along_orbit(jlt_course *self, double t, jlt_course_row *row)
 {
     jlt_status st;
@@ -339,6 +347,7 @@ static jlt_status along_orbit(jlt_course *self, double t, jlt_course_row *row)
             fill(self, row, outcome.end, self->t);
         }
         if (st != JLT_OK && outcome.x != NULL) row->unbounded = jlt_leg_unbounded(self->leg, outcome.t);
+        if (st == JLT_ERR_BUDGET) tell_step(self, row);
         if (st != JLT_ERR_DOMAIN) return st;
         name_edge(self, edge);
         row->edge = self->edge;

@@ -28,7 +28,7 @@ typedef struct {
     const double *drift;      /* shape (integrals,): |F - F(start)|, relative as in course_drift.h */
     const double *observed;   /* shape (jlt_course_observes,): what the asked model's table observes; the course's own */
     double least;             /* least value since the start of the model's conditions (`valid` in its table), at ends of steps and,
-                                 until one breaks, within steps; INFINITY: the model has no conditions */
+                                 where one is broken, within steps; INFINITY: the model has no conditions */
     double lost_at;           /* time, up to t, at which a condition first broke; NaN: never */
     const char *lost;         /* the condition that broke then; NULL: none */
     double unknown_at;        /* first time, up to t, at which a condition had no value and none was broken; NaN: never */
@@ -38,6 +38,8 @@ typedef struct {
     int side;                 /* POLE: the end of the interval, +1 upper, -1 lower; 0: the asked model has no poles */
     unsigned pole;            /* POLE: the state that has reached an end of its interval */
     const char *unbounded;    /* after an error: the tier's state that grows without bound; NULL: none is known */
+    double step;              /* BUDGET: the time that the last step took */
+    bool stiff;               /* BUDGET: jlt_stepper_is_held, of that step */
     const char *edge;         /* DOMAIN: why the tier's coordinates end, for a message; the course's own */
 } jlt_course_row;
 

@@ -48,15 +48,17 @@ static double value_of(void *context, const double *y)
 }
 
 /* Where in the last step, as a fraction of it, a condition breaks first; INFINITY: nowhere, or it was broken at the start. *least:
- * as from jlt_orbit_loss. */
+ * its least value in a step in which it is broken. */
 static double break_within(double *least, watched *one, const jlt_stepper *stepper)
 {
     const jlt_event event = { .value = value_of, .context = one };
-    const bool ends_broken = value_of(one, stepper->x) <= 0;
+    const bool ends_broken = value_of(one, stepper->x) <= 0, starts_broken = !(value_of(one, stepper->x_start) > 0);
     double theta;
 
-    if (!ends_broken) return jlt_orbit_loss(one->leg->orbit, &theta, least, &event) == JLT_OK ? theta : INFINITY;
-    if (!(value_of(one, stepper->x_start) > 0)) return INFINITY;
+    if (!ends_broken && !starts_broken)
+        return jlt_orbit_loss(one->leg->orbit, &theta, least, &event) == JLT_OK ? theta : INFINITY;
+    *least = jlt_orbit_least(one->leg->orbit, &event);
+    if (starts_broken) return INFINITY;
     return jlt_orbit_zero(one->leg->orbit, &theta, &event) == JLT_OK && theta < 1 ? theta : 1;
 }
 
@@ -66,13 +68,12 @@ void jlt_course_conditions_look_within(jlt_course_conditions *self, const jlt_le
     const unsigned dim = stepper->field->dim;
     double y[JLT_WAY_VALUES_MAX + 1], first = INFINITY;
 
-    if (!isnan(self->lost_at)) return;
     for (unsigned i = 0; i < jlt_observed_conditions(self->observed); i++) {
         watched one = { self, leg, i };
         double least = INFINITY;
         const double theta = break_within(&least, &one, stepper);
         self->least = fmin(self->least, least);
-        if (theta >= first || theta >= 1) continue;
+        if (theta >= first || theta >= 1 || !isnan(self->lost_at)) continue;
         first = theta;
         self->lost = jlt_observed_condition(self->observed, i);
     }

@@ -1,5 +1,6 @@
 #include "scene/plan.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -69,7 +70,13 @@ static jlt_status try_tier(jlt_candidate *c, const jlt_question *question)
     }
     c->descriptor = jlt_descriptor_sibling(c->tier.table, NULL, c->tier.time, c->tier.elimination);
     if (st == JLT_ERR_NOMEM) return st;
-    if (st != JLT_ERR_UNSUPPORTED) snprintf(c->refusal, sizeof c->refusal, "its kernel overflows or divides by zero there");
+    if (st != JLT_ERR_UNSUPPORTED) {
+        const jlt_descriptor *d = question->model;
+        unsigned i = 0;
+        while (i < d->param_count && !isnan(question->params[i])) i++;
+        if (i < d->param_count) snprintf(c->refusal, sizeof c->refusal, "%s of %s has no value", d->params[i].name, d->model);
+        else snprintf(c->refusal, sizeof c->refusal, "its kernel overflows or divides by zero there");
+    }
     return JLT_OK;
 }
 

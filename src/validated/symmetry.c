@@ -52,6 +52,23 @@ bool jlt_symmetry_keeps(const jlt_cycle *of, const signed char *signs)
     return keeps;
 }
 
+static bool serves(const jlt_cycle *of, const jlt_reversor *reversor)
+{
+    return of->question->descriptor->claims[reversor->claim].verdict == JLT_PROVED && jlt_symmetry_keeps(of, reversor->signs);
+}
+
+jlt_status jlt_symmetry_is_possible(bool *possible, const jlt_cycle_question *question)
+{
+    const jlt_descriptor *d = question->descriptor;
+    jlt_cycle *cycle;
+
+    *possible = false;
+    JLT_PASS(jlt_cycle_create(&cycle, question));
+    for (unsigned i = 0; i < d->reversor_count && !*possible; i++) *possible = serves(cycle, &d->reversors[i]);
+    jlt_cycle_destroy(cycle);
+    return JLT_OK;
+}
+
 /* The legs of a cycle: its boxes, instants, windows around these, and the exact times of the legs. */
 typedef struct {
     arb_srcptr box, instants;
@@ -129,7 +146,7 @@ jlt_status jlt_symmetry_prove(jlt_cycle *of, jlt_symmetry_result *result, const 
     result->verdict = JLT_SYMMETRY_NO_REVERSOR;
     for (unsigned i = 0; i < d->reversor_count && !symmetric; i++) {
         result->reversor = &d->reversors[i];
-        if (d->claims[result->reversor->claim].verdict != JLT_PROVED || !jlt_symmetry_keeps(of, result->reversor->signs)) continue;
+        if (!serves(of, result->reversor)) continue;
         JLT_PASS(jlt_symmetry_maps(of, &symmetric, cycle, box, instants, result->reversor->signs));
         result->verdict = symmetric ? JLT_SYMMETRY_PROVED : JLT_SYMMETRY_ASYMMETRIC;
     }

@@ -48,6 +48,10 @@ void jlt_symmetry_result_clear(jlt_symmetry_result *result);
 JLT_CHECKED jlt_status jlt_symmetry_prove(jlt_cycle *of, jlt_symmetry_result *result, const jlt_cycle_result *cycle, arb_srcptr box,
                                           arb_srcptr instants);
 
+/** Whether one of the table's proved reversors maps the section and the levels to themselves; without one no symmetry can be
+ *  proved. Errors: as jlt_cycle_create. */
+JLT_CHECKED jlt_status jlt_symmetry_is_possible(bool *possible, const jlt_cycle_question *question);
+
 /** Whether the reversor with these signs, shape (states,), maps the section and the levels to themselves. */
 bool jlt_symmetry_keeps(const jlt_cycle *of, const signed char *signs);
 

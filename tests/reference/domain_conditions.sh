@@ -156,6 +156,12 @@ for method in gauss dop853 taylor rk8pd msadams; do
     grep -q '^4,.*,lost_contact$' rows.csv && grep -qE 'contact is lost at t = 3.14017(8|9).*least value -(9.99|1e-06)' err ||
         fail "simulate $method does not tell a short loss: $(cat rows.csv err)"
 done
+# Its depth is that at t = pi, u = -1, between the ends of steps, when it is lost for longer than a step as well.
+table long 'state u' 'valid contact : 1/2 + u > 0'
+for method in gauss dop853 taylor rk8pd rkf45 msadams; do
+    jellett simulate ./long.tt --start u=1,v=0,z=0,w=1 --times 6 --method $method > rows.csv 2> err
+    grep -qF 'contact is lost at t = 2.094395102 (least value -0.5)' err || fail "depth, $method: $(cat rows.csv err)"
+done
 
 # And by section, one orbit at a time as in lanes: u = A cos(t + 1) passes -1 + depth where A does, far from the section z = 0 and
 # from the ends of steps.

@@ -60,6 +60,15 @@ echo 'valid near : 4 - x^2 > 0' >> small.tt
 expect 0 '^0,0,0,-3,lost_near$' jellett section ./big.tt --start x=-3 --contact end --returns 1
 expect 0 '^0,1,.*,alive$' jellett section ./big.tt --start x=-1 --contact end --returns 1
 
+# A parameter of which the section's table knows nothing may be set and swept as any other, and moves no orbit.
+sed 's/model big/model more/; s/^state x/param q >= 0\ndefault q = 0\n&/; s/^integral K/observe moved = x + q\n&/' big.tt > more.tt
+expect 0 '^0,1,' jellett section ./more.tt --set q=1 --start x=-1 --returns 1
+awk -F, -v T="$(period 1 1)" '/^0,1,/ { exit !(($3 - T)^2 < 1e-22) }' out || fail "beside q: $(tail -1 out)"
+expect 0 '^1,0,1,' jellett section ./more.tt --sweep q=0:1:2 --start x=-1 --returns 1
+expect 0 '^1,1,' jellett fates ./more.tt --sweep q=0:1:2 --grid x=-1 --returns 1
+expect 3 'q = -1: more needs q >= 0' jellett section ./more.tt --set q=-1 --start x=-1 --returns 1
+expect 3 "there is no parameter 'w'; there are q" jellett section ./more.tt --set w=1 --start x=-1 --returns 1
+
 # The spring's other constant is half of J here, and c there: in the section's table it is computed from J.
 cat > mapped.tt <<'TABLE'
 model mapped
@@ -104,7 +113,6 @@ expect 3 'J = -1: mapped needs J > 0' jellett section ./mapped.tt --set J=-1 --s
 expect 0 'hard' jellett orbits ./mapped.tt --start x=-1 --period 1
 # c has the exact value J/2 for a theorem too; there is none that says of one orbit of a family that it is the only one.
 expect 4 'could not be refined .* a multiplier is 1 to within .* families' jellett certify sink ./mapped.tt --start x=-1
-
 # Another quantity is called K here: the level of the section's table has no name.
 sed 's/integral K = z/integral K = 2*z/; s/K = K,/K = K\/2,/' mapped.tt > other.tt
 sed 's/model mapped/model other/' -i other.tt

@@ -56,6 +56,16 @@ expect 0 '^E,I1,gamma3,' jellett portrait --level G=0.5,F0=0.1 --set a3=0 --swee
 expect 0 'drift_F0, drift_F_linear: no columns here' jellett simulate --start $start --times 1 --sweep a3=0:0.2:2
 [ "$(rows | awk -F, '{ print NF }' | sort -u | wc -l)" -eq 1 ] || fail "simulate: rows of a sweep have different columns"
 expect 0 'columns that the first point has not' jellett simulate --start $start --times 1 --sweep a3=0.2:0:2
+# A study's table has the same rows, whichever columns its points have.
+for ends in 0,0.2 0.2,0; do
+    printf '%s\n' "over = { a3 = ($ends,2); };" 'compute = ( { what = "simulate"; times = (1, 2);' \
+        'start = { gamma3 = 0.2; v_nu = 0.6; omega_tau = 0.4; omega_n = 1; omega3 = 0; }; } );' > from$ends.scene
+    expect 0 '' jellett simulate --start $start --times 1,2 --sweep a3=${ends/,/:}:2
+    rows > swept
+    for i in 1 2; do expect 0 '' jellett sweep from$ends.scene --shard $i/2; done
+    expect 0 'at a3=0.*: .*drift_F_linear: .*columns' jellett merge from$ends.shards
+    rows | diff - swept || fail "merge: rows of a study are not those of a sweep"
+done
 # A point without states has no rows; where no point has any, that is bad input.
 expect 0 'at E=0:' jellett section --start eta=0.3,gamma3=0.2 --returns 1 --sweep E=0:2:2
 [ "$(rows | wc -l)" -eq 2 ] || fail "section: a point without states is not left out"

@@ -189,6 +189,24 @@ static void the_planner_takes_the_smallest_tier_that_serves(void **unused)
     assert_int_equal(jlt_plan_make(&plan, &unknown), JLT_ERR_ARG);
 }
 
+static void the_planner_names_a_parameter_without_a_value(void **unused)
+{
+    const jlt_descriptor *model = jlt_descriptor_find("spherical_top", NULL, NULL, NULL);
+    double params[JLT_PLAN_PARAMS_MAX];
+    const jlt_question question = { model, params, generic.start, false, false, "five", NULL };
+    jlt_plan plan;
+    size_t index;
+
+    (void)unused;
+    memcpy(params, generic.params, model->param_count * sizeof *params);
+    assert_true(jlt_descriptor_param(model, "g", &index));
+    params[index] = NAN;
+    assert_int_equal(jlt_plan_make(&plan, &question), JLT_ERR_UNSUPPORTED);
+    for (unsigned i = 0; i < plan.count; i++)
+        if (strcmp(plan.candidates[i].tier.name, "five") == 0)
+            assert_string_equal(plan.candidates[i].refusal, "g of spherical_top has no value");
+}
+
 /* Time reversed, the plane's other half: v_slip < 0 is integrated as the reversor's image of v_slip > 0. */
 static void an_orbit_run_backwards_returns_to_its_start(void **unused)
 {
@@ -330,6 +348,7 @@ int main(void)
         cmocka_unit_test(each_tier_agrees_with_the_tier_above_it),
         cmocka_unit_test(reference_orbits_are_met_within_1e11_and_errors_fall_with_the_tolerance),
         cmocka_unit_test(the_planner_takes_the_smallest_tier_that_serves),
+        cmocka_unit_test(the_planner_names_a_parameter_without_a_value),
         cmocka_unit_test(an_orbit_run_backwards_returns_to_its_start),
         cmocka_unit_test(an_orbit_that_leaves_its_tier_goes_on_in_the_next),
         cmocka_unit_test(attitude_and_track_by_quadratures_are_those_of_the_full_system),

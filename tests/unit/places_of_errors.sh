@@ -26,6 +26,14 @@ for command in "generate --out folder" cost "prove --kernels"; do
 done
 [ ! -e folder ] || fail "files are written"
 
+# A name that only counts as a number, which the unit of an observed quantity may be, as may rad.
+printf 'model units\nparam k [kgg/s^2]\nstate x [m1*(rad/metre)]\nstate y [1/(kg^-2 m)]\neq x = k*x\neq y = 0\n' > units.tt
+echo 'observe e = x [J]' >> units.tt
+for warned in "2:7: warning: 'kgg' in the unit of k counts" "3:7: warning: 'm1' in" "3:7: warning: 'metre' in the unit of x"; do
+    expect 0 "^units.tt:$warned" ttc check units.tt
+done
+grep -q 'warnings: 3$' out || fail "units: $(cat out err)"
+
 # A table of coordinates alone; beside its model's it is passed over.
 printf 'model points\nparam E\nstate q\ndomain inside : E > 0\nroot r = sqrt(2*E)\nlift into moves.tt with q = q, x = 0, u = r\n' \
     > points.tt

@@ -12,6 +12,7 @@ eq x = v
 eq v = - x - c*v
 eq w = - w
 integral H = (x^2 + v^2)/2
+equilibria moved : x = 1, v = 0, w = 0
 T
 both() { # STATUS TEXT COMMAND...
     expect "$1" "$2" jellett "${@:3}"
@@ -38,6 +39,8 @@ both 3 "there is no 'q'" continue lorenz --section z=27 --start x=-13,y=-19 --al
 both 3 "the branch starts at rho=28" continue lorenz --section z=27 --start x=-13,y=-19 --along rho=1:2
 both 3 "has no state 'q'" eigen lorenz --at q=1
 both 3 "no family of equilibria 'q'" certify equilibria lorenz --family q
+both 3 "the equilibria claim moved of this table is not proved: dv/dt on the family = -1" certify equilibria ./damped.tt
+both 3 "'q'" certify equilibria lorenz --family conduction --box q=1
 expect 2 "check follows no motion" jellett plan check "$JLT_SOURCE_DIR/tools/certificates/sink.json"
 expect 2 "merge follows no motion" jellett plan merge study.shards
 expect 2 "the plan of a scene is 'jellett plan SCENE'" jellett plan sweep study.scene

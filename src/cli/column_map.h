@@ -1,0 +1,22 @@
+/** Puts rows of one point of a sweep, or of one piece of a study, under the columns of the table, which those of the first one are:
+ *  where a tier or variant changes, so may the columns. */
+#ifndef JLT_CLI_COLUMN_MAP_H
+#define JLT_CLI_COLUMN_MAP_H
+
+#include <stdbool.h>
+
+enum { JLT_COLUMN_MAP_MAX = 512 };
+
+/** from: for each column of the table, shape (count,), its index among a point's columns, JLT_COLUMN_MAP_MAX if it is not there. */
+typedef struct {
+    unsigned from[JLT_COLUMN_MAP_MAX], count;
+    unsigned own; /* how many columns the point has */
+    bool same;    /* they are the table's */
+} jlt_column_map;
+
+/** Map the columns `own` of a point, names between commas, to those of the table, `whole`. Prints what is left empty and what is
+ *  left out, with the point in words, `where`, unless own is *odd: the names of which that was last said, for free(); NULL at
+ *  first. Returns false when memory is out. */
+bool jlt_column_map_make(jlt_column_map *map, char **odd, const char *where, const char *whole, const char *own);
+
+#endif

@@ -1,0 +1,25 @@
+#!/usr/bin/env bash
+# A stiff orbit that would not arrive with its budget of 10^7 steps ends long before they are made, and simulate says why; one that
+# does arrive is followed to its end. Van der Pol's slow manifold: (1 - x^2) dx = x dt/mu, up to terms of the order of mu^-2.
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
+
+cat > pol.tt << 'T'
+model pol
+param mu > 0
+default mu = 1e4
+state x
+state y
+eq x = y
+eq y = mu*y - mu*x^2*y - x
+T
+orbit=(jellett simulate ./pol.tt --start x=2,y=0)
+for method in gauss dop853 taylor rk8pd rkf45 msadams; do
+    "${orbit[@]}" --times 20000 --method $method > out 2> err
+    [ $? -eq 4 ] || fail "$method: status"
+    t=$(tail -1 out | cut -d, -f1) step=$(sed -n 's/.*: its steps take \([^ ]*\) of time, .* stiff, .*/\1/p' err)
+    # not a fourth of the budget is spent
+    awk -v t="$t" -v step="$step" 'BEGIN { exit !(step > 0 && t > 0 && t < 1e7 / 4 * step) }' || fail "$method: $(cat out err)"
+done
+"${orbit[@]}" --times 20 > out 2> err || fail "20: $(cat err)"
+tail -1 out | awk -F, '{ d = log($2/2) - $2^2/2 + 2 - 20/1e4; exit !($4 == "alive" && d < 1e-7 && d > -1e-7) }' || fail "$(cat out)"
+exit $status
