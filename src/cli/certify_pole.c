@@ -100,6 +100,8 @@ static jlt_exit find_end(json_t *given, const jlt_descriptor *d, jlt_step_watch 
                                                         d->states[d->poles[i].state].name, model->times[k].name));
         }
     ttc_model_destroy(model);
+    if (d->pole_count > 0 && json_array_size(reasons) == 0)
+        json_array_append_new(reasons, json_string("no time of the table lifts a root that is zero at a pole"));
     if (!found)
         json_array_foreach(reasons, index, reason)
             (void)jlt_command_fail(JLT_EXIT_FAILED, "not proved: %s", json_string_value(reason));

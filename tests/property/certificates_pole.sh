@@ -160,6 +160,8 @@ pole y
 END
 expect 1 '[pole x, time across]' jellett certify pole "$scratch/two.tt" --start x=0,y=2
 expect 1 '[pole y, time along]' jellett certify pole "$scratch/two.tt" --start x=0,y=2
+grep -v '^time' "$scratch/two.tt" > "$scratch/none.tt"
+expect 1 'not proved: no time of the table lifts a root' jellett certify pole "$scratch/none.tt" --start x=0,y=0
 expect 3 'lorenz has no record `pole`' jellett certify pole lorenz --start x=1,y=1,z=1
 expect 3 'omega_tau has no value' jellett certify pole --start gamma3=-0.62,v_nu=0.5
 expect 3 "--start: spherical_top has no state 'z'" jellett certify pole --start z=1
