@@ -229,23 +229,24 @@ void jlt_measure_clear(jlt_measure_attempt *attempt)
     *attempt = (jlt_measure_attempt){ 0 };
 }
 
-/* Prove in balls, at the doubles of the parameters, that the equilibrium near f->x exists and that its trace is not zero. In
- * doubles, if the exact states are irrational, rounding alone makes a zero trace differ from zero. */
-static jlt_status confirm(jlt_measure_finding *f, const jlt_descriptor *d, const double *params)
+/* Prove in balls, at the exact parameters, that the equilibrium near f->x exists and that its trace is not zero. In doubles, if
+ * the exact states or parameters are no doubles, rounding alone makes a zero trace differ from zero. */
+static jlt_status confirm(jlt_measure_finding *f, const jlt_descriptor *d, const double *params, const char *const *exact)
 {
     JLT_FREED jlt_ball_value *values = jlt_memory_array(d->param_count + 1, sizeof *values);
     jlt_ball_value x[JLT_LINEARIZATION_SIZE_MAX];
     jlt_status st;
 
     if (values == NULL) return JLT_ERR_NOMEM;
-    for (unsigned i = 0; i < d->param_count; i++) values[i] = (jlt_ball_value){ params[i], NULL };
+    for (unsigned i = 0; i < d->param_count; i++) values[i] = (jlt_ball_value){ params[i], exact == NULL ? NULL : exact[i] };
     for (unsigned i = 0; i < d->state_count; i++) x[i] = (jlt_ball_value){ f->x[i], NULL };
     st = jlt_linearization_enclose(&f->obstruction, d, values, x, NULL, 0);
     f->obstructed = st == JLT_OK && f->obstruction.exists && f->obstruction.obstructs;
     return st == JLT_ERR_NOMEM ? st : JLT_OK;
 }
 
-jlt_status jlt_measure_obstruct(jlt_measure_finding *f, const jlt_descriptor *d, const double *params, jlt_random *random)
+jlt_status jlt_measure_obstruct(jlt_measure_finding *f, const jlt_descriptor *d, const double *params,
+                                const char *const *exact, jlt_random *random)
 {
     unsigned char given[JLT_LINEARIZATION_SIZE_MAX] = { 0 };
 
@@ -256,15 +257,15 @@ jlt_status jlt_measure_obstruct(jlt_measure_finding *f, const jlt_descriptor *d,
             jlt_density_draw_state(f->x, f->instance->descriptor, f->instance->prepared, random);
             jlt_linearization_complete(f->x, given, d, params);
             jlt_status st = jlt_linearization_compute(&f->obstruction, d, params, f->x, NULL, NULL);
-            if (st == JLT_OK && f->obstruction.obstructs) st = confirm(f, d, params);
+            if (st == JLT_OK && f->obstruction.obstructs) st = confirm(f, d, params, exact);
             if (st == JLT_ERR_NOMEM || f->obstructed) return st;
         }
     }
     return JLT_OK;
 }
 
-jlt_status jlt_measure_find(jlt_measure_finding *finding, const jlt_descriptor *general, const double *params, size_t count,
-                            jlt_random *random)
+jlt_status jlt_measure_find(jlt_measure_finding *finding, const jlt_descriptor *general, const double *params,
+                            const char *const *exact, size_t count, jlt_random *random)
 {
     const jlt_descriptor *special = jlt_descriptor_choose(general, NULL, NULL, params);
 
@@ -272,7 +273,7 @@ jlt_status jlt_measure_find(jlt_measure_finding *finding, const jlt_descriptor *
     JLT_PASS(jlt_instance_create(&finding->instance, special, params));
     JLT_PASS(jlt_measure_try(&finding->attempt, finding->instance, count, random));
     JLT_PASS(jlt_density_residual(finding->residual, finding->instance, JLT_MEASURE_SAMPLES, random));
-    return jlt_measure_obstruct(finding, general, params, random);
+    return jlt_measure_obstruct(finding, general, params, exact, random);
 }
 
 void jlt_measure_forget(jlt_measure_finding *finding)

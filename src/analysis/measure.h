@@ -44,16 +44,17 @@ typedef struct {
 
 /** Search the table's families for an equilibrium whose trace is not zero at these parameters.
  *  In/out: finding->instance, from which states are drawn; obstructed, x and obstruction of *finding; random, advanced.
- *  In: general, params as for jlt_measure_find. Errors: NOMEM. */
+ *  In: general, params, exact as for jlt_measure_find. Errors: NOMEM. */
 JLT_CHECKED jlt_status jlt_measure_obstruct(jlt_measure_finding *finding, const jlt_descriptor *general, const double *params,
-                                            jlt_random *random);
+                                            const char *const *exact, jlt_random *random);
 
 /** Search for a density, compute the residuals of the claimed densities, and search for an obstruction.
- *  In: general, a model's general field; params, shape (params,); count, number of points of the tabulated density. *finding must
- *  be zero before the call; the caller passes it to jlt_measure_forget whatever is returned.
+ *  In: general, a model's general field; params, shape (params,); exact, of the same shape, or NULL: where exact[i] is not NULL,
+ *  an obstruction is proved for this value, "p/q", of which params[i] is the nearest double; count, number of rows of the table of
+ *  the density. *finding must be zero before the call; the caller passes it to jlt_measure_forget whatever is returned.
  *  Errors: UNSUPPORTED (no variant holds, or too many densities); as jlt_instance_create and jlt_measure_try. */
 JLT_CHECKED jlt_status jlt_measure_find(jlt_measure_finding *finding, const jlt_descriptor *general, const double *params,
-                                        size_t count, jlt_random *random);
+                                        const char *const *exact, size_t count, jlt_random *random);
 void jlt_measure_forget(jlt_measure_finding *finding);
 
 #endif

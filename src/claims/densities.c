@@ -14,7 +14,7 @@ static jlt_status contradict(jlt_verify_run *run, jlt_verify_density *d, jlt_ins
 {
     const jlt_measure_attempt *a = &d->attempt;
     jlt_measure_finding finding = { .instance = instance };
-    const jlt_status st = jlt_measure_obstruct(&finding, run->descriptor, d->params, &run->random);
+    const jlt_status st = jlt_measure_obstruct(&finding, run->descriptor, d->params, NULL, &run->random);
     const double at = finding.x[a->along];
 
     d->contradicted = finding.obstructed && at >= a->points[0].at && at <= a->points[a->count - 1].at;

@@ -35,7 +35,7 @@ typedef struct {
 typedef struct {
     const jlt_equilibria *family;
     char *point;       /* "a = 1, x = 3/5, ..." */
-    bool exact;        /* every component of f is exactly zero, in rational arithmetic */
+    bool exact;        /* every component of f is exactly zero */
     bool excludes_zero;
     char *trace, *enclosure; /* exact fraction, NULL if irrational; 256-bit ball */
 } jlt_verify_certificate;

@@ -81,12 +81,14 @@ static bool find_instant(json_t *given, const jlt_descriptor *d, jlt_step_watch 
     return false;
 }
 
-/* Try all poles of the table, in all times that lift roots, until the proof succeeds. */
+/* Try all poles of the table, in all times that lift roots, until the proof succeeds; else say of each why it does not. */
 static jlt_exit find_end(json_t *given, const jlt_descriptor *d, jlt_step_watch *watch)
 {
     char problem[JLT_GIVEN_PROBLEM_MAX] = "";
     ttc_model *model = ttc_model_again(d->table, d->model);
+    json_t *reasons = json_array(), *reason;
     bool found = false;
+    size_t index;
 
     for (unsigned i = 0; !found && i < d->pole_count; i++)
         for (size_t k = 0; !found && model != NULL && k < model->time_count; k++) {
@@ -94,11 +96,18 @@ static jlt_exit find_end(json_t *given, const jlt_descriptor *d, jlt_step_watch 
             json_object_set_new(given, "pole", json_string(d->states[d->poles[i].state].name));
             json_object_set_new(given, "time", json_string(model->times[k].name));
             found = find_instant(given, d, watch, problem);
+            json_array_append_new(reasons, json_sprintf("%s [pole %s, time %s]", problem,
+                                                        d->states[d->poles[i].state].name, model->times[k].name));
         }
     ttc_model_destroy(model);
-    if (found) return JLT_EXIT_DONE;
+    if (d->pole_count > 0 && json_array_size(reasons) == 0)
+        json_array_append_new(reasons, json_string("no time of the table lifts a root that is zero at a pole"));
+    if (!found)
+        json_array_foreach(reasons, index, reason)
+            (void)jlt_command_fail(JLT_EXIT_FAILED, "not proved: %s", json_string_value(reason));
+    json_decref(reasons);
     if (d->pole_count == 0) return jlt_command_fail(JLT_EXIT_INPUT, "%s has no record `pole`", d->model);
-    return jlt_command_fail(JLT_EXIT_FAILED, "not proved: %s", problem);
+    return found ? JLT_EXIT_DONE : JLT_EXIT_FAILED;
 }
 
 jlt_exit jlt_certify_pole(json_t **given, const jlt_certify_pole_options *o, const jlt_assign_list *set, const jlt_descriptor *d)

@@ -130,12 +130,8 @@ static jlt_exit take_exact(jlt_eigen_request *r)
     jlt_equilibrium_question *q = &r->question;
     const jlt_descriptor *d = q->descriptor;
 
-    q->params = calloc(d->param_count + 1, sizeof *q->params);
+    q->params = jlt_common_exact(&r->common, d, q->oracle->defaults);
     if (q->params == NULL) return jlt_command_no_memory();
-    for (size_t i = 0; i < d->param_count; i++) {
-        q->params[i] = jlt_assign_fraction(&r->common.set, d->params[i].name);
-        if (q->params[i] == NULL) q->params[i] = q->oracle->defaults[i];
-    }
     for (size_t i = 0; i < d->state_count; i++) q->x[i] = jlt_assign_fraction(&r->at, d->states[i].name);
     for (size_t i = 0; i < r->axis_count; i++) {
         const jlt_eigen_target *target = &r->targets[i];

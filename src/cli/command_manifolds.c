@@ -29,7 +29,7 @@ static const struct argp_option option_table[] = {
     { "length", LENGTH, "VALUE", 0, "Arc length of every branch, in coordinates of the section; default 1.6", 1 },
     { "spacing", SPACING, "VALUE", 0, "Largest distance between neighbouring points, in coordinates; default 0.01", 1 },
     { "turn", TURN, "VALUE", 0, "Largest angle between neighbouring segments, in radians; default 0.2", 1 },
-    { "count", COUNT, "N", 0, "Compute at most N points on a branch; default 4000", 1 },
+    { "count", COUNT, "N", 0, "Compute at most N points on a branch, by at most 100*N returns; default 4000", 1 },
     { "seed", SEED, "VALUE", 0,
       "Distance from the saddle at which branches begin, in coordinates, 1e-8 to 1e-2; default 1e-4", 1 },
     { "crossings", CROSSINGS, "FILE", 0, "Write the points where separatrices cross to FILE, as CSV", 1 },
@@ -142,8 +142,8 @@ static const char *branch_name(int k)
 
 static void write_all(FILE *file, const jlt_separatrices *p, const jlt_periodic *saddle, bool crossings)
 {
-    static const char *const ends[] = { "length reached", "number of points reached", "runs into orbits that end",
-                                        "interrupted" };
+    static const char *const ends[] = { "length reached", "number of points reached", "number of returns reached",
+                                        "runs into orbits that end", "interrupted" };
     jlt_csv_names names;
 
     fprintf(file, "# saddle of period %zu: %s=%.17g %s=%.17g, multipliers %.15g, %.15g, residual %.2g\n", saddle->period,

@@ -7,6 +7,7 @@
 #include "report/decimal.h"
 #include "report/json.h"
 #include "report/symbol.h"
+#include "spectrum/oracle.h"
 
 #include <math.h>
 #include <string.h>
@@ -55,7 +56,8 @@ static const struct argp parser = {
     "\vA density rho that depends on one state q alone obeys d ln rho/dq = -div f/f_q. Where the right-hand side depends on q "
     "alone, a quadrature gives rho, which is compared with the density that the table claims. Otherwise the report says by how "
     "much the right-hand side varies with the other states. It also has the residual of div(rho f) for every density that the "
-    "table claims at these parameters.\n\n"
+    "table claims at these parameters. An equilibrium that excludes measures is proved to do so at the exact values of the "
+    "parameters (1/3, 0.51).\n\n"
     "Examples:\n"
     "  jellett measure --set I3=0 --plot density.svg   # of Euler and Jacobi\n"
     "  jellett measure --set a3=0                      # obstructed",
@@ -285,6 +287,8 @@ static jlt_exit run(int argc, char **argv)
     JLT_FREED jlt_measure_finding *f = calloc(1, sizeof *f);
     const jlt_descriptor *general = NULL;
     JLT_FREED double *params = NULL;
+    JLT_FREED const char **exact = NULL;
+    JLT_OWNED(jlt_oracle) *oracle = NULL;
     jlt_random random;
     jlt_exit code = JLT_EXIT_NUMERICAL;
 
@@ -298,8 +302,13 @@ static jlt_exit run(int argc, char **argv)
     code = jlt_common_open(&r.common, &general, &params);
     if (code == JLT_EXIT_DONE && r.common.plan) code = jlt_common_still();
     if (code != JLT_EXIT_DONE) goto done;
+    if (jlt_oracle_create(&oracle, general) != JLT_OK
+        || (exact = jlt_common_exact(&r.common, general, oracle->defaults)) == NULL) {
+        code = jlt_command_no_memory();
+        goto done;
+    }
     jlt_random_seed(&random, r.seed);
-    const jlt_status st = jlt_measure_find(f, general, params, r.points, &random);
+    const jlt_status st = jlt_measure_find(f, general, params, exact, r.points, &random);
     if (st != JLT_OK)
         code = jlt_command_fail(jlt_command_exit(st), "measure %s: %s%s", general->model, jlt_status_text(st),
                                 why_not(st));

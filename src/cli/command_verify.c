@@ -61,7 +61,7 @@ static void write_family(FILE *stream, const jlt_verify_family *f)
 static void write_certificate(FILE *stream, const jlt_verify_certificate *c)
 {
     if (c->point == NULL) {
-        fprintf(stream, "    %s: no rational point of the domain was found where every root is rational: FAILS\n", c->family->name);
+        fprintf(stream, "    %s: no rational point of the domain was found where f = 0 exactly: no certificate\n", c->family->name);
         return;
     }
     fprintf(stream, "    %s at %s\n      f = 0 exactly; trace = %s\n      in %s, zero %s: %s\n", c->family->name, c->point,
@@ -243,7 +243,8 @@ static const struct argp parser = {
     "(b) Numbers are compared on every family of equilibria, at random and extreme parameters and points. The generated "
     "Jacobian, divergence and gradients are compared with the table's formulas, with ball enclosures of 256 bits, and with "
     "complex-step differentiation. Characteristic polynomials by the method of Faddeev and LeVerrier are compared with the "
-    "table's and with the eigenvalues. Where the trace excludes an invariant measure, there are certificates at rational points.\n"
+    "table's and with the eigenvalues. Where the trace excludes an invariant measure, there are certificates at rational points, "
+    "if any are found.\n"
     "(c) The density of an invariant measure is computed from the divergence alone, where there is one.\n"
     "(d) Totals. The exit status is 0 when everything holds, and 1 when something fails.",
     NULL, NULL, NULL,

@@ -184,6 +184,17 @@ jlt_exit jlt_common_open(const jlt_common *self, const jlt_descriptor **descript
     return code == JLT_EXIT_DONE ? jlt_assign_params(params, *descriptor, &self->set) : code;
 }
 
+const char **jlt_common_exact(const jlt_common *self, const jlt_descriptor *descriptor, char *const *defaults)
+{
+    const char **exact = calloc(descriptor->param_count + 1, sizeof *exact);
+
+    for (size_t i = 0; exact != NULL && i < descriptor->param_count; i++) {
+        exact[i] = jlt_assign_fraction(&self->set, descriptor->params[i].name);
+        if (exact[i] == NULL) exact[i] = defaults[i];
+    }
+    return exact;
+}
+
 bool jlt_common_runs(const jlt_common *self, const char *name)
 {
     return self->at_point && jlt_assign_names(self->sweep, name);

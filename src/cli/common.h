@@ -64,6 +64,10 @@ jlt_exit jlt_common_model(const jlt_common *self, const jlt_descriptor **descrip
 /** The same with parameters: *params, shape (param_count,), in the table's units, inside its domain; the caller frees them. */
 jlt_exit jlt_common_open(const jlt_common *self, const jlt_descriptor **descriptor, double **params);
 
+/** The exact values of the parameters, "p/q", as typed, else those of `defaults`, shape (param_count,), which an oracle has. The
+ *  caller frees the array; its strings are those of self and of `defaults`. NULL: memory is out. */
+const char **jlt_common_exact(const jlt_common *self, const jlt_descriptor *descriptor, char *const *defaults);
+
 /** A copy of params, shape (param_count,), for the header of a table, with NaN for those that change from row to row in a sweep.
  *  The caller frees it. NULL: memory is out. */
 double *jlt_common_steady(const jlt_common *self, const jlt_descriptor *descriptor, const double *params);

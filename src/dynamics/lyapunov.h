@@ -35,7 +35,8 @@ JLT_CHECKED jlt_status jlt_lyapunov_run_each(jlt_map_batch *maps, jlt_lyapunov_s
                                              const size_t *flow_of, size_t count, size_t skip, size_t returns);
 
 /** Finite-time exponent: the logarithm of the 2-norm of slope, D(P^returns), shape (dim, dim), per unit of the time t that the
- *  returns took. NaN where returns contract more than the flow's tolerance resolves. */
+ *  returns took. The norm is that of coordinates in units of the problem; another norm changes the exponent by O(1/t). NaN
+ *  where returns contract more than the flow's tolerance resolves. */
 double jlt_lyapunov_finite_exponent(const double *slope, double t, size_t returns, const jlt_flow *flow);
 
 /** The same from a start q, shape (dim,). Out: *exponent; *t, the time that the returns took. Errors: those of jlt_map_apply. */

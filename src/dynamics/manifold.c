@@ -63,7 +63,9 @@ jlt_status jlt_manifold_grow(jlt_manifold *out, const jlt_branch *branch, const 
     const jlt_flow *flow = jlt_map_flow(branch->map);
     const jlt_manifold_options options = with_defaults(asked);
     jlt_manifold self = { .end = JLT_MANIFOLD_POINTS };
-    double q[2], sigma = 0, step = 1. / 16;
+    /* several fundamental domains where each stretches the branch by less than a tenth */
+    const double longest = 0.25 * fmax(1, 0.1 / log(branch->lambda));
+    double q[2], sigma = 0, step = 1. / 16, returns = 0;
     jlt_status st = JLT_OK;
 
     if (!(options.spacing > options.finest) || !(options.turn > 0) || options.points_max < 2) return JLT_ERR_ARG;
@@ -72,6 +74,11 @@ jlt_status jlt_manifold_grow(jlt_manifold *out, const jlt_branch *branch, const 
     append(&self, flow->chart, q, 0);
     while (self.count < options.points_max) {
         double distance, turn;
+        returns += ceil(sigma + step) * (double)branch->returns;
+        if (returns > (double)options.points_max * JLT_MANIFOLD_RETURNS_A_POINT) {
+            self.end = JLT_MANIFOLD_RETURNS;
+            break;
+        }
         st = jlt_branch_point(branch, q, sigma + step);
         if (flow->interrupt != NULL && *flow->interrupt) {
             st = JLT_OK;
@@ -99,7 +106,7 @@ jlt_status jlt_manifold_grow(jlt_manifold *out, const jlt_branch *branch, const 
             self.end = JLT_MANIFOLD_LENGTH;
             break;
         }
-        if (distance < options.spacing / 2 && turn < options.turn / 2 && step < 0.25) step *= 1.5;
+        if (distance < options.spacing / 2 && turn < options.turn / 2 && step < longest) step *= 1.5;
     }
     *out = self;
     self = (jlt_manifold){ .count = 0 };

@@ -11,9 +11,13 @@
 
 #define JLT_MANIFOLD_FINEST 1e-4 /* distance of neighbouring points, in coordinates of the section */
 
+enum { JLT_MANIFOLD_RETURNS_A_POINT = 100 }; /* on average, at most; where multipliers are about 1.5, points take some ten */
+
 typedef enum {
     JLT_MANIFOLD_LENGTH, /* the length asked for is reached */
     JLT_MANIFOLD_POINTS, /* points_max is reached */
+    JLT_MANIFOLD_RETURNS, /* JLT_MANIFOLD_RETURNS_A_POINT*points_max returns were made, as where multipliers are near the unit
+                             circle */
     JLT_MANIFOLD_POLE,   /* the branch runs into orbits that end or do not return (DOMAIN, EMPTY, BUDGET of jlt_branch_point) */
     JLT_MANIFOLD_INTERRUPT
 } jlt_manifold_end;

@@ -145,6 +145,23 @@ refuse member 'members that a certificate of its kind has not' 'g["turns"] = 1' 
 expect 1 'not proved: the states of the box' jellett certify pole --start gamma3=-0.9,v_nu=0,omega_tau=0,omega_n=0,omega3=0 \
     --spread gamma3=0.2
 expect 1 'not proved' jellett certify pole --set I3=0 --start gamma3=-0.9,v_nu=1,omega_tau=1,omega_n=1,omega3=1 --digits 10
+cat > "$scratch/two.tt" << 'END'
+model two
+state x in (-1, 1)
+state y in (-1, 1)
+root r = sqrt(1 - x^2)
+root s = sqrt(1 - y^2)
+eq x = r*y
+eq y = -s
+time across : r lifting r
+time along : s lifting s
+pole x
+pole y
+END
+expect 1 '[pole x, time across]' jellett certify pole "$scratch/two.tt" --start x=0,y=2
+expect 1 '[pole y, time along]' jellett certify pole "$scratch/two.tt" --start x=0,y=2
+grep -v '^time' "$scratch/two.tt" > "$scratch/none.tt"
+expect 1 'not proved: no time of the table lifts a root' jellett certify pole "$scratch/none.tt" --start x=0,y=0
 expect 3 'lorenz has no record `pole`' jellett certify pole lorenz --start x=1,y=1,z=1
 expect 3 'omega_tau has no value' jellett certify pole --start gamma3=-0.62,v_nu=0.5
 expect 3 "--start: spherical_top has no state 'z'" jellett certify pole --start z=1

@@ -55,6 +55,30 @@ for line in open(sys.argv[1]):
     assert 2 < p["x"] < 3 and -p["a"] < p["z"] < 2*p["a"] and p["w"] < -4 and p["k"] > p["x"], line
 END
 
+# With functions the field is zero by balls without width, sin(0) = 0 and cos(0) = 1; the point is rational, the trace need not be.
+# No rational point is a state pi: that there is no certificate is no failure.
+cat > "$scratch/swing.tt" << 'END'
+model swing
+param c > 0
+default c = 1/3
+state q
+state v
+angle C S = cos(q) sin(q)
+exp e = exp(c)
+eq q = v
+eq v = -S - c*e*v*C
+equilibria down : q = 0, v = 0
+trace down = -c*e
+obstructs down
+equilibria up : q = pi, v = 0
+trace up = c*e
+obstructs up
+END
+jellett verify --samples=$samples "$scratch/swing.tt" > "$scratch/made"
+[ "$(grep -c 'f = 0 exactly; trace = irrational' "$scratch/made")" = 3 ]
+[ "$(grep -c 'zero excluded: holds' "$scratch/made")" = 3 ]
+grep -q 'up: no rational point of the domain was found where f = 0 exactly: no certificate' "$scratch/made"
+
 # A family that excludes a measure where c = 0 says nothing of c = 1, where exp(-e x) is a density; nor does one out of range of the
 # density that is found.
 cat > "$scratch/elsewhere.tt" << 'END'
