@@ -205,9 +205,10 @@ static void find_used(bool used[TTC_GENERATOR_LIMIT], const ttc_conditions *c)
     }
 }
 
-bool ttc_conditions_at_denominator(ttc_conditions *out, const ttc_conditions *c, size_t index)
+const fmpz_mpoly_struct *ttc_conditions_at_denominator(ttc_conditions *out, const ttc_conditions *c, size_t index)
 {
     const ttc_ring *ring = c->ring;
+    const fmpz_mpoly_struct *zero = NULL;
     bool used[TTC_GENERATOR_LIMIT];
     size_t found = 0;
     find_used(used, c);
@@ -215,18 +216,18 @@ bool ttc_conditions_at_denominator(ttc_conditions *out, const ttc_conditions *c,
     out->at_denominator = true;
     for (size_t i = 0; i < c->count; i++) {
         const ttc_condition *item = &c->items[i];
-        if (item->is_denominator && found++ == index) append(out, item->polynomial, TTC_IS_ZERO, false, false);
+        if (item->is_denominator && found++ == index) zero = item->polynomial;
         else if (!item->of_quotient) append(out, item->polynomial, item->relation, false, false);
         else if (item->relation == TTC_IS_POSITIVE || item->relation == TTC_IS_NONNEGATIVE) /* A/B = v: A B = v B^2 everywhere */
             append(out, item->polynomial, TTC_IS_NONNEGATIVE, false, false);
     }
     for (size_t i = 0; i < ring->generator_count && found <= index; i++) {
         const fmpz_mpoly_struct *denominator = ring->generators[i].square.denominator;
-        if (used[i] && (ttc_conditions_signs(c, denominator) & TTC_CAN_BE_ZERO) && found++ == index)
-            append(out, denominator, TTC_IS_ZERO, false, false);
+        if (used[i] && (ttc_conditions_signs(c, denominator) & TTC_CAN_BE_ZERO) && found++ == index) zero = denominator;
     }
+    if (zero != NULL) append(out, zero, TTC_IS_ZERO, false, false);
     out->contradictory = c->contradictory;
-    return found > index;
+    return zero;
 }
 
 void ttc_conditions_of_signs(ttc_conditions *out, const ttc_conditions *c)

@@ -38,9 +38,9 @@ void ttc_conditions_add(ttc_conditions *conditions, const ttc_ratio *ratio, ttc_
 void ttc_conditions_add_negative(ttc_conditions *conditions, const ttc_ratio *ratio, ttc_relation relation);
 
 /** Make the list of conditions for points at which denominator number `index` vanishes: that it is zero, and those conditions that
- *  do not come from quotients. Denominators are those of conditions, then those of squares of roots that are used. Returns false if
- *  there is no such denominator. out is to be cleared in either case. */
-bool ttc_conditions_at_denominator(ttc_conditions *out, const ttc_conditions *conditions, size_t index);
+ *  do not come from quotients. Denominators are those of conditions, then those of squares of roots that are used. Returns the
+ *  denominator, borrowed, or NULL if there is none of this number. out is to be cleared in either case. */
+const fmpz_mpoly_struct *ttc_conditions_at_denominator(ttc_conditions *out, const ttc_conditions *conditions, size_t index);
 
 /* Copy the conditions that say more than that something is not zero. out: to be cleared. */
 void ttc_conditions_of_signs(ttc_conditions *out, const ttc_conditions *conditions);
