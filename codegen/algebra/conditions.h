@@ -57,4 +57,8 @@ unsigned ttc_conditions_signs_of_sum(unsigned a, unsigned b);
 unsigned ttc_conditions_signs_of_power(unsigned signs, unsigned long exponent);
 unsigned ttc_conditions_signs(const ttc_conditions *conditions, const fmpz_mpoly_t polynomial);
 
+/* The signs that a ratio can have where the conditions hold, as far as they tell signs of its factors: 1 - z^2 = (1 - z) (1 + z) is
+ * positive where both ends of an interval say so. */
+unsigned ttc_conditions_signs_of_ratio(const ttc_conditions *conditions, const ttc_ratio *ratio);
+
 #endif

@@ -65,8 +65,8 @@ void ttc_observed_get(const ttc_model *model, size_t index, ttc_observed *record
         if (divides(model, record) && index-- == 0) return;
 }
 
-static const char *const at_all_states = "for some parameters it divides by zero at all states, so that no kernel could be prepared: "
-                                         "what it divides by";
+static const char *const at_all_states =
+    "for some parameters it divides by zero at all states, so that no kernel could be prepared: what it divides by";
 
 /* Require that a divisor is not zero on a whole part of the domain, nor at all states for some parameters. A function of states and
  * parameters counts as moving with the states: exp(k*x) - 1, zero at k = 0 alone, passes, as points around have values. */

@@ -114,6 +114,14 @@ static void add_sign(ttc_task *task, const ttc_ratio *ratio, bool negative)
     ttc_ratio_clear(task->ring, &value);
 }
 
+/* Returns true if what is known of signs excludes that a ratio, or its opposite, stands in this relation to zero. */
+static bool is_excluded(const ttc_task *task, const ttc_ratio *ratio, ttc_relation relation, bool negative)
+{
+    unsigned signs = ttc_conditions_signs_of_ratio(&task->domain, ratio);
+    if (negative) signs = ttc_conditions_signs_of_product(signs, TTC_CAN_BE_NEGATIVE);
+    return (signs & ttc_conditions_signs_in(relation)) == 0;
+}
+
 /* Search for a point at which a ratio, or with `negative` its opposite, stands in this relation to zero. */
 static ttc_search_result search(ttc_task *task, const ttc_ratio *ratio, ttc_relation relation, bool negative, bool may_put_aside,
                                 char **text)
@@ -124,6 +132,7 @@ static ttc_search_result search(ttc_task *task, const ttc_ratio *ratio, ttc_rela
                          task->extent == TTC_DOMAIN_WHOLE;
     if (text != NULL) *text = NULL;
     add_new_roots(task);
+    if (ratio != NULL && is_excluded(task, ratio, relation, negative)) return TTC_POINT_IMPOSSIBLE;
     size_t mark = ttc_conditions_mark(&task->domain);
     bool contradictory = task->domain.contradictory;
     if (ratio != NULL && negative) ttc_conditions_add_negative(&task->domain, ratio, relation);
