@@ -2,6 +2,7 @@
 
 #include "base/array.h"
 
+#include <flint/fmpz_mpoly_factor.h>
 #include <stdlib.h>
 
 void ttc_conditions_init(ttc_conditions *c, ttc_valuation *valuation)
@@ -145,6 +146,50 @@ unsigned ttc_conditions_signs_in(ttc_relation relation)
     return TTC_CAN_BE_ZERO;
 }
 
+/* The signs that a polynomial can have where the conditions hold that say something of it or its opposite. */
+static unsigned told_signs(const ttc_conditions *c, const fmpz_mpoly_struct *polynomial)
+{
+    unsigned signs = ttc_conditions_signs(c, polynomial);
+    fmpz_mpoly_t negative;
+    fmpz_mpoly_init(negative, c->ring->context);
+    fmpz_mpoly_neg(negative, polynomial, c->ring->context);
+    for (size_t i = 0; i < c->count; i++) {
+        const ttc_condition *item = &c->items[i];
+        const unsigned of_item = ttc_conditions_signs_in(item->relation);
+        if (item->of_quotient) continue;
+        if (fmpz_mpoly_equal(item->polynomial, polynomial, c->ring->context)) signs &= of_item;
+        else if (fmpz_mpoly_equal(item->polynomial, negative, c->ring->context)) signs &= opposite(of_item);
+    }
+    fmpz_mpoly_clear(negative, c->ring->context);
+    return signs;
+}
+
+static unsigned signs_of_factors(const ttc_conditions *c, const fmpz_mpoly_struct *polynomial)
+{
+    enum { LONGEST = 64 };
+    unsigned signs = told_signs(c, polynomial);
+    fmpz_mpoly_factor_t factors;
+    if (signs != TTC_CAN_BE_ANY || fmpz_mpoly_length(polynomial, c->ring->context) > LONGEST) return signs;
+    fmpz_mpoly_factor_init(factors, c->ring->context);
+    if (fmpz_mpoly_factor(factors, polynomial, c->ring->context)) {
+        signs = fmpz_sgn(factors->constant) > 0 ? TTC_CAN_BE_POSITIVE : TTC_CAN_BE_NEGATIVE;
+        for (slong i = 0; i < factors->num; i++) {
+            const unsigned of_factor = told_signs(c, factors->poly + i);
+            const unsigned of_power = ttc_conditions_signs_of_power(of_factor, fmpz_get_ui(factors->exp + i));
+            signs = ttc_conditions_signs_of_product(signs, of_power);
+        }
+    }
+    fmpz_mpoly_factor_clear(factors, c->ring->context);
+    return signs;
+}
+
+unsigned ttc_conditions_signs_of_ratio(const ttc_conditions *c, const ttc_ratio *ratio)
+{
+    const unsigned below = signs_of_factors(c, ratio->denominator);
+    if (c->ring->status != TTC_RING_OK || below & TTC_CAN_BE_ZERO) return TTC_CAN_BE_ANY;
+    return ttc_conditions_signs_of_product(signs_of_factors(c, ratio->numerator), below);
+}
+
 static void require(ttc_conditions *c, const fmpz_mpoly_t polynomial, ttc_relation relation, bool of_quotient)
 {
     unsigned possible = ttc_conditions_signs(c, polynomial);
@@ -205,9 +250,10 @@ static void find_used(bool used[TTC_GENERATOR_LIMIT], const ttc_conditions *c)
     }
 }
 
-bool ttc_conditions_at_denominator(ttc_conditions *out, const ttc_conditions *c, size_t index)
+const fmpz_mpoly_struct *ttc_conditions_at_denominator(ttc_conditions *out, const ttc_conditions *c, size_t index)
 {
     const ttc_ring *ring = c->ring;
+    const fmpz_mpoly_struct *zero = NULL;
     bool used[TTC_GENERATOR_LIMIT];
     size_t found = 0;
     find_used(used, c);
@@ -215,18 +261,18 @@ bool ttc_conditions_at_denominator(ttc_conditions *out, const ttc_conditions *c,
     out->at_denominator = true;
     for (size_t i = 0; i < c->count; i++) {
         const ttc_condition *item = &c->items[i];
-        if (item->is_denominator && found++ == index) append(out, item->polynomial, TTC_IS_ZERO, false, false);
+        if (item->is_denominator && found++ == index) zero = item->polynomial;
         else if (!item->of_quotient) append(out, item->polynomial, item->relation, false, false);
         else if (item->relation == TTC_IS_POSITIVE || item->relation == TTC_IS_NONNEGATIVE) /* A/B = v: A B = v B^2 everywhere */
             append(out, item->polynomial, TTC_IS_NONNEGATIVE, false, false);
     }
     for (size_t i = 0; i < ring->generator_count && found <= index; i++) {
         const fmpz_mpoly_struct *denominator = ring->generators[i].square.denominator;
-        if (used[i] && (ttc_conditions_signs(c, denominator) & TTC_CAN_BE_ZERO) && found++ == index)
-            append(out, denominator, TTC_IS_ZERO, false, false);
+        if (used[i] && (ttc_conditions_signs(c, denominator) & TTC_CAN_BE_ZERO) && found++ == index) zero = denominator;
     }
+    if (zero != NULL) append(out, zero, TTC_IS_ZERO, false, false);
     out->contradictory = c->contradictory;
-    return found > index;
+    return zero;
 }
 
 void ttc_conditions_of_signs(ttc_conditions *out, const ttc_conditions *c)

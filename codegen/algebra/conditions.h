@@ -38,9 +38,9 @@ void ttc_conditions_add(ttc_conditions *conditions, const ttc_ratio *ratio, ttc_
 void ttc_conditions_add_negative(ttc_conditions *conditions, const ttc_ratio *ratio, ttc_relation relation);
 
 /** Make the list of conditions for points at which denominator number `index` vanishes: that it is zero, and those conditions that
- *  do not come from quotients. Denominators are those of conditions, then those of squares of roots that are used. Returns false if
- *  there is no such denominator. out is to be cleared in either case. */
-bool ttc_conditions_at_denominator(ttc_conditions *out, const ttc_conditions *conditions, size_t index);
+ *  do not come from quotients. Denominators are those of conditions, then those of squares of roots that are used. Returns the
+ *  denominator, borrowed, or NULL if there is none of this number. out is to be cleared in either case. */
+const fmpz_mpoly_struct *ttc_conditions_at_denominator(ttc_conditions *out, const ttc_conditions *conditions, size_t index);
 
 /* Copy the conditions that say more than that something is not zero. out: to be cleared. */
 void ttc_conditions_of_signs(ttc_conditions *out, const ttc_conditions *conditions);
@@ -56,5 +56,9 @@ unsigned ttc_conditions_signs_of_product(unsigned a, unsigned b);
 unsigned ttc_conditions_signs_of_sum(unsigned a, unsigned b);
 unsigned ttc_conditions_signs_of_power(unsigned signs, unsigned long exponent);
 unsigned ttc_conditions_signs(const ttc_conditions *conditions, const fmpz_mpoly_t polynomial);
+
+/* The signs that a ratio can have where the conditions hold, as far as they tell signs of its factors: 1 - z^2 = (1 - z) (1 + z) is
+ * positive where both ends of an interval say so. */
+unsigned ttc_conditions_signs_of_ratio(const ttc_conditions *conditions, const ttc_ratio *ratio);
 
 #endif

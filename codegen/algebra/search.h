@@ -6,7 +6,7 @@
 
 typedef enum {
     TTC_POINT_FOUND,       /* and verified, exactly or in balls */
-    TTC_POINT_IMPOSSIBLE,  /* there is none, by the signs of terms */
+    TTC_POINT_IMPOSSIBLE,  /* there is none, by the signs of terms or factors */
     TTC_POINT_EXCLUDED,    /* there is none, according to the solver for nonlinear real arithmetic */
     TTC_POINT_NOT_DECIDED
 } ttc_search_result;

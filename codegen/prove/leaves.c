@@ -354,6 +354,24 @@ static void look_at_zeros(cover *c, ttc_subcase *start)
     descend(c, start);
 }
 
+/* Prove the claim where denominators put aside are zero, as k^2 is in the normal form of 1/(1 + r) for r^2 = 1 + k^2; on these
+ * leaves others may be put aside. */
+static void look_aside(cover *c, const ttc_subcase *start)
+{
+    ttc_task *task = c->task;
+    const size_t count = task->aside_count;
+    for (size_t i = task->aside_first; i < count && task->status == TTC_PROVED; i++) {
+        cover there = { .task = task, .prover = c->prover };
+        ttc_subcase zero = *start;
+        zero.goals[zero.goal_count++] = task->aside[i];
+        task->is_at_zeros = true;
+        task->aside_first = task->aside_count = count;
+        descend(&there, &zero);
+        look_aside(&there, &zero);
+        free(there.undefined_at);
+    }
+}
+
 void ttc_task_run(ttc_task *task, ttc_prover prover)
 {
     const ttc_claim *claim = task->claim;
@@ -370,6 +388,7 @@ void ttc_task_run(ttc_task *task, ttc_prover prover)
     for (size_t i = task->level_count; i-- > 0;) start.goals[start.goal_count++] = task->levels[i];
     if (task->tested != NULL) prove_tested(task, prover, &start);
     if (task->status == TTC_PROVED) descend(&c, &start);
+    look_aside(&c, &start);
     look_at_zeros(&c, &start);
     draw_verdict(&c);
 }

@@ -65,23 +65,35 @@ void ttc_observed_get(const ttc_model *model, size_t index, ttc_observed *record
         if (divides(model, record) && index-- == 0) return;
 }
 
+static const char *const at_all_states =
+    "for some parameters it divides by zero at all states, so that no kernel could be prepared: what it divides by";
+
 /* Require that a divisor is not zero on a whole part of the domain, nor at all states for some parameters. A function of states and
  * parameters counts as moving with the states: exp(k*x) - 1, zero at k = 0 alone, passes, as points around have values. */
 static void require_values(ttc_task *task, const ttc_ratio *divisor)
 {
     if (ttc_ratio_is_zero(task->ring, divisor)) {
         if (ttc_task_may_have_point(task))
-            ttc_task_refute(task, NULL, "it divides by what is zero on a whole part of the domain");
+            ttc_task_refute(task, task->is_at_zeros ? divisor : NULL, "%s",
+                            task->is_at_zeros ? at_all_states : "it divides by what is zero on a whole part of the domain");
         return;
     }
     char *point = NULL;
     bool *moves = ttc_vanishing_moves(task);
+    const size_t mark = ttc_conditions_mark(&task->domain);
+    const bool contradictory = task->domain.contradictory;
+    ttc_ratio below;
+    ttc_ratio_init(task->ring, &below);
+    ttc_ratio_set_polynomial(task->ring, &below, divisor->denominator);
+    const bool is_apart = !ttc_task_moves(task, &below) && ttc_task_put_aside(task, divisor->denominator);
+    if (is_apart) ttc_conditions_add(&task->domain, &below, TTC_IS_NONZERO);
     const ttc_search_result result =
         moves == NULL ? TTC_POINT_NOT_DECIDED : ttc_vanishing_search(task, divisor->numerator, divisor->denominator, moves, &point);
+    ttc_conditions_rewind(&task->domain, mark, contradictory);
+    ttc_ratio_clear(task->ring, &below);
     free(moves);
     if (result == TTC_POINT_FOUND)
-        ttc_task_refute_at(task, point, divisor, "for some parameters it divides by zero at all states, so that no kernel could be "
-                                                 "prepared: what it divides by");
+        ttc_task_refute_at(task, point, divisor, "%s", at_all_states);
     else if (result == TTC_POINT_NOT_DECIDED)
         ttc_task_unsettle(task, "that no parameters make it divide by zero at all states was not shown (expected a domain "
                                 "record that excludes them)");

@@ -81,140 +81,11 @@ void ttc_task_enter_map(ttc_task *task, ttc_valuation *map) { task->maps[task->m
 
 void ttc_task_leave_map(ttc_task *task) { task->map_count--; }
 
-/* Add that the roots of a map that have a value are positive; not those that are bound, for which this has to be shown. */
-static void add_roots_of_map(ttc_task *task, ttc_valuation *map, ttc_ratio *value)
-{
-    const ttc_model *model = ttc_valuation_model(map);
-    for (uint32_t i = 0; i < model->symbol_count; i++) {
-        const bool is_given = ttc_valuation_is_bound(map, i);
-        if (model->symbols[i].kind != TTC_ROOT || is_given || !ttc_valuation_has_value(map, i)) continue;
-        ttc_evaluate(map, value, model->symbols[i].node);
-        ttc_conditions_add(&task->domain, value, TTC_IS_POSITIVE);
-    }
-}
-
-/* Add that roots adjoined since the domain was made are positive, and that square roots by which levels were solved are real. */
-static void add_new_roots(ttc_task *task)
-{
-    ttc_ratio value;
-    ttc_ratio_init(task->ring, &value);
-    for (size_t i = 0; i < task->map_count; i++) add_roots_of_map(task, task->maps[i], &value);
-    for (size_t i = 0; i < task->ring->generator_count; i++)
-        if (!task->ring->generators[i].positive)
-            ttc_conditions_add(&task->domain, &task->ring->generators[i].square, TTC_IS_NONNEGATIVE);
-    for (uint32_t i = 0; i < task->model->symbol_count; i++) {
-        const ttc_symbol_entry *entry = &task->model->symbols[i];
-        if (entry->kind != TTC_ROOT || !ttc_valuation_has_value(task->field, i)) continue;
-        if (ttc_question_has(task, i)) continue; /* this is to be shown */
-        ttc_evaluate(task->field, &value, entry->node);
-        ttc_conditions_add(&task->domain, &value, TTC_IS_POSITIVE);
-    }
-    ttc_ratio_clear(task->ring, &value);
-}
-
-static bool says_none(ttc_search_result result) { return result == TTC_POINT_IMPOSSIBLE || result == TTC_POINT_EXCLUDED; }
-
-/* Denominators of normal forms may vanish where the expressions have values: returns true if there are no points there either. */
-static bool looked_everywhere(ttc_task *task, ttc_witness *point)
-{
-    bool everywhere = true, again = true;
-    for (size_t i = 0; everywhere && again; i++) {
-        ttc_conditions there;
-        again = ttc_conditions_at_denominator(&there, &task->domain, i);
-        if (again) everywhere = says_none(ttc_search_point(point, &there));
-        ttc_conditions_clear(&there);
-    }
-    return everywhere;
-}
-
-/* v *= d^2 for a divisor d, by its factors, as often as that takes something from the denominator of v. */
-static void multiply_by_square(ttc_task *task, ttc_ratio *v, ttc_valuation *valuation, ttc_id divisor)
-{
-    const ttc_graph *graph = ttc_valuation_model(valuation)->graph;
-    const fmpz_mpoly_ctx_struct *context = task->ring->context;
-    ttc_ratio square, product;
-    if (ttc_kind_of(graph, divisor) == TTC_PRODUCT) {
-        for (size_t i = 0; i < ttc_part_count(graph, divisor); i++)
-            multiply_by_square(task, v, valuation, ttc_part_at(graph, divisor, i).id);
-        return;
-    }
-    if (!ttc_valuation_has_met(valuation, divisor)) return;
-    ttc_ratio_init(task->ring, &square);
-    ttc_ratio_init(task->ring, &product);
-    ttc_evaluate(valuation, &square, divisor);
-    fmpz_mpoly_one(square.denominator, context);
-    ttc_ratio_multiply(task->ring, &square, &square, &square);
-    for (bool again = true; again && task->ring->status == TTC_RING_OK;) {
-        ttc_ratio_multiply(task->ring, &product, v, &square);
-        again = fmpz_mpoly_total_degree_si(product.denominator, context) < fmpz_mpoly_total_degree_si(v->denominator, context);
-        if (again) ttc_ratio_set(task->ring, v, &product);
-    }
-    ttc_ratio_clear(task->ring, &product);
-    ttc_ratio_clear(task->ring, &square);
-}
-
-/* A value v, times squares of what it may divide by, is A/B in normal form, and A B has the sign of v or is zero: also where the
- * denominator of v itself vanishes, as x does in x/(1 + r) = (r - 1)/x with r^2 = 1 + x^2. */
-static void add_sign(ttc_task *task, const ttc_ratio *ratio, bool negative)
-{
-    ttc_ratio value, below;
-    ttc_ratio_init(task->ring, &value);
-    ttc_ratio_init(task->ring, &below);
-    ttc_ratio_set(task->ring, &value, ratio);
-    for (size_t k = 0; k <= task->map_count; k++) {
-        ttc_valuation *valuation = k < task->map_count ? task->maps[k] : task->field;
-        const ttc_model *model = ttc_valuation_model(valuation);
-        for (size_t i = 0; i < model->divisor_count; i++) multiply_by_square(task, &value, valuation, model->divisors[i].divisor);
-    }
-    ttc_ratio_set_polynomial(task->ring, &below, value.denominator);
-    fmpz_mpoly_one(value.denominator, task->ring->context);
-    ttc_ratio_multiply(task->ring, &value, &value, &below);
-    if (negative) ttc_conditions_add_negative(&task->domain, &value, TTC_IS_NONNEGATIVE);
-    else ttc_conditions_add(&task->domain, &value, TTC_IS_NONNEGATIVE);
-    ttc_ratio_clear(task->ring, &below);
-    ttc_ratio_clear(task->ring, &value);
-}
-
-static ttc_search_result search(ttc_task *task, const ttc_ratio *ratio, ttc_relation relation, bool negative, char **text)
-{
-    ttc_search_result result = TTC_POINT_NOT_DECIDED;
-    ttc_witness point;
-    const bool of_sign = ratio != NULL && (relation == TTC_IS_POSITIVE || relation == TTC_IS_NONNEGATIVE);
-    if (text != NULL) *text = NULL;
-    add_new_roots(task);
-    size_t mark = ttc_conditions_mark(&task->domain);
-    bool contradictory = task->domain.contradictory;
-    if (ratio != NULL && negative) ttc_conditions_add_negative(&task->domain, ratio, relation);
-    else if (ratio != NULL) ttc_conditions_add(&task->domain, ratio, relation);
-    if (ttc_witness_init(&point, task->field)) {
-        result = ttc_search_point(&point, &task->domain);
-        if (says_none(result) && !looked_everywhere(task, &point)) {
-            result = TTC_POINT_NOT_DECIDED;
-            if (of_sign && task->extent == TTC_DOMAIN_WHOLE) {
-                add_sign(task, ratio, negative);
-                if (looked_everywhere(task, &point)) result = TTC_POINT_EXCLUDED;
-            }
-        }
-        if (result == TTC_POINT_FOUND && text != NULL) *text = ttc_witness_text(&point);
-    }
-    ttc_witness_clear(&point);
-    ttc_conditions_rewind(&task->domain, mark, contradictory);
-    if (result == TTC_POINT_EXCLUDED) task->relies_on_solver = true;
-    return result;
-}
-
-ttc_search_result ttc_task_search(ttc_task *task, const ttc_ratio *ratio, ttc_relation relation, char **text)
-{
-    return search(task, ratio, relation, false, text);
-}
-
-bool ttc_task_may_have_point(ttc_task *task) { return !says_none(search(task, NULL, TTC_IS_ZERO, false, NULL)); }
-
 void ttc_task_refute(ttc_task *task, const ttc_ratio *remainder, const char *format, ...)
 {
     char *point = NULL;
     if (!ttc_task_open(task)) return;
-    if (search(task, NULL, TTC_IS_ZERO, false, &point) != TTC_POINT_FOUND) {
+    if (ttc_task_search(task, NULL, TTC_IS_ZERO, &point) != TTC_POINT_FOUND) {
         ttc_task_unsettle(task, "false in one case of its conditions, in which no point of the domain is known");
         return;
     }
@@ -238,7 +109,7 @@ static bool denominator_is_safe(ttc_task *task, const ttc_ratio *ratio)
     ttc_ratio bottom;
     ttc_ratio_init(task->ring, &bottom);
     ttc_ratio_set_polynomial(task->ring, &bottom, ratio->denominator);
-    ttc_search_result result = search(task, &bottom, TTC_IS_ZERO, false, NULL);
+    ttc_search_result result = ttc_task_search(task, &bottom, TTC_IS_ZERO, NULL);
     ttc_ratio_clear(task->ring, &bottom);
     return result == TTC_POINT_IMPOSSIBLE || result == TTC_POINT_EXCLUDED;
 }
@@ -248,7 +119,7 @@ void ttc_task_require_zero(ttc_task *task, const ttc_ratio *remainder, const cha
     char *point = NULL;
     /* Zero in form is enough; that it is not zero is shown at a point, whatever is known of exponentials and logarithms. */
     if (!ttc_task_open(task) || fmpz_mpoly_is_zero(remainder->numerator, task->ring->context)) return;
-    ttc_search_result result = search(task, remainder, TTC_IS_NONZERO, false, &point);
+    ttc_search_result result = ttc_task_search(task, remainder, TTC_IS_NONZERO, &point);
     bool excluded = result == TTC_POINT_IMPOSSIBLE || result == TTC_POINT_EXCLUDED;
     if (excluded && denominator_is_safe(task, remainder)) return;
     va_list arguments;
@@ -267,12 +138,9 @@ void ttc_task_require_zero(ttc_task *task, const ttc_ratio *remainder, const cha
 
 void ttc_task_require(ttc_task *task, const ttc_ratio *ratio, ttc_relation relation, const char *format, ...)
 {
-    static const ttc_relation opposite[] = { [TTC_IS_POSITIVE] = TTC_IS_NONNEGATIVE, [TTC_IS_NONNEGATIVE] = TTC_IS_POSITIVE,
-                                             [TTC_IS_NONZERO] = TTC_IS_ZERO, [TTC_IS_ZERO] = TTC_IS_NONZERO };
     char *point = NULL;
     if (!ttc_task_open(task)) return;
-    bool of_opposite = relation == TTC_IS_POSITIVE || relation == TTC_IS_NONNEGATIVE;
-    ttc_search_result result = search(task, ratio, opposite[relation], of_opposite, &point);
+    ttc_search_result result = ttc_task_search_against(task, ratio, relation, &point);
     if (result == TTC_POINT_IMPOSSIBLE || result == TTC_POINT_EXCLUDED) return;
     va_list arguments;
     va_start(arguments, format);

@@ -58,7 +58,11 @@ struct ttc_task {
     bool is_integral;  /* an invariant whose level is kept as one of an integral: what is left to show is that it has a point */
     ttc_id unexcluded; /* an expression that must not be zero, and may be for all that is known; TTC_NONE: none */
     bool has_terms_of_one_sign; /* `unexcluded` is a sum that is zero only where all its terms are */
-    bool is_at_zeros;  /* `unexcluded` is one more level, on which counts what is claimed of all points, not a dimension */
+    ttc_id aside[8];   /* expressions that normal forms divide by: where those from aside_first on are zero, the claim is still to
+                          be proved */
+    size_t aside_first, aside_count;
+    bool is_at_zeros;  /* `unexcluded` or one of `aside` is one more level, on which counts what is claimed of all points, not a
+                          dimension */
     /* the verdict so far */
     ttc_proof_status status;
     bool relies_on_solver;
@@ -86,6 +90,12 @@ bool ttc_task_open(const ttc_task *task); /* true while nothing is against the c
 
 /** Search for a point of the leaf at which a ratio, unless NULL, stands in this relation to zero. text: NULL, or gets the point. */
 ttc_search_result ttc_task_search(ttc_task *task, const ttc_ratio *ratio, ttc_relation relation, char **text);
+/* Search for a point of the leaf at which a ratio does not stand in this relation to zero. That there is none may hold but for
+ * points put `aside`. */
+ttc_search_result ttc_task_search_against(ttc_task *task, const ttc_ratio *ratio, ttc_relation relation, char **text);
+/* Note that where this denominator of a normal form is zero the claim, one of all points, is still to be proved, on leaves of their
+ * own. Returns false if that cannot be, as the denominator is no expression of the table, or too many are put aside. */
+bool ttc_task_put_aside(ttc_task *task, const fmpz_mpoly_struct *denominator);
 /* Returns true unless it is known that the leaf has no points: a root adjoined since may have the sign that leaves none. */
 bool ttc_task_may_have_point(ttc_task *task);
 

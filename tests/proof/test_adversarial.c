@@ -3,9 +3,9 @@
  *
  *     # VERDICT: why
  *
- * VERDICT being proved, refuted, unsettled, "not proved" or "not refuted". The last two stand where a decision would be
- * sound but is beyond what can be expected, or where it may be refused as well. A table NAME is the target NAME.tt of the
- * reductions in its file. Every table runs in a process of its own, under limits of time and memory. */
+ * VERDICT being proved, "proved alone" (without the solver), refuted, unsettled, "not proved" or "not refuted". The last two
+ * stand where a decision would be sound but is beyond what can be expected, or where it may be refused as well. A table NAME is
+ * the target NAME.tt of the reductions in its file. Every table runs in a process of its own, under limits of time and memory. */
 #include "prove_text.h"
 
 #include <sys/resource.h>
@@ -71,20 +71,21 @@ static ttc_model *resolve_in_file(void *context, const ttc_model *model, const c
     return NULL;
 }
 
-static bool agrees(const char *verdict, ttc_proof_status status)
+static bool agrees(const char *verdict, const ttc_proof *proof)
 {
-    static const struct {
+    const struct {
         const char *verdict;
         bool allowed[3]; /* by ttc_proof_status */
     } verdicts[] = {
         { "proved", { [TTC_PROVED] = true } },
+        { "proved alone", { [TTC_PROVED] = !proof->relies_on_solver } },
         { "refuted", { [TTC_REFUTED] = true } },
         { "unsettled", { [TTC_UNSETTLED] = true } },
         { "not proved", { [TTC_REFUTED] = true, [TTC_UNSETTLED] = true } },
         { "not refuted", { [TTC_PROVED] = true, [TTC_UNSETTLED] = true } },
     };
     for (size_t i = 0; i < sizeof verdicts / sizeof *verdicts; i++)
-        if (strcmp(verdict, verdicts[i].verdict) == 0) return verdicts[i].allowed[status];
+        if (strcmp(verdict, verdicts[i].verdict) == 0) return verdicts[i].allowed[proof->status];
     fail_msg("'%s' is no verdict", verdict);
     return false;
 }
@@ -128,7 +129,7 @@ static size_t check_table(const table *t, char *file_text)
         char verdict[32], reason[256];
         if (!read_mark(t, proof->place.line, verdict, reason)) continue;
         seen++;
-        if (agrees(verdict, proof->status)) continue;
+        if (agrees(verdict, proof)) continue;
         wrong++;
         fprintf(stderr, "%s:%u: %s %s: %s, but it is %s: %s\n    (%s)\n", t->file, t->first_line + proof->place.line - 1,
                 proof->kind, proof->name, ttc_proof_status_name(proof->status), verdict, reason,
