@@ -49,7 +49,7 @@ static const struct argp_option option_table[] = {
     { 0 },
 };
 
-static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { 0 } };
+static const struct argp_child children[] = { { &jlt_motion_certificate_argp, 0, NULL, 0 }, { 0 } };
 
 /* Options that only some kinds take, and these kinds, which are looked up with strstr: no kind's name contains another's. */
 static const struct {
@@ -125,7 +125,6 @@ static error_t parse(int key, char *value, struct argp_state *state)
         return 0;
     case ARGP_KEY_END:
         if (o->kind == NULL) argp_error(state, "say what to certify: " KINDS);
-        if (o->motion.common.plot != NULL) argp_error(state, "a certificate has no picture: leave out --plot");
         jlt_common_no_table(&o->motion.common, state, "a certificate");
         check_typed(o, state);
         if (strcmp(o->kind, "equilibria") == 0) return 0;
@@ -301,7 +300,6 @@ static jlt_exit run(int argc, char **argv)
 
     jlt_motion_begin(&o.motion, argc, argv);
     o.motion.flow.tolerance = tolerance;
-    common->no_table = true;
     argp_parse(&parser, argc, argv, 0, NULL, &o);
     o.watch = jlt_certify_watch(&progress);
     code = find_question(&given, &d, &system, &o);

@@ -45,6 +45,8 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case ARGP_KEY_END:
         if (o->motion.common.own_sweep != NULL && o->motion.common.axes != NULL)
             argp_error(state, "--axes are those of a grid of fates: leave out --sweep");
+        if (o->motion.common.own_sweep != NULL && strcmp(o->motion.contact, "report") == 0)
+            argp_error(state, "--contact report writes a column of orbits, and rows of --sweep are shares: leave one out");
         return 0;
     default: return ARGP_ERR_UNKNOWN;
     }
@@ -60,7 +62,8 @@ static const struct argp parser = {
     "  t_end             time of the end; of an orbit that is alive, of the last\n"
     "                    return; so also below\n"
     "  NAME_end          values at the end: of the spherical top three velocities,\n"
-    "                    of another model all its states\n\n"
+    "                    of another model all its states\n"
+    "  NAME_min          with --contact report: the least value of the condition\n\n"
     "What is not known is empty. The exit status is 4 where the method failed on an orbit.\n\n"
     "An orbit of the spherical top turns over when it starts with its centre of mass below the centre of the sphere (a low "
     "start) and ends at the pole where it is above.\n\n"

@@ -99,6 +99,8 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case SEED: jlt_common_count(&o->seed, value, 0, INT64_MAX, "--seed"); return 0;
     case 'j': o->json = true; return 0;
     case ARGP_KEY_END:
+        if (strcmp(o->motion.contact, "report") == 0)
+            argp_error(state, "--contact report writes a column of orbits, and rows here are boxes: write end, or leave it out");
         if (o->json && o->motion.common.sweep != NULL) argp_error(state, "--sweep writes rows: leave out --json");
         if (o->motion.common.plot != NULL && o->eigenvalues == 0)
             argp_error(state, "--plot draws the density that stays: leave out --eigenvalues 0");

@@ -40,7 +40,7 @@ typedef struct {
 } jlt_motion_options;
 
 /* A child parser of these options and those of common.h; its input is a jlt_motion_options. */
-extern const struct argp jlt_motion_argp;
+extern const struct argp jlt_motion_argp, jlt_motion_certificate_argp; /* the latter without options of pictures */
 
 /* A child parser of --contact, with the same input, for commands that look at the model's conditions. */
 extern const struct argp jlt_contact_argp;
