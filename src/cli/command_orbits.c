@@ -29,7 +29,8 @@ static const struct argp_option option_table[] = {
       "none", 1 },
     { "near", NEAR, "DISTANCE", 0,
       "Try Newton's method where an orbit comes back to within this distance, in coordinates; default 0.6. To find a "
-      "strongly unstable orbit, take a larger distance, such as 10, or a finer --grid", 1 },
+      "strongly unstable orbit, take a larger distance, such as 10, or a finer --grid, because its "
+      "returns come less near", 1 },
     { "settle", SETTLE, "N|0", 0,
       "Also try Newton's method from the Nth return of every start, which finds attracting orbits; default 20; 0: do not", 1 },
     { "samples", SAMPLES, "N|0", 0,

@@ -80,7 +80,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
 }
 
 static const struct argp parser = {
-    option_table, parse, "",
+    option_table, parse, "[MODEL]",
     "The balanced sphere (a3 = 0): compute the flow on the surface M^2 where E, G and F0 have given values: its fixed points in "
     "closed form, their stability by (4.5) of the paper, orbits, and a picture."
     "\vColumns, one row a fixed point:\n"
@@ -394,6 +394,6 @@ done:
 }
 
 const jlt_command jlt_command_portrait = {
-    "portrait", "--level ...|--start ... [OPTION...]",
+    "portrait", "[MODEL] --level ...|--start ... [OPTION...]",
     "a3 = 0: the flow on M^2, its fixed points and their stability, orbits, picture", run, &parser, NULL
 };

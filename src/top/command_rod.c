@@ -46,7 +46,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
 static const struct argp_child children[] = { { &jlt_session_argp, 0, NULL, 0 }, { 0 } };
 
 static const struct argp parser = {
-    option_table, parse, "",
+    option_table, parse, "[MODEL]",
     "The limiting case I3 = 0 of the spherical top, by quadratures: compute the turning points and period of gamma3, and the "
     "rotation number, which is the turns of (v_nu, v_tau) in a period. Where E1 = 0, every orbit has this period."
     "\vColumns:\n"
@@ -283,6 +283,6 @@ done:
 }
 
 const jlt_command jlt_command_rod = {
-    "rod", "--start ... [OPTION...]",
+    "rod", "[MODEL] --start ... [OPTION...]",
     "I3 = 0 by quadratures: period, rotation number, checked against integration", run, &parser, NULL
 };
