@@ -48,7 +48,7 @@ enum { FLAG_COUNT = sizeof flags / sizeof *flags, LINK_FLAG_COUNT = sizeof link_
 
 /* Path of the shared library that provides Arb to this program. Objects are linked with it, so that they can also be loaded by
  * programs that have no Arb, or do not export its symbols. NULL if Arb is linked statically. */
-static const char *arb_library(void)
+static const char *ball_library(void)
 {
     void *function = dlsym(RTLD_DEFAULT, "arb_mul");
     Dl_info where;
@@ -66,14 +66,14 @@ static const lane_set *set_of(unsigned lanes)
 
 void ttc_compiler_add_flags(ttc_text *text, unsigned lanes)
 {
-    const char *arb = arb_library();
+    const char *library = ball_library();
     const lane_set *set = set_of(lanes);
     for (size_t i = 0; i < FLAG_COUNT; i++) ttc_text_format(text, "%s ", flags[i]);
     ttc_text_format(text, "%s ", ball_flag);
     ttc_text_format(text, "%s ", set == NULL ? without_lanes : set->alone);
     for (size_t k = 0; set != NULL && k < SET_FLAGS && set->flags[k] != NULL; k++) ttc_text_format(text, "%s ", set->flags[k]);
     for (size_t i = 0; i < LINK_FLAG_COUNT; i++) ttc_text_format(text, "%s ", link_flags[i]);
-    if (arb != NULL) ttc_text_format(text, "%s ", arb);
+    if (library != NULL) ttc_text_format(text, "%s ", library);
 }
 
 char *ttc_compiler_find(void)
@@ -261,7 +261,7 @@ static bool compile_all(const char *compiler, const char *folder, const lane_set
 static bool link_all(const char *compiler, const file_list *objects, bool balls, const char *target)
 {
     const char **arguments = calloc(objects->count + LINK_FLAG_COUNT + 6, sizeof *arguments);
-    const char *arb = balls ? arb_library() : NULL;
+    const char *library = balls ? ball_library() : NULL;
     size_t n = 0;
     if (arguments == NULL) return false;
     arguments[n++] = compiler;
@@ -269,7 +269,7 @@ static bool link_all(const char *compiler, const file_list *objects, bool balls,
     arguments[n++] = "-o";
     arguments[n++] = target;
     for (size_t i = 0; i < objects->count; i++) arguments[n++] = objects->names[i];
-    if (arb != NULL) arguments[n++] = arb;
+    if (library != NULL) arguments[n++] = library;
     arguments[n++] = "-lm";
     const bool ok = start(compiler, (char *const *)arguments, false) > 0 && finish_one();
     free(arguments);

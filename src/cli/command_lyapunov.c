@@ -162,8 +162,8 @@ static bool follow_group(exponents *const *runs, size_t count)
 {
     const unsigned d = runs[0]->system->flow.chart->dim;
     JLT_FREED exponents **own = malloc(count * sizeof(exponents *));
-    JLT_FREED double *q = malloc(count * d * sizeof *q);
-    JLT_FREED size_t *flow_of = malloc(count * sizeof *flow_of);
+    JLT_FREED double *q = calloc(count, d * sizeof *q);
+    JLT_FREED size_t *flow_of = calloc(count, sizeof *flow_of);
     size_t made = 0;
     JLT_FREED jlt_lyapunov_state *states = malloc(count * sizeof *states);
     JLT_FREED jlt_status *statuses = malloc(count * sizeof *statuses);

@@ -20,6 +20,7 @@
 #include <arb_mat.h>
 #include <arb_poly.h>
 #endif
+#include <flint/fmpq.h>
 
 #define JLT_SCOPED(type, ...)                                                          \
     __attribute__((cleanup(jlt_scoped_##type##_clear))) type##_t __VA_ARGS__;          \

@@ -103,6 +103,7 @@ static void write_fields(FILE *stream, const double *values, size_t count, bool 
 {
     char text[FIELDS * JLT_DIGITS_SIZE], *at = text;
 
+    *at = '\0'; /* what a lone value that is not finite leaves */
     for (size_t i = 0; i < count; i++) {
         if (more || i > 0) *at++ = ',';
         if (isfinite(values[i])) at = jlt_digits_shortest(at, values[i] + 0.0); /* turns -0 into 0 */

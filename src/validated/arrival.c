@@ -160,7 +160,7 @@ static void add_rest(arb_mat_t out, const arb_mat_t slope, const jlt_set *set)
     arb_mat_add(out, out, column, set->bits);
 }
 
-/* State and time of the crossing: those of the middle, and by the mean value theorem the derivatives times the rest of the set. */
+/* State of the crossing, and its time from the instant on: those of the middle, and by the mean value theorem the derivatives times the rest of the set. */
 static jlt_status land(jlt_arrival *self, jlt_step *step, const jlt_set *set, const arb_mat_t local, const arb_mat_t delay,
                        unsigned column, const arb_t level, int direction)
 {
@@ -183,7 +183,7 @@ static jlt_status land(jlt_arrival *self, jlt_step *step, const jlt_set *set, co
     add_rest(time, delay, set);
     for (slong i = 0; i < n; i++) arb_set(self->x + i, arb_mat_entry(state, i, 0));
     arb_set(self->x + column, level);
-    arb_add(self->time, self->time, arb_mat_entry(time, 0, 0), bits);
+    arb_set(self->time, arb_mat_entry(time, 0, 0));
     return JLT_OK;
 }
 
@@ -210,6 +210,7 @@ jlt_status jlt_arrival_compute(jlt_arrival *self, jlt_step *step, arb_srcptr sta
     arb_addmul(self->expansion, tau, jlt_step_output(step, jlt_formulas_divergence(jlt_step_formulas(step))), bits);
     differentiate(local, delay, step, tau, column);
     arb_mat_mul(self->slope, local, V, bits);
-    arb_set_arf(self->time, instant);
-    return land(self, step, &set, local, delay, column, level, direction);
+    JLT_PASS(land(self, step, &set, local, delay, column, level, direction));
+    arb_add_arf(self->time, self->time, instant, bits);
+    return JLT_OK;
 }
