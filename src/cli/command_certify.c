@@ -289,11 +289,11 @@ static jlt_exit find_question(json_t **given, const jlt_descriptor **d, jlt_syst
 
 static jlt_exit run(int argc, char **argv)
 {
-    options o = { .period = 1, .digits = 20, .distance = 1e-7, .which = 1, .limit = 100000 };
+    JLT_CLEARED(jlt_motion_end) options o = { .period = 1, .digits = 20, .distance = 1e-7, .which = 1, .limit = 100000 };
+    JLT_OWNED(jlt_system) *system = NULL;
     jlt_common *common = &o.motion.common;
-    jlt_system *system = NULL;
     const jlt_descriptor *d = NULL;
-    json_t *given = NULL, *certificate = NULL;
+    json_auto_t *given = NULL, *certificate = NULL;
     jlt_certificate_report report;
     jlt_progress progress;
     jlt_exit code;
@@ -306,16 +306,11 @@ static jlt_exit run(int argc, char **argv)
     if (code == JLT_EXIT_DONE) certificate = jlt_certificate_make(&report, o.kind, given, d, &o.watch);
     jlt_progress_end(&progress);
     if (code == JLT_EXIT_DONE) code = fail(&report);
-    if (code != JLT_EXIT_DONE) goto done;
-    if (json_dumpf(certificate, common->table.file, JSON_INDENT(1)) != 0 || fputc('\n', common->table.file) == EOF)
+    if (code == JLT_EXIT_DONE
+        && (json_dumpf(certificate, common->table.file, JSON_INDENT(1)) != 0 || fputc('\n', common->table.file) == EOF))
         code = jlt_command_no_memory();
     if (code == JLT_EXIT_DONE) code = jlt_common_save(common);
-done:
-    json_decref(certificate);
-    json_decref(given);
     jlt_assign_clear(&o.spread);
-    jlt_system_destroy(system);
-    jlt_motion_end(&o.motion);
     return code;
 }
 

@@ -107,8 +107,10 @@ void jlt_motion_begin(jlt_motion_options *options, int argc, char **argv)
     jlt_common_begin(&options->common, argc, argv);
 }
 
-void jlt_motion_end(jlt_motion_options *options)
+void jlt_motion_end(void *place)
 {
+    jlt_motion_options *options = place;
+
     jlt_common_end(&options->common);
     jlt_assign_clear(&options->level);
     free(options->starts);
