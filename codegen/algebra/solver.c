@@ -355,13 +355,14 @@ static ttc_solver_answer ask_once(ttc_witness *point, const ttc_conditions *cond
     q.variables = calloc(point->ring->variable_count + 1, sizeof(Z3_ast));
     if (q.variables == NULL) return TTC_SOLVER_SILENT;
     q.z3 = context_of(point->ring);
+    /* As a parameter of one solver, some versions of Z3 (4.13 is one) do not know it, and ask nothing then. */
+    Z3_global_param_set("nlsat.randomize", again ? "false" : "true");
     q.real = Z3_mk_real_sort(q.z3);
     q.solver = Z3_mk_solver_for_logic(q.z3, Z3_mk_string_symbol(q.z3, "QF_NRA"));
     Z3_solver_inc_ref(q.z3, q.solver);
     Z3_params params = Z3_mk_params(q.z3);
     Z3_params_inc_ref(q.z3, params);
     Z3_params_set_uint(q.z3, params, Z3_mk_string_symbol(q.z3, "rlimit"), WORK_LIMIT);
-    if (again) Z3_params_set_bool(q.z3, params, Z3_mk_string_symbol(q.z3, "randomize"), false);
     /* Otherwise Z3 catches SIGINT while it works, and the program does not receive it. */
     Z3_params_set_bool(q.z3, params, Z3_mk_string_symbol(q.z3, "ctrl_c"), false);
     Z3_solver_set_params(q.z3, q.solver, params);

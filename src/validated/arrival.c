@@ -160,7 +160,8 @@ static void add_rest(arb_mat_t out, const arb_mat_t slope, const jlt_set *set)
     arb_mat_add(out, out, column, set->bits);
 }
 
-/* State of the crossing, and its time from the instant on: those of the middle, and by the mean value theorem the derivatives times the rest of the set. */
+/* State of the crossing, and its time from the instant on: those of the middle, and by the mean value theorem the derivatives times
+ * the rest of the set. */
 static jlt_status land(jlt_arrival *self, jlt_step *step, const jlt_set *set, const arb_mat_t local, const arb_mat_t delay,
                        unsigned column, const arb_t level, int direction)
 {
