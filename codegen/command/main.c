@@ -19,7 +19,8 @@ enum { OPTION_JSON = 'j', OPTION_OUT = 'o', OPTION_FORMAT = 'f', OPTION_MUTATE =
        OPTION_SEEK = 'S', OPTION_MEMORY = 'M' };
 
 #define JSON_OPTION { "json", OPTION_JSON, NULL, 0, "Write the result as JSON on standard output", 0 }
-#define EFFORT_OPTION { "effort", OPTION_EFFORT, "quick|full", 0, "How long to search for short programs; default quick", 0 }
+#define EFFORT_OPTION { "effort", OPTION_EFFORT, "quick|full", 0, \
+                        "How long to search for short programs; full also gives proofs six times the time; default quick", 0 }
 #define END_OF_OPTIONS { NULL, 0, NULL, 0, NULL, 0 }
 
 static const struct argp_option check_options[] = { JSON_OPTION, END_OF_OPTIONS };
@@ -77,15 +78,15 @@ static const command commands[] = {
       "Read each table and report every error and warning as FILE:LINE:COLUMN, with the line and a caret. Nothing is "
       "proved and nothing is written." },
     { "prove", "prove or refute every claim of tables, exactly", ttc_command_prove, prove_options,
-      "Prove every claim of each table over Q(parameters)(states, roots), and that its variants, times and eliminations "
-      "follow from it. A refuted claim is printed with its place and the remainder that is not zero. A claim without content "
-      "(a vanishing denominator, an empty zero level) is an error of the table." },
+      "Prove or refute every claim of each table in exact arithmetic, at all points of its domain at once, and that its "
+      "variants, times and eliminations follow from it. A refuted claim is printed with its place and the expression that is "
+      "not zero. A claim that holds at no point at all, as on an empty zero level, says nothing, and is not settled." },
     { "show", "print equations and Jacobian as text, LaTeX or a graph", ttc_command_show, show_options,
       "Print the right-hand side of each equation and every entry of the Jacobian that is not zero, differentiated "
       "exactly." },
     { "generate", "write C kernels", ttc_command_generate, generate_options,
       "Write kernels for every variant, time and elimination of each table, the registry of all of them, a manifest and "
-      "operation counts. Claims are proved first: a kernel that rests on a claim which is refuted or not settled is not "
+      "operation counts. Claims are proved first: if a kernel rests on a claim that is refuted or not settled, nothing is "
       "written. The output depends on the tables and options alone; after an error no file is changed." },
     { "build", "compile a table to a shared object, and print its path", ttc_command_build, build_options,
       "Write kernels by --effort quick and compile them, with the compiler that CC names, else cc. The object is kept in "

@@ -1,6 +1,7 @@
 #include "cli/certify_family.h"
 
 #include "ball/ball.h"
+#include "core/memory.h"
 #include "ext/number.h"
 #include "validated/given_family.h"
 
@@ -10,13 +11,9 @@
 /* The exact value of a text as a string "p/q", a new reference; NULL: it is not a number. */
 static json_t *fraction_of(const char *text, size_t length)
 {
-    json_t *out;
-    char *fraction;
+    JLT_FREED char *fraction = NULL;
 
-    if (jlt_number_fraction(&fraction, text, length) != JLT_OK) return NULL;
-    out = json_string(fraction);
-    free(fraction);
-    return out;
+    return jlt_number_fraction(&fraction, text, length) == JLT_OK ? json_string(fraction) : NULL;
 }
 
 /* Add one NAME=LOW:HIGH or NAME=VALUE to the box. */
@@ -26,27 +23,20 @@ static jlt_exit put_side(json_t *box, const char *text, size_t length)
     const char *value = equals == NULL ? text : equals + 1;
     const size_t rest = length - (size_t)(value - text);
     const char *colon = memchr(value, ':', rest);
-    json_t *low, *high, *side;
-    char *name;
-    jlt_exit code = JLT_EXIT_DONE;
+    const size_t first = colon == NULL ? rest : (size_t)(colon - value);
 
     if (equals == NULL || equals == text)
         return jlt_command_fail(JLT_EXIT_USAGE, "--box: '%.*s' is no range (write NAME=LOW:HIGH or NAME=VALUE)", (int)length, text);
-    low = fraction_of(value, colon == NULL ? rest : (size_t)(colon - value));
-    high = colon == NULL ? NULL : fraction_of(colon + 1, rest - (size_t)(colon + 1 - value));
-    name = strndup(text, (size_t)(equals - text));
+    json_auto_t *low = fraction_of(value, first);
+    json_auto_t *high = colon == NULL ? NULL : fraction_of(colon + 1, rest - first - 1);
+    JLT_FREED char *name = strndup(text, (size_t)(equals - text));
     if (low == NULL || (colon != NULL && high == NULL))
-        code = jlt_command_fail(JLT_EXIT_INPUT, "--box: '%.*s' has no finite number (write 2, -0.51, 1e-3, 1/3 or pi)", (int)length,
+        return jlt_command_fail(JLT_EXIT_INPUT, "--box: '%.*s' has no finite number (write 2, -0.51, 1e-3, 1/3 or pi)", (int)length,
                                 text);
-    else if (name != NULL && json_object_get(box, name) != NULL)
-        code = jlt_command_fail(JLT_EXIT_INPUT, "--box: '%s' is given twice", name);
-    side = colon == NULL ? json_incref(low) : json_pack("{s:O*,s:O*}", "low", low, "high", high);
-    if (code == JLT_EXIT_DONE && (name == NULL || json_object_set(box, name, side) != 0)) code = jlt_command_no_memory();
-    free(name);
-    json_decref(side);
-    json_decref(low);
-    json_decref(high);
-    return code;
+    if (name != NULL && json_object_get(box, name) != NULL)
+        return jlt_command_fail(JLT_EXIT_INPUT, "--box: '%s' is given twice", name);
+    json_auto_t *side = colon == NULL ? json_incref(low) : json_pack("{s:O,s:O}", "low", low, "high", high);
+    return name != NULL && json_object_set(box, name, side) == 0 ? JLT_EXIT_DONE : jlt_command_no_memory();
 }
 
 static jlt_exit put_sides(json_t *box, const char *text)
@@ -134,7 +124,7 @@ jlt_exit jlt_certify_family(json_t **given, const jlt_certify_family_options *o,
 {
     ttc_model *model = ttc_model_again(d->table, d->model);
     const ttc_claim *family;
-    json_t *box = json_object();
+    json_auto_t *box = json_object();
     jlt_exit code = model == NULL ? jlt_command_no_memory() : find_family(&family, model, o->family);
 
     *given = NULL;
@@ -145,7 +135,6 @@ jlt_exit jlt_certify_family(json_t **given, const jlt_certify_family_options *o,
         *given = json_pack("{s:{s:s,s:s},s:s,s:O,s:i,s:i}", "table", "name", d->model, "sha256", d->sha256, "family", family->name,
                            "box", box, "limit", (int)o->limit, "digits", (int)o->digits);
     if (code == JLT_EXIT_DONE) code = *given != NULL ? check(*given, d) : jlt_command_no_memory();
-    json_decref(box);
     ttc_model_destroy(model);
     return code;
 }

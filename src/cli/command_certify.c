@@ -50,7 +50,7 @@ static const struct argp_option option_table[] = {
     { 0 },
 };
 
-static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { 0 } };
+static const struct argp_child children[] = { { &jlt_motion_certificate_argp, 0, NULL, 0 }, { 0 } };
 
 /* Options that only some kinds take, and these kinds, which are looked up with strstr: no kind's name contains another's. */
 static const struct {
@@ -126,7 +126,6 @@ static error_t parse(int key, char *value, struct argp_state *state)
         return 0;
     case ARGP_KEY_END:
         if (o->kind == NULL) argp_error(state, "say what to certify: " KINDS);
-        if (o->motion.common.plot != NULL) argp_error(state, "a certificate has no picture: leave out --plot");
         jlt_common_no_table(&o->motion.common, state, "a certificate");
         check_typed(o, state);
         if (strcmp(o->kind, "equilibria") == 0) return 0;
@@ -306,34 +305,28 @@ static jlt_exit find_question(json_t **given, const jlt_descriptor **d, jlt_syst
 
 static jlt_exit run(int argc, char **argv)
 {
-    options o = { .period = 1, .digits = 20, .distance = 1e-7, .which = 1, .limit = 100000 };
+    JLT_CLEARED(jlt_motion_end) options o = { .period = 1, .digits = 20, .distance = 1e-7, .which = 1, .limit = 100000 };
+    JLT_OWNED(jlt_system) *system = NULL;
     jlt_common *common = &o.motion.common;
-    jlt_system *system = NULL;
     const jlt_descriptor *d = NULL;
-    json_t *given = NULL, *certificate = NULL;
+    json_auto_t *given = NULL, *certificate = NULL;
     jlt_certificate_report report;
     jlt_progress progress;
     jlt_exit code;
 
     jlt_motion_begin(&o.motion, argc, argv);
     o.motion.flow.tolerance = tolerance;
-    common->no_table = true;
     argp_parse(&parser, argc, argv, 0, NULL, &o);
     o.watch = jlt_certify_watch(&progress);
     code = find_question(&given, &d, &system, &o);
     if (code == JLT_EXIT_DONE) certificate = jlt_certificate_make(&report, o.kind, given, d, &o.watch);
     jlt_progress_end(&progress);
     if (code == JLT_EXIT_DONE) code = fail(&report);
-    if (code != JLT_EXIT_DONE) goto done;
-    if (json_dumpf(certificate, common->table.file, JSON_INDENT(1)) != 0 || fputc('\n', common->table.file) == EOF)
+    if (code == JLT_EXIT_DONE
+        && (json_dumpf(certificate, common->table.file, JSON_INDENT(1)) != 0 || fputc('\n', common->table.file) == EOF))
         code = jlt_command_no_memory();
     if (code == JLT_EXIT_DONE) code = jlt_common_save(common);
-done:
-    json_decref(certificate);
-    json_decref(given);
     jlt_assign_clear(&o.spread);
-    jlt_system_destroy(system);
-    jlt_motion_end(&o.motion);
     return code;
 }
 

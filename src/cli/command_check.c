@@ -48,7 +48,7 @@ static const struct argp parser = {
 static jlt_exit check(const char *path, const jlt_descriptor *own)
 {
     json_error_t error;
-    json_t *certificate = json_load_file(path, JSON_REJECT_DUPLICATES, &error);
+    json_auto_t *certificate = json_load_file(path, JSON_REJECT_DUPLICATES, &error);
     jlt_certificate_report report;
     jlt_progress progress;
     jlt_step_watch watch;
@@ -69,7 +69,6 @@ static jlt_exit check(const char *path, const jlt_descriptor *own)
         printf("%s: proved\n", path);
         for (size_t i = 0; i < json_array_size(words); i++) printf("  %s\n", json_string_value(json_array_get(words, i)));
     }
-    json_decref(certificate);
     switch (report.verdict) {
     case JLT_CERTIFICATE_GOOD: return JLT_EXIT_DONE;
     case JLT_CERTIFICATE_REFUSED: return jlt_command_fail(JLT_EXIT_FAILED, "%s: refused: %s", path, report.problem);

@@ -313,11 +313,11 @@ static const jlt_swept_form swept = { &jlt_command_continue, true, 4 };
 
 static jlt_exit run(int argc, char **argv)
 {
-    options o = { .period = 1, .points = 500, .step = 0.01, .direction = 1 };
-    jlt_motion_family family = { .surface = NULL };
+    JLT_CLEARED(jlt_motion_end) options o = { .period = 1, .points = 500, .step = 0.01, .direction = 1 };
+    JLT_OWNED(jlt_system) *system = NULL;
+    JLT_CLEARED(jlt_motion_family_clear) jlt_motion_family family = { .surface = NULL };
     table to = { .extent = { JLT_EXTENT_NONE, JLT_EXTENT_NONE } };
     jlt_common *common = &o.motion.common;
-    jlt_system *system = NULL;
     jlt_grid_axis axis = { .count = 1 };
     jlt_continuation_point first;
     jlt_csv_names names;
@@ -326,23 +326,20 @@ static jlt_exit run(int argc, char **argv)
     jlt_motion_begin(&o.motion, argc, argv);
     o.motion.flow.tolerance = 1e-13;
     argp_parse(&parser, argc, argv, 0, NULL, &o);
-    if (jlt_swept_done(&code, &swept, &o.motion.common)) goto done;
+    if (jlt_swept_done(&code, &swept, &o.motion.common)) return code;
     o.motion.flow.max_steps = 20000;
-    code = jlt_motion_system(&system, &o.motion);
-    if (code == JLT_EXIT_DONE) code = parse_range(&axis, o.along);
-    if (code == JLT_EXIT_DONE) code = choose_axes(to.shown, &o, system, &axis);
-    if (code == JLT_EXIT_DONE)
-        code = jlt_motion_default_start(&o.motion, system, JLT_START_SADDLE, "say near which orbit to begin: --start");
-    if (code == JLT_EXIT_DONE && o.generations > 0 && system->flow.chart->dim != 2)
-        code = jlt_command_fail(JLT_EXIT_USAGE,
+    JLT_PASS(jlt_motion_system(&system, &o.motion));
+    JLT_PASS(parse_range(&axis, o.along));
+    JLT_PASS(choose_axes(to.shown, &o, system, &axis));
+    JLT_PASS(jlt_motion_default_start(&o.motion, system, JLT_START_SADDLE, "say near which orbit to begin: --start"));
+    if (o.generations > 0 && system->flow.chart->dim != 2)
+        return jlt_command_fail(JLT_EXIT_USAGE,
                                 "--branches: the section has %u coordinates; branches are followed where it has two",
                                 system->flow.chart->dim);
-    if (code == JLT_EXIT_DONE) code = jlt_motion_family_open(&family, system, &o.motion, &axis, 1, "--along");
-    if (code != JLT_EXIT_DONE) goto done;
-    code = find_first(&first, &family, &axis, &o, system);
-    if (code == JLT_EXIT_DONE && first.value >= axis.high) o.direction = -1; /* from the upper end only this way is left */
-    if (code == JLT_EXIT_DONE) code = jlt_common_write(common);
-    if (code != JLT_EXIT_DONE) goto done;
+    JLT_PASS(jlt_motion_family_open(&family, system, &o.motion, &axis, 1, "--along"));
+    JLT_PASS(find_first(&first, &family, &axis, &o, system));
+    if (first.value >= axis.high) o.direction = -1; /* from the upper end only this way is left */
+    JLT_PASS(jlt_common_write(common));
     to.file = common->table.file;
     to.points = common->points;
     o.motion.swept = &axis;
@@ -353,16 +350,11 @@ static jlt_exit run(int argc, char **argv)
     jlt_orbit_columns_names(line, system->flow.chart);
     fputs(",bifurcation,low,high", line);
     jlt_csv_names_end(&names);
-    code = run_all(&to, &family, &axis, &first, &o, system);
-    if (code == JLT_EXIT_DONE) code = jlt_common_save(common);
-    if (code == JLT_EXIT_DONE && jlt_motion_interrupted(&o.motion))
+    JLT_PASS(run_all(&to, &family, &axis, &first, &o, system));
+    JLT_PASS(jlt_common_save(common));
+    if (jlt_motion_interrupted(&o.motion))
         fprintf(stderr, "jellett: interrupted; %zu whole rows are saved in %s\n", to.rows, common->table.path);
-    if (code == JLT_EXIT_DONE && common->plot != NULL) code = draw(&o, system, axis.name, &to);
-done:
-    jlt_motion_family_clear(&family);
-    jlt_system_destroy(system);
-    jlt_motion_end(&o.motion);
-    return code;
+    return common->plot != NULL ? draw(&o, system, axis.name, &to) : JLT_EXIT_DONE;
 }
 
 const jlt_command jlt_command_continue = {

@@ -76,9 +76,9 @@ static const struct argp parser = {
     "\vColumns:\n"
     "  method, returns, t: the method, number of returns, and time\n"
     "  evaluations       evaluations of the field since the start\n"
-    "  drift_NAME        of each integral F: the largest |F - F(start)|/|F(start)\n"
-    "                    at a return so far; not divided where F(start) is 0, or\n"
-    "                    rounding of 0\n\n"
+    "  drift_NAME        of each integral F: the largest |F - F(start)| at a return\n"
+    "                    so far, over |F(start)|; not divided where F(start) is 0,\n"
+    "                    or rounding of 0\n\n"
     "Rows are at powers of two and at the end. Comment lines at the end have the slopes: the powers of the number of returns "
     "with which the drifts grow, fitted over the last four doublings. Where the orbit ends before all returns, they have its "
     "fate instead: pole+, pole- or equilibrium, as in `jellett section --help`, with its time and the returns until then.\n\n"
@@ -321,45 +321,41 @@ static void write_header(const report *r, const options *o)
     fputc('\n', file);
 }
 
+static void close_report(report *r) { jlt_drift_whole_close(&r->whole); }
+
 static const jlt_swept_form swept = { &jlt_command_drift, true, 4 };
 
 static jlt_exit run(int argc, char **argv)
 {
-    options o = { .returns = 10000 };
+    JLT_CLEARED(jlt_motion_end) options o = { .returns = 10000 };
+    JLT_OWNED(jlt_system) *system = NULL;
+    JLT_CLEARED(close_report) report r = { .points = NULL };
     jlt_common *common = &o.motion.common;
-    report r = { .points = NULL };
     unsigned drawn = 0;
-    jlt_system *system = NULL;
     jlt_exit code;
 
     jlt_motion_begin(&o.motion, argc, argv);
     jlt_motion_many_begin(&o.motion);
     o.motion.looks_at_integrals = true;
     argp_parse(&parser, argc, argv, 0, NULL, &o);
-    if (jlt_swept_done(&code, &swept, &o.motion.common)) goto done;
-    code = jlt_motion_system(&system, &o.motion);
+    if (jlt_swept_done(&code, &swept, &o.motion.common)) return code;
+    JLT_PASS(jlt_motion_system(&system, &o.motion));
     r.drift = (jlt_drift){ .system = system, .returns = o.returns };
-    if (code == JLT_EXIT_DONE) code = open_integrals(&r, &o);
-    if (code == JLT_EXIT_DONE && o.project) code = jlt_common_one_step(o.motion.flow.method);
-    if (code == JLT_EXIT_DONE && o.project && r.whole.instance == NULL) code = jlt_motion_project(system);
-    if (code == JLT_EXIT_DONE) code = jlt_motion_plan(system, &o.motion);
-    if (code == JLT_EXIT_DONE) code = jlt_common_write(common);
-    if (code != JLT_EXIT_DONE) goto done;
+    JLT_PASS(open_integrals(&r, &o));
+    if (o.project) JLT_PASS(jlt_common_one_step(o.motion.flow.method));
+    if (o.project && r.whole.instance == NULL) JLT_PASS(jlt_motion_project(system));
+    JLT_PASS(jlt_motion_plan(system, &o.motion));
+    JLT_PASS(jlt_common_write(common));
     r.file = common->table.file;
     r.points = common->points;
     write_header(&r, &o);
     code = run_all(&r, &o, &drawn);
-    if (code != JLT_EXIT_DONE && drawn == 0) goto done; /* no method has a row */
+    if (code != JLT_EXIT_DONE && drawn == 0) return code; /* no method has a row */
     const jlt_exit saved = jlt_common_save(common);
     if (saved != JLT_EXIT_DONE) code = saved;
     else if (jlt_motion_interrupted(&o.motion))
         fprintf(stderr, "jellett: interrupted; whole rows are saved in %s\n", common->table.path);
-    if (code == JLT_EXIT_DONE && drawn != 0 && common->plot != NULL) code = draw(&r, &o, drawn);
-done:
-    jlt_drift_whole_close(&r.whole);
-    jlt_system_destroy(system);
-    jlt_motion_end(&o.motion);
-    return code;
+    return code == JLT_EXIT_DONE && drawn != 0 && common->plot != NULL ? draw(&r, &o, drawn) : code;
 }
 
 const jlt_command jlt_command_drift = {

@@ -45,6 +45,8 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case ARGP_KEY_END:
         if (o->motion.common.own_sweep != NULL && o->motion.common.axes != NULL)
             argp_error(state, "--axes are those of a grid of fates: leave out --sweep");
+        if (o->motion.common.own_sweep != NULL && strcmp(o->motion.contact, "report") == 0)
+            argp_error(state, "--contact report writes a column of orbits, and rows of --sweep are shares: leave one out");
         return 0;
     default: return ARGP_ERR_UNKNOWN;
     }
@@ -60,7 +62,8 @@ static const struct argp parser = {
     "  t_end             time of the end; of an orbit that is alive, of the last\n"
     "                    return; so also below\n"
     "  NAME_end          values at the end: of the spherical top three velocities,\n"
-    "                    of another model all its states\n\n"
+    "                    of another model all its states\n"
+    "  NAME_min          with --contact report: the least value of the condition\n\n"
     "What is not known is empty. The exit status is 4 where the method failed on an orbit.\n\n"
     "An orbit of the spherical top turns over when it starts with its centre of mass below the centre of the sphere (a low "
     "start) and ends at the pole where it is above.\n\n"
@@ -213,15 +216,16 @@ static jlt_exit follow_points(jlt_fates_crowd *crowd, jlt_motion_family *family,
 static jlt_exit sweep(options *o, const jlt_system *base)
 {
     jlt_common *common = &o->motion.common;
-    jlt_motion_family family = { .surface = NULL };
+    JLT_CLEARED(jlt_motion_family_clear) jlt_motion_family family = { .surface = NULL };
     jlt_grid_axis axes[JLT_FAMILY_AXES_MAX];
     share_rows rows = { .o = o, .base = base };
+    JLT_CLEARED(jlt_fates_crowd_close)
     jlt_fates_crowd crowd = { .motion = &o->motion, .returns = o->returns, .done = write_shares, .context = &rows };
     jlt_progress progress;
-    jlt_exit code = read_sweep(axes, &rows.axes, &crowd.whole, o);
+    jlt_exit code;
 
-    if (code == JLT_EXIT_DONE) code = jlt_motion_family_open(&family, base, &o->motion, axes, rows.axes, "--sweep");
-    if (code != JLT_EXIT_DONE) goto done;
+    JLT_PASS(read_sweep(axes, &rows.axes, &crowd.whole, o));
+    JLT_PASS(jlt_motion_family_open(&family, base, &o->motion, axes, rows.axes, "--sweep"));
     jlt_motion_options motion = o->motion;
     motion.swept = axes;
     motion.swept_count = rows.axes;
@@ -238,19 +242,15 @@ static jlt_exit sweep(options *o, const jlt_system *base)
     if (code == JLT_EXIT_DONE) code = jlt_motion_failures(base, &rows.failures, rows.starts);
     if (code == JLT_EXIT_DONE && rows.starts == 0 && axes[0].part == 0 && !jlt_motion_interrupted(&o->motion))
         code = jlt_motion_fail(JLT_ERR_EMPTY, base, "--sweep");
-done:
-    jlt_fates_crowd_close(&crowd);
-    jlt_motion_family_clear(&family);
     return code;
 }
 
 static jlt_exit run(int argc, char **argv)
 {
-    options o = { .returns = 200 };
-    jlt_system *system = NULL;
+    JLT_CLEARED(jlt_motion_end) options o = { .returns = 200 };
+    JLT_OWNED(jlt_system) *system = NULL;
+    JLT_CLEARED(jlt_motion_map_close) jlt_motion_map map = { .points = NULL };
     jlt_grid_axis axes[JLT_CHART_DIM_MAX];
-    jlt_motion_map map = { .points = NULL };
-    jlt_exit code;
 
     jlt_motion_begin(&o.motion, argc, argv);
     jlt_motion_many_begin(&o.motion);
@@ -258,20 +258,15 @@ static jlt_exit run(int argc, char **argv)
     const bool sweeps = o.motion.common.own_sweep != NULL;
     jlt_motion_many_choose(&o.motion, o.motion.grid != NULL || o.motion.start_count != 1 || sweeps, false);
     o.motion.other = default_grid;
-    code = jlt_motion_system(&system, &o.motion);
-    if (code == JLT_EXIT_DONE && jlt_fates_crowd_grid(&o.motion, system) == NULL && o.motion.start_count == 0)
-        code = jlt_command_fail(JLT_EXIT_USAGE, "say where orbits start: --start or --grid");
-    if (code == JLT_EXIT_DONE) code = jlt_motion_axes(axes, system, jlt_fates_crowd_grid(&o.motion, system), "--grid");
-    if (code == JLT_EXIT_DONE && !sweeps)
-        code = jlt_motion_map_open(&map, &o.motion, system, jlt_fates_crowd_grid(&o.motion, system), axes);
-    if (code == JLT_EXIT_DONE) code = jlt_motion_check_starts(system, o.motion.starts, o.motion.start_count);
-    if (code == JLT_EXIT_DONE) code = jlt_motion_plan(system, &o.motion);
-    if (code == JLT_EXIT_DONE) code = jlt_common_write(&o.motion.common);
-    if (code == JLT_EXIT_DONE) code = sweeps ? sweep(&o, system) : one_system(&o, system, &map);
-    jlt_motion_map_close(&map);
-    jlt_system_destroy(system);
-    jlt_motion_end(&o.motion);
-    return code;
+    JLT_PASS(jlt_motion_system(&system, &o.motion));
+    if (jlt_fates_crowd_grid(&o.motion, system) == NULL && o.motion.start_count == 0)
+        return jlt_command_fail(JLT_EXIT_USAGE, "say where orbits start: --start or --grid");
+    JLT_PASS(jlt_motion_axes(axes, system, jlt_fates_crowd_grid(&o.motion, system), "--grid"));
+    if (!sweeps) JLT_PASS(jlt_motion_map_open(&map, &o.motion, system, jlt_fates_crowd_grid(&o.motion, system), axes));
+    JLT_PASS(jlt_motion_check_starts(system, o.motion.starts, o.motion.start_count));
+    JLT_PASS(jlt_motion_plan(system, &o.motion));
+    JLT_PASS(jlt_common_write(&o.motion.common));
+    return sweeps ? sweep(&o, system) : one_system(&o, system, &map);
 }
 
 const jlt_command jlt_command_fates = {

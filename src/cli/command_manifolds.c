@@ -231,11 +231,11 @@ static const jlt_swept_form swept = { &jlt_command_manifolds, true, 4 };
 
 static jlt_exit run(int argc, char **argv)
 {
-    options o = { .period = 1, .seed = 1e-4 };
-    jlt_separatrices p = { .count = { { 0 } } };
-    jlt_stream crossings = { 0 };
-    jlt_system *system = NULL;
-    jlt_map *map = NULL;
+    JLT_CLEARED(jlt_motion_end) options o = { .period = 1, .seed = 1e-4 };
+    JLT_OWNED(jlt_system) *system = NULL;
+    JLT_OWNED(jlt_map) *map = NULL;
+    JLT_CLEARED(jlt_separatrices_clear) jlt_separatrices p = { .count = { { 0 } } };
+    JLT_CLEARED(jlt_stream_discard) jlt_stream crossings = { 0 };
     jlt_periodic saddle;
     double q[JLT_CHART_DIM_MAX];
     jlt_exit code;
@@ -248,37 +248,27 @@ static jlt_exit run(int argc, char **argv)
     jlt_motion_many_begin(&o.motion);
     argp_parse(&parser, argc, argv, 0, NULL, &o);
     o.motion.common.lanes = o.motion.flow.method == NULL;
-    if (jlt_swept_done(&code, &swept, &o.motion.common)) goto done;
+    if (jlt_swept_done(&code, &swept, &o.motion.common)) return code;
     if (o.motion.flow.method == NULL) o.motion.flow.method = jlt_method_find(NULL);
-    code = jlt_motion_system(&system, &o.motion);
-    if (code == JLT_EXIT_DONE)
-        code = jlt_motion_default_start(&o.motion, system, JLT_START_SADDLE, "say near which saddle to begin: --start");
-    if (code == JLT_EXIT_DONE) code = jlt_motion_start(q, system, o.motion.starts[0]);
-    if (code != JLT_EXIT_DONE) goto done;
-    if (system->flow.chart->dim != 2) {
-        code = jlt_command_fail(JLT_EXIT_INPUT, "manifolds need a section of two coordinates");
-        goto done;
-    }
-    code = jlt_motion_scale(system, q, NULL);
-    if (code == JLT_EXIT_DONE) code = jlt_motion_plan(system, &o.motion);
-    if (code == JLT_EXIT_DONE) code = jlt_common_write(&o.motion.common);
-    if (code == JLT_EXIT_DONE && o.points != NULL) code = jlt_stream_open(&crossings, o.points);
-    if (code != JLT_EXIT_DONE) goto done;
+    JLT_PASS(jlt_motion_system(&system, &o.motion));
+    JLT_PASS(jlt_motion_default_start(&o.motion, system, JLT_START_SADDLE, "say near which saddle to begin: --start"));
+    JLT_PASS(jlt_motion_start(q, system, o.motion.starts[0]));
+    if (system->flow.chart->dim != 2) return jlt_command_fail(JLT_EXIT_INPUT, "manifolds need a section of two coordinates");
+    JLT_PASS(jlt_motion_scale(system, q, NULL));
+    JLT_PASS(jlt_motion_plan(system, &o.motion));
+    JLT_PASS(jlt_common_write(&o.motion.common));
+    if (o.points != NULL) JLT_PASS(jlt_stream_open(&crossings, o.points));
     st = jlt_map_create(&map, &system->flow);
     if (st == JLT_OK) st = jlt_periodic_find(map, &saddle, q, o.period, NULL);
-    if (st != JLT_OK) {
-        code = jlt_motion_interrupted(&o.motion) ? jlt_command_fail(JLT_EXIT_NUMERICAL, "interrupted; nothing is saved")
+    if (st != JLT_OK)
+        return jlt_motion_interrupted(&o.motion) ? jlt_command_fail(JLT_EXIT_NUMERICAL, "interrupted; nothing is saved")
                                                  : jlt_motion_no_orbit(st, system, o.motion.starts[0]);
-        goto done;
-    }
     const char *const *names = system->flow.chart->names;
-    if (saddle.type != JLT_ORBIT_SADDLE && saddle.type != JLT_ORBIT_FLIP_SADDLE) {
-        code = jlt_command_fail(JLT_EXIT_INPUT,
+    if (saddle.type != JLT_ORBIT_SADDLE && saddle.type != JLT_ORBIT_FLIP_SADDLE)
+        return jlt_command_fail(JLT_EXIT_INPUT,
                                 "the orbit near %s (%s=%.10g, %s=%.10g) is no saddle but %s; 'jellett orbits' lists what there is",
                                 o.motion.starts[0], names[0], saddle.points[0], names[1], saddle.points[1],
                                 jlt_periodic_type_name(saddle.type));
-        goto done;
-    }
     jlt_interrupt_spare(o.motion.threads);
     st = jlt_separatrices_grow(&p, map, &saddle, o.seed, &o.growth, (unsigned)o.motion.threads);
     if (st == JLT_OK && !o.no_crossings && !jlt_motion_interrupted(&o.motion)) {
@@ -291,14 +281,7 @@ static jlt_exit run(int argc, char **argv)
         fprintf(stderr,
                 "jellett: at %zu places separatrices touch, or cross by no more than errors tell: they are no homoclinic points\n",
                 touching);
-    code = st == JLT_OK ? save(&crossings, &o, system, &p, &saddle) : jlt_motion_fail(st, system, o.motion.starts[0]);
-done:
-    jlt_stream_discard(&crossings);
-    jlt_separatrices_clear(&p);
-    jlt_map_destroy(map);
-    jlt_system_destroy(system);
-    jlt_motion_end(&o.motion);
-    return code;
+    return st == JLT_OK ? save(&crossings, &o, system, &p, &saddle) : jlt_motion_fail(st, system, o.motion.starts[0]);
 }
 
 const jlt_command jlt_command_manifolds = {

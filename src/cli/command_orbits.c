@@ -29,7 +29,8 @@ static const struct argp_option option_table[] = {
       "none", 1 },
     { "near", NEAR, "DISTANCE", 0,
       "Try Newton's method where an orbit comes back to within this distance, in coordinates; default 0.6. To find a "
-      "strongly unstable orbit, take a larger distance, such as 10, or a finer --grid", 1 },
+      "strongly unstable orbit, take a larger distance, such as 10, or a finer --grid, because its "
+      "returns come less near", 1 },
     { "settle", SETTLE, "N|0", 0,
       "Also try Newton's method from the Nth return of every start, which finds attracting orbits; default 20; 0: do not", 1 },
     { "samples", SAMPLES, "N|0", 0,
@@ -319,13 +320,14 @@ static const jlt_swept_form swept = { &jlt_command_orbits, true, 1 };
 
 static jlt_exit run(int argc, char **argv)
 {
+    JLT_CLEARED(jlt_motion_end)
     options o = { .period_max = 3, .samples = 1000, .near = 0.6, .settle = 20, .threads = jlt_common_processors() };
+    JLT_OWNED(jlt_system) *system = NULL;
+    JLT_OWNED(jlt_map) *map = NULL;
+    JLT_CLEARED(jlt_orbits_clear) jlt_orbits list = { 0 };
     jlt_common *common = &o.motion.common;
-    jlt_orbits list = { 0 };
     jlt_symmetric_line line = { .samples = 0 };
     unsigned char held[JLT_CHART_DIM_MAX] = { 0 };
-    jlt_system *system = NULL;
-    jlt_map *map = NULL;
     unsigned shown[2];
     jlt_csv_names names;
     jlt_exit code;
@@ -334,24 +336,21 @@ static jlt_exit run(int argc, char **argv)
     jlt_motion_begin(&o.motion, argc, argv);
     o.motion.flow.tolerance = 1e-13;
     argp_parse(&parser, argc, argv, 0, NULL, &o);
-    if (jlt_swept_done(&code, &swept, &o.motion.common)) goto done;
+    if (jlt_swept_done(&code, &swept, &o.motion.common)) return code;
     common->lanes = o.motion.starts[0] == NULL;
     if (!searches_nowhere(&o)) o.motion.grid = o.grid;
     if (!searches_nowhere(&o)) o.motion.other = default_grid;
-    code = jlt_motion_system(&system, &o.motion);
-    if (code == JLT_EXIT_DONE && system->surface == NULL && o.grid == NULL && o.motion.starts[0] == NULL)
-        code = jlt_command_fail(JLT_EXIT_USAGE, "say where to search: --start or --grid");
-    if (code == JLT_EXIT_DONE && o.motion.starts[0] != NULL) code = read_start(&line, held, &o, system);
-    if (code == JLT_EXIT_DONE) code = jlt_motion_shown(shown, &o.motion, system);
-    if (code == JLT_EXIT_DONE) code = jlt_motion_plan(system, &o.motion);
-    if (code == JLT_EXIT_DONE) code = jlt_common_write(common);
-    if (code != JLT_EXIT_DONE) goto done;
+    JLT_PASS(jlt_motion_system(&system, &o.motion));
+    if (system->surface == NULL && o.grid == NULL && o.motion.starts[0] == NULL)
+        return jlt_command_fail(JLT_EXIT_USAGE, "say where to search: --start or --grid");
+    if (o.motion.starts[0] != NULL) JLT_PASS(read_start(&line, held, &o, system));
+    JLT_PASS(jlt_motion_shown(shown, &o.motion, system));
+    JLT_PASS(jlt_motion_plan(system, &o.motion));
+    JLT_PASS(jlt_common_write(common));
     system->flow.max_steps = 20000;
     st = jlt_map_create(&map, &system->flow);
-    code = st != JLT_OK                 ? jlt_motion_fail(st, system, "the map")
-           : o.motion.starts[0] != NULL ? from_start(&list, map, &line, held, &o, system)
-                                        : search_all(&list, map, &o, system);
-    if (code != JLT_EXIT_DONE) goto done;
+    if (st != JLT_OK) return jlt_motion_fail(st, system, "the map");
+    JLT_PASS(o.motion.starts[0] != NULL ? from_start(&list, map, &line, held, &o, system) : search_all(&list, map, &o, system));
     jlt_motion_header(common->table.file, &o.motion, system);
     write_findings(common->table.file, &list, system->flow.chart);
     jlt_orbit_columns_names(jlt_csv_names_begin(&names, common->table.file), system->flow.chart);
@@ -360,14 +359,8 @@ static jlt_exit run(int argc, char **argv)
         jlt_orbit_columns_write(common->table.file, system->flow.chart, &list.orbits[i]);
         fputc('\n', common->table.file);
     }
-    code = jlt_common_save(common);
-    if (code == JLT_EXIT_DONE && common->plot != NULL) code = draw(&o, system, &list, shown);
-done:
-    jlt_orbits_clear(&list);
-    jlt_map_destroy(map);
-    jlt_system_destroy(system);
-    jlt_motion_end(&o.motion);
-    return code;
+    JLT_PASS(jlt_common_save(common));
+    return common->plot != NULL ? draw(&o, system, &list, shown) : JLT_EXIT_DONE;
 }
 
 const jlt_command jlt_command_orbits = {

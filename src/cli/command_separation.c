@@ -134,11 +134,11 @@ static const jlt_swept_form swept = { &jlt_command_separation, true, 6 };
 
 static jlt_exit run(int argc, char **argv)
 {
-    options o = { .cells = "200x200", .returns = 1024, .settle = 200 };
+    JLT_CLEARED(jlt_motion_end) options o = { .cells = "200x200", .returns = 1024, .settle = 200 };
     jlt_grid_axis axes[JLT_CHART_DIM_MAX], cells[JLT_CHART_DIM_MAX];
     jlt_separation table[48];
     jlt_common *common = &o.motion.common;
-    jlt_system *system = NULL;
+    JLT_OWNED(jlt_system) *system = NULL;
     size_t rows = 0;
     jlt_exit code;
 
@@ -147,13 +147,12 @@ static jlt_exit run(int argc, char **argv)
     jlt_motion_many_begin(&o.motion);
     argp_parse(&parser, argc, argv, 0, NULL, &o);
     jlt_motion_many_choose(&o.motion, true, false);
-    if (jlt_swept_done(&code, &swept, &o.motion.common)) goto done;
-    code = jlt_motion_system(&system, &o.motion);
-    if (code == JLT_EXIT_DONE) code = read_cells(axes, cells, &o, system);
-    if (code == JLT_EXIT_DONE) code = jlt_motion_plan(system, &o.motion);
-    if (code == JLT_EXIT_DONE) code = jlt_common_write(common);
-    if (code == JLT_EXIT_DONE) code = measure(table, &rows, axes, cells, &o, system);
-    if (code != JLT_EXIT_DONE) goto done;
+    if (jlt_swept_done(&code, &swept, &o.motion.common)) return code;
+    JLT_PASS(jlt_motion_system(&system, &o.motion));
+    JLT_PASS(read_cells(axes, cells, &o, system));
+    JLT_PASS(jlt_motion_plan(system, &o.motion));
+    JLT_PASS(jlt_common_write(common));
+    JLT_PASS(measure(table, &rows, axes, cells, &o, system));
     jlt_motion_header(common->table.file, &o.motion, system);
     fputs("returns,alive_forward,alive_backward,cells_forward,cells_backward,cells_common,overlap,mirror_overlap\n",
           common->table.file);
@@ -167,12 +166,8 @@ static jlt_exit run(int argc, char **argv)
     if (table[0].strayed > 0)
         fprintf(stderr, "jellett: %zu orbits, of both directions, left the branch of --solve and were followed no further: try "
                         "another --direction or section\n", table[0].strayed);
-    code = jlt_common_save(common);
-    if (code == JLT_EXIT_DONE && common->plot != NULL) code = draw(&o, system, table, rows);
-done:
-    jlt_system_destroy(system);
-    jlt_motion_end(&o.motion);
-    return code;
+    JLT_PASS(jlt_common_save(common));
+    return common->plot != NULL ? draw(&o, system, table, rows) : JLT_EXIT_DONE;
 }
 
 const jlt_command jlt_command_separation = {

@@ -36,8 +36,8 @@ static const struct argp_option option_table[] = {
     { "into", 'C', "FOLDER", 0,
       "Folder for the files of shards, made if it is missing; default STUDY.shards in the current folder", 0 },
     { "shard", SHARD, "I/N", 0,
-      "Compute only shard I of N, I from 1 to N. /N: take I from the environment. Default: take I and N from the "
-      "environment, as Slurm, Open MPI, other MPIs by PMI, and GNU parallel set it; otherwise 1/1", 0 },
+      "Compute only shard I of N, I from 1 to N. /N: take I from the environment, where GNU parallel and "
+      "PMIx set it. Default: take I and N from there, where Slurm, Open MPI, and other MPIs by PMI set both; otherwise 1/1", 0 },
     { "resume", RESUME, NULL, 0, "Continue where the shard's file ends; if there is none, begin", 0 },
     { "set", 's', "PARAM=VALUE,...", 0, "Values of parameters in place of the scene's", 0 },
     { "dry-run", DRY, NULL, 0, "Show the command of every piece of the shard, but run none", 0 },

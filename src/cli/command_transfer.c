@@ -99,6 +99,8 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case SEED: jlt_common_count(&o->seed, value, 0, INT64_MAX, "--seed"); return 0;
     case 'j': o->json = true; return 0;
     case ARGP_KEY_END:
+        if (strcmp(o->motion.contact, "report") == 0)
+            argp_error(state, "--contact report writes a column of orbits, and rows here are boxes: write end, or leave it out");
         if (o->json && o->motion.common.sweep != NULL) argp_error(state, "--sweep writes rows: leave out --json");
         if (o->motion.common.plot != NULL && o->eigenvalues == 0)
             argp_error(state, "--plot draws the density that stays: leave out --eigenvalues 0");
@@ -166,6 +168,7 @@ static void clear(study *s)
     }
     jlt_transfer_section_destroy(s->section);
     jlt_section_batch_destroy(s->batch);
+    jlt_system_destroy(s->system);
     free(s->candidates);
 }
 
@@ -338,38 +341,31 @@ static const jlt_swept_form swept = { &jlt_command_transfer, true, 3 };
 
 static jlt_exit run(int argc, char **argv)
 {
+    JLT_CLEARED(jlt_motion_end)
     options o = { .strata = 10, .eigenvalues = 6, .candidates = 3, .seed = 1, .noise_count = 1, .coarse = { 1 },
                  .coarse_count = 1 };
-    study s = { .o = &o };
+    JLT_CLEARED(clear) study s = { .o = &o };
     jlt_grid_axis axes[JLT_CHART_DIM_MAX];
-    jlt_motion_map map = { .points = NULL };
+    JLT_CLEARED(jlt_motion_map_close) jlt_motion_map map = { .points = NULL };
     jlt_exit code;
 
     jlt_motion_begin(&o.motion, argc, argv);
     jlt_motion_many_begin(&o.motion);
     argp_parse(&parser, argc, argv, 0, NULL, &o);
-    if (jlt_swept_done(&code, &swept, &o.motion.common)) goto done;
+    if (jlt_swept_done(&code, &swept, &o.motion.common)) return code;
     jlt_motion_many_choose(&o.motion, true, false);
     o.motion.seed = o.seed;
     o.motion.is_random = true;
     o.motion.other = default_boxes;
-    code = jlt_motion_system(&s.system, &o.motion);
-    if (code == JLT_EXIT_DONE) code = choose_boxes(&s, axes);
-    if (code == JLT_EXIT_DONE) {
-        centre_axes(axes, &s.boxes);
-        code = jlt_motion_map_open(&map, &o.motion, s.system, o.motion.grid != NULL ? o.motion.grid : default_boxes, axes);
-    }
-    if (code == JLT_EXIT_DONE) code = jlt_motion_plan(s.system, &o.motion);
-    if (code == JLT_EXIT_DONE) code = jlt_common_write(&o.motion.common);
-    if (code == JLT_EXIT_DONE) code = build(&s);
-    if (code == JLT_EXIT_DONE) code = examine_all(&s);
-    if (code == JLT_EXIT_DONE && !jlt_motion_interrupted(&o.motion)) code = write_all(&s, &map);
-done:
-    clear(&s);
-    jlt_motion_map_close(&map);
-    jlt_system_destroy(s.system);
-    jlt_motion_end(&o.motion);
-    return code;
+    JLT_PASS(jlt_motion_system(&s.system, &o.motion));
+    JLT_PASS(choose_boxes(&s, axes));
+    centre_axes(axes, &s.boxes);
+    JLT_PASS(jlt_motion_map_open(&map, &o.motion, s.system, o.motion.grid != NULL ? o.motion.grid : default_boxes, axes));
+    JLT_PASS(jlt_motion_plan(s.system, &o.motion));
+    JLT_PASS(jlt_common_write(&o.motion.common));
+    JLT_PASS(build(&s));
+    JLT_PASS(examine_all(&s));
+    return jlt_motion_interrupted(&o.motion) ? JLT_EXIT_DONE : write_all(&s, &map);
 }
 
 const jlt_command jlt_command_transfer = {

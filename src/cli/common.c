@@ -23,21 +23,31 @@ static const struct argp_option common_table[] = {
     { "set", 's', "PARAM=VALUE,...", 0,
       "Values of parameters (1/3, 0.51, 1e-3). The others have the table's defaults, which `jellett models MODEL` shows; "
       "those of the spherical top are (5.1) of the paper", 10 },
+    { "@plan", PLAN, NULL, OPTION_HIDDEN, NULL, 12 },
+    { "@set", AT, "PARAM=VALUE,...", OPTION_HIDDEN, NULL, 12 },
+    { 0 },
+};
+
+static const struct argp_option files_table[] = {
     { NULL, 0, NULL, 0, "Output:", 12 },
     { "output", 'o', "FILE", 0,
       "Write the results to FILE; a table to FILE.npy becomes an array of NumPy. Default: standard output", 12 },
     { "plot", 'p', "FILE", 0, "Draw a picture: FILE.svg, FILE.png or FILE.pdf", 12 },
     { "keep", KEEP, "FILE", 0, "Keep the picture's gnuplot script, with all its data: gnuplot FILE draws the picture again", 12 },
-    { "@plan", PLAN, NULL, OPTION_HIDDEN, NULL, 12 },
-    { "@set", AT, "PARAM=VALUE,...", OPTION_HIDDEN, NULL, 12 },
+    { 0 },
+};
+
+static const struct argp_option certificate_table[] = {
+    { NULL, 0, NULL, 0, "Output:", 12 },
+    { "output", 'o', "FILE", 0, "Where the results go; default standard output", 12 },
     { 0 },
 };
 
 static const struct argp_option accuracy_table[] = {
     { NULL, 0, NULL, 0, "The computation:", 11 },
     { "tol", 't', "VALUE", 0,
-      "Tolerance of a step, in units of the problem, 1e-16 to 0.1; default 1e-12. With every method the error of ten "
-      "returns is then about as large", 11 },
+      "Tolerance of a step, in units of the problem, 1e-16 to 0.1; default 1e-12, of continue, manifolds, orbits and "
+      "certify 1e-13. With every method the error of ten returns is then about as large", 11 },
     { "method", METHOD, "METHOD", 0,
       "Method of integration: gauss (default), dop853, taylor (derivatives by gauss), rk8pd, rkf45, msadams", 11 },
     { 0 },
@@ -48,14 +58,11 @@ static error_t parse_common(int key, char *value, struct argp_state *state)
     jlt_common *self = state->input;
 
     switch (key) {
-    case ARGP_KEY_INIT: state->child_inputs[0] = &self->look; return 0;
-    case 's': jlt_common_list(&self->set, value, "--set"); return 0;
-    case 'o': self->output = value; return 0;
-    case 'p':
-        if (!jlt_picture_known(value)) argp_error(state, "--plot: '%s' is no .svg, .png or .pdf", value);
-        self->plot = value;
+    case ARGP_KEY_INIT:
+        state->child_inputs[0] = self;
+        state->child_inputs[1] = &self->look;
         return 0;
-    case KEEP: self->keep = value; return 0;
+    case 's': jlt_common_list(&self->set, value, "--set"); return 0;
     case PLAN: self->plan = true; return 0;
     case AT:
         self->at_point = true;
@@ -74,6 +81,21 @@ static error_t parse_common(int key, char *value, struct argp_state *state)
         if (self->look.asked && self->plot == NULL) argp_error(state, "options of a picture, and no picture: add --plot FILE");
         if (!self->plan) jlt_common_check_files(self, NULL, NULL);
         return 0;
+    default: return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static error_t parse_files(int key, char *value, struct argp_state *state)
+{
+    jlt_common *self = state->input;
+
+    switch (key) {
+    case 'o': self->output = value; return 0;
+    case 'p':
+        if (!jlt_picture_known(value)) argp_error(state, "--plot: '%s' is no .svg, .png or .pdf", value);
+        self->plot = value;
+        return 0;
+    case KEEP: self->keep = value; return 0;
     default: return ARGP_ERR_UNKNOWN;
     }
 }
@@ -106,17 +128,14 @@ static error_t parse_accuracy(int key, char *value, struct argp_state *state)
     }
 }
 
-static const struct argp_child children[] = { { &jlt_plot_argp, 0, NULL, 0 }, { 0 } };
+static const struct argp of_files = { files_table, parse_files, NULL, NULL, NULL, NULL, NULL };
+static const struct argp of_certificate = { certificate_table, parse_files, NULL, NULL, NULL, NULL, NULL };
+static const struct argp no_picture = { NULL, NULL, NULL, NULL, NULL, NULL, NULL };
+static const struct argp_child children[] = { { &of_files, 0, NULL, 0 }, { &jlt_plot_argp, 0, NULL, 0 }, { 0 } };
+static const struct argp_child without_picture[] = { { &of_certificate, 0, NULL, 0 }, { &no_picture, 0, NULL, 0 }, { 0 } };
 
-/* In the help of a command whose results are never a table, describe --output without NumPy arrays. */
-static char *filter(int key, const char *text, void *input)
-{
-    const jlt_common *self = input;
-
-    return key == 'o' && self != NULL && self->no_table ? strdup("Where the results go; default standard output") : (char *)text;
-}
-
-const struct argp jlt_common_argp = { common_table, parse_common, NULL, NULL, children, filter, NULL };
+const struct argp jlt_common_argp = { common_table, parse_common, NULL, NULL, children, NULL, NULL };
+const struct argp jlt_common_certificate_argp = { common_table, parse_common, NULL, NULL, without_picture, NULL, NULL };
 const struct argp jlt_accuracy_argp = { accuracy_table, parse_accuracy, NULL, NULL, NULL, NULL, NULL };
 
 void jlt_common_no_table(const jlt_common *self, const struct argp_state *state, const char *what)

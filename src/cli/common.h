@@ -19,7 +19,6 @@ typedef struct {
     const char *axes;  /* of the picture, as typed; NULL: none were named */
     jlt_look look;     /* of the picture */
     bool lanes;        /* compile the user's own table with kernels on vectors as well */
-    bool no_table;     /* the command's results are never a table of rows */
     const char *sweep; /* --sweep as typed; NULL: not given, or the command does its sweep by itself */
     const char *own_sweep; /* as typed, of a command that does its sweep by itself; NULL: not given */
     bool at_point;     /* this process computes one point of the sweep: its values are set, and rows go to standard output, without
@@ -43,8 +42,9 @@ typedef struct {
 } jlt_accuracy;
 
 /* Child parsers for commands: the first reads MODEL, --set, --output, --plot, --keep and the look of pictures into a jlt_common,
- * which is its input; the second reads --tol and --method into a jlt_accuracy. */
-extern const struct argp jlt_common_argp, jlt_accuracy_argp;
+ * which is its input; the second, of a command that writes a certificate, does not know --plot, --keep and the look; the third
+ * reads --tol and --method into a jlt_accuracy. */
+extern const struct argp jlt_common_argp, jlt_common_certificate_argp, jlt_accuracy_argp;
 
 /** Call it at ARGP_KEY_END of a command whose result is not a table but `what` ("a report"): it ends the program with status 2 if
  *  --output names a NumPy array, which can hold only a table. */

@@ -87,8 +87,11 @@ static error_t parse_contact(int key, char *value, struct argp_state *state)
 }
 
 static const struct argp_child children[] = { { &jlt_common_argp, 0, NULL, 0 }, { &jlt_accuracy_argp, 0, NULL, 0 }, { 0 } };
+static const struct argp_child of_certificate[] = { { &jlt_common_certificate_argp, 0, NULL, 0 },
+                                                    { &jlt_accuracy_argp, 0, NULL, 0 }, { 0 } };
 
 const struct argp jlt_motion_argp = { option_table, parse, NULL, NULL, children, NULL, NULL };
+const struct argp jlt_motion_certificate_argp = { option_table, parse, NULL, NULL, of_certificate, NULL, NULL };
 const struct argp jlt_contact_argp = { contact_table, parse_contact, NULL, NULL, NULL, NULL, NULL };
 
 void jlt_motion_begin(jlt_motion_options *options, int argc, char **argv)
@@ -104,8 +107,10 @@ void jlt_motion_begin(jlt_motion_options *options, int argc, char **argv)
     jlt_common_begin(&options->common, argc, argv);
 }
 
-void jlt_motion_end(jlt_motion_options *options)
+void jlt_motion_end(void *place)
 {
+    jlt_motion_options *options = place;
+
     jlt_common_end(&options->common);
     jlt_assign_clear(&options->level);
     free(options->starts);

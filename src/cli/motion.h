@@ -40,15 +40,16 @@ typedef struct {
 } jlt_motion_options;
 
 /* A child parser of these options and those of common.h; its input is a jlt_motion_options. */
-extern const struct argp jlt_motion_argp;
+extern const struct argp jlt_motion_argp, jlt_motion_certificate_argp; /* the latter without options of pictures */
 
 /* A child parser of --contact, with the same input, for commands that look at the model's conditions. */
 extern const struct argp jlt_contact_argp;
 
-/** Set defaults and install the handler of Ctrl-C. Call it before argp_parse, with the same argv, and _end last; the options must
- *  not move in between. Ends the program where memory is out. */
+/** Set defaults and install the handler of Ctrl-C. Call it before argp_parse, with the same argv, and _end last, with the options
+ *  or a structure whose first member they are, as JLT_CLEARED does; they must not move in between. Ends the program where memory is
+ *  out. */
 void jlt_motion_begin(jlt_motion_options *options, int argc, char **argv);
-void jlt_motion_end(jlt_motion_options *options);
+void jlt_motion_end(void *place);
 
 /** Make the system that the options describe: table, parameters, levels, section. Out: *system, for jlt_system_destroy. */
 jlt_exit jlt_motion_system(jlt_system **system, jlt_motion_options *options);

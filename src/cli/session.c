@@ -36,8 +36,10 @@ void jlt_session_begin(jlt_session *self, int argc, char **argv)
     jlt_common_begin(&self->common, argc, argv);
 }
 
-void jlt_session_end(jlt_session *self)
+void jlt_session_end(void *place)
 {
+    jlt_session *self = place;
+
     jlt_common_end(&self->common);
     jlt_assign_clear(&self->start);
     free(self->params);

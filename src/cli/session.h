@@ -23,10 +23,10 @@ typedef struct {
 /* A child parser of --start and the options of common.h; its input is a jlt_session. */
 extern const struct argp jlt_session_argp;
 
-/** Set defaults and install the handler of Ctrl-C. Call it before argp_parse, with the same argv, and _end last; the session must
- *  not move in between. */
+/** Set defaults and install the handler of Ctrl-C. Call it before argp_parse, with the same argv, and _end last, with the session
+ *  or a structure whose first member it is, as JLT_CLEARED does; it must not move in between. */
 void jlt_session_begin(jlt_session *self, int argc, char **argv);
-void jlt_session_end(jlt_session *self);
+void jlt_session_end(void *place);
 
 /** Open the model and check the parameters. Sets descriptor; params, shape (param_count,); others, to tables with fewer states. */
 jlt_exit jlt_session_open(jlt_session *self);

@@ -1,7 +1,8 @@
 #include "dynamics/drift.h"
 
 #include <math.h>
-#include <stdlib.h>
+
+#include "core/memory.h"
 
 void jlt_drift_begin(jlt_drift *self, jlt_drift_end *end)
 {
@@ -66,14 +67,13 @@ jlt_status jlt_drift_turns(bool *turns, const jlt_system *system, const double *
     const jlt_descriptor *d = system->instance->descriptor;
     const jlt_chart *chart = system->flow.chart;
     const unsigned n = d->state_count, c = chart->column;
-    double *values = malloc(d->integral_count * (2 + (size_t)n) * sizeof *values);
+    JLT_FREED double *values = malloc(d->integral_count * (2 + (size_t)n) * sizeof *values);
     double *turned = values + d->integral_count, *gradients = turned + d->integral_count;
     double x[JLT_CHART_STATES_MAX], size;
-    jlt_status st = JLT_ERR_NOMEM;
 
     *turns = false;
-    if (values == NULL) goto done;
-    JLT_TRY(chart->lift(chart, x, NULL, q));
+    if (values == NULL) return JLT_ERR_NOMEM;
+    JLT_PASS(chart->lift(chart, x, NULL, q));
     d->integral_values.call(x, system->field.p, values);
     x[c] += chart->turn;
     d->integral_values.call(x, system->field.p, turned);
@@ -81,9 +81,7 @@ jlt_status jlt_drift_turns(bool *turns, const jlt_system *system, const double *
     size = fabs(values[integral]);
     for (unsigned j = 0; j < n; j++) size += fabs(gradients[integral * n + j] * x[j]);
     *turns = fabs(turned[integral] - values[integral]) > same * size;
-done:
-    free(values);
-    return st;
+    return JLT_OK;
 }
 
 jlt_status jlt_drift_section(jlt_drift *self, jlt_drift_end *end, const jlt_method *method)
@@ -91,28 +89,24 @@ jlt_status jlt_drift_section(jlt_drift *self, jlt_drift_end *end, const jlt_meth
     const jlt_descriptor *d = self->system->instance->descriptor;
     const jlt_kernel_function integrals = d->integral_values.call;
     const double *prepared = self->system->told->prepared;
-    double *now = malloc(d->integral_count * (1 + (size_t)d->state_count) * sizeof *now);
+    JLT_FREED double *now = malloc(d->integral_count * (1 + (size_t)d->state_count) * sizeof *now);
     jlt_flow flow = self->system->flow;
-    jlt_section *section = NULL;
+    JLT_OWNED(jlt_section) *section = NULL;
     jlt_return at;
-    jlt_status st = JLT_ERR_NOMEM;
 
     jlt_drift_begin(self, end);
     flow.method = method;
-    if (now == NULL) goto done;
+    if (now == NULL) return JLT_ERR_NOMEM;
     double *const gradients = now + d->integral_count;
-    JLT_TRY(jlt_section_create(&section, &flow));
-    JLT_TRY(jlt_section_start(section, &at, self->q, 1));
+    JLT_PASS(jlt_section_create(&section, &flow));
+    JLT_PASS(jlt_section_start(section, &at, self->q, 1));
     integrals(at.x, prepared, now);
     d->integral_gradients.call(at.x, prepared, gradients);
     set_first(self, now, gradients, at.x);
     for (size_t i = 1, steps, evaluations; i <= self->returns && !self->stopped; i++) {
-        JLT_TRY(jlt_section_next(section, &at));
+        JLT_PASS(jlt_section_next(section, &at));
         if (at.interrupted) break;
-        if (jlt_section_failed(at.fate)) {
-            st = jlt_section_fate_status(at.fate);
-            goto done;
-        }
+        if (jlt_section_failed(at.fate)) return jlt_section_fate_status(at.fate);
         if (at.fate != JLT_FATE_ALIVE) {
             jlt_section_fate_text(end->name, self->system->observed, at.fate, at.lost);
             end->t = at.t;
@@ -121,11 +115,8 @@ jlt_status jlt_drift_section(jlt_drift *self, jlt_drift_end *end, const jlt_meth
         }
         integrals(at.x, prepared, now);
         jlt_section_cost(section, &steps, &evaluations);
-        JLT_TRY(jlt_drift_note(self, i, at.t, evaluations, now));
+        JLT_PASS(jlt_drift_note(self, i, at.t, evaluations, now));
     }
     jlt_drift_finish(self, end);
-done:
-    jlt_section_destroy(section);
-    free(now);
-    return st;
+    return JLT_OK;
 }

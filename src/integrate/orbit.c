@@ -36,8 +36,7 @@ struct jlt_orbit {
 
 jlt_status jlt_orbit_create(jlt_orbit **out, const jlt_method *method, const jlt_field *field, const jlt_options *options)
 {
-    jlt_status st = JLT_OK;
-    jlt_orbit *self;
+    JLT_OWNED(jlt_orbit) *self = NULL;
 
     *out = NULL;
     const jlt_options defaults = { .tolerance = 0 };
@@ -53,19 +52,14 @@ jlt_status jlt_orbit_create(jlt_orbit **out, const jlt_method *method, const jlt
     if (self->options.tolerance == 0) self->options.tolerance = JLT_ORBIT_TOLERANCE;
     if (self->options.max_step == 0) self->options.max_step = INFINITY;
     if (self->options.max_steps == 0) self->options.max_steps = default_steps;
-    JLT_TRY(jlt_stepper_create(&self->stepper, method, field, self->options.tolerance, self->options.max_step));
+    JLT_PASS(jlt_stepper_create(&self->stepper, method, field, self->options.tolerance, self->options.max_step));
     self->at = jlt_memory_array((2 + 2 * JLT_ORBIT_EVENTS_MAX) * (size_t)self->stepper->stride, sizeof *self->at);
-    if (self->at == NULL) {
-        st = JLT_ERR_NOMEM;
-        goto done;
-    }
+    if (self->at == NULL) return JLT_ERR_NOMEM;
     self->slope = self->at + self->stepper->stride;
     for (size_t e = 0; e < JLT_ORBIT_EVENTS_MAX; e++) self->watch[e].zero = self->at + (2 + 2 * e) * self->stepper->stride;
     *out = self;
     self = NULL;
-done:
-    jlt_orbit_destroy(self);
-    return st;
+    return JLT_OK;
 }
 
 void jlt_orbit_destroy(jlt_orbit *self)

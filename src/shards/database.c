@@ -96,7 +96,8 @@ static jlt_status add_fact(const jlt_database *self, char **message, const char 
 /* Add each member of the study's JSON object, the whole JSON as `study`, and the shard key (jlt_shard_key) as `key`. */
 static jlt_status add_provenance(const jlt_database *self, char **message, const char *study)
 {
-    json_t *json = json_loads(study, 0, NULL), *value;
+    json_auto_t *json = json_loads(study, 0, NULL);
+    json_t *value;
     char key[JLT_SHARD_KEY];
     const char *name;
     jlt_status st;
@@ -109,7 +110,6 @@ static jlt_status add_provenance(const jlt_database *self, char **message, const
         if (st == JLT_OK) st = text == NULL ? JLT_ERR_NOMEM : add_fact(self, message, name, text);
         free(text);
     }
-    json_decref(json);
     return st;
 }
 

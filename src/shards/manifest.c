@@ -44,10 +44,7 @@ static bool compare(FILE *stream, const char *group, json_t *there, json_t *here
 
 bool jlt_manifest_difference(FILE *stream, const char *there, const char *here)
 {
-    json_t *a = json_loads(there, 0, NULL), *b = json_loads(here, 0, NULL);
-    const bool differ = compare(stream, "", a, b);
+    json_auto_t *a = json_loads(there, 0, NULL), *b = json_loads(here, 0, NULL);
 
-    json_decref(a);
-    json_decref(b);
-    return differ;
+    return compare(stream, "", a, b);
 }

@@ -80,7 +80,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
 }
 
 static const struct argp parser = {
-    option_table, parse, "",
+    option_table, parse, "[MODEL]",
     "The balanced sphere (a3 = 0): compute the flow on the surface M^2 where E, G and F0 have given values: its fixed points in "
     "closed form, their stability by (4.5) of the paper, orbits, and a picture."
     "\vColumns, one row a fixed point:\n"
@@ -234,15 +234,14 @@ static jlt_status follow(jlt_portrait_request *r, FILE *file, const double *star
     const jlt_course_options options = { .method = r->session.method, .tolerance = r->session.tolerance,
                                          .interrupt = r->session.interrupt };
     jlt_plan plan;
-    jlt_course *course = NULL;
+    JLT_OWNED(jlt_course) *course = NULL;
     jlt_course_row row;
-    jlt_status st = jlt_plan_make(&plan, &question);
     point last = point_of(r, start);
 
-    if (st != JLT_OK) return st;
-    JLT_TRY(jlt_course_create(&course, &plan, &question, &options));
+    JLT_PASS(jlt_plan_make(&plan, &question));
+    JLT_PASS(jlt_course_create(&course, &plan, &question, &options));
     for (int i = 0; i <= SAMPLES; i++) {
-        JLT_TRY(jlt_course_to(course, direction * r->until * i / SAMPLES, &row));
+        JLT_PASS(jlt_course_to(course, direction * r->until * i / SAMPLES, &row));
         if (row.end == JLT_END_INTERRUPT) break;
         const point now = point_of(r, row.x);
         if (r->session.common.points != NULL && (fabs(now.psi - last.psi) > pi || now.v_slip * last.v_slip < 0))
@@ -262,11 +261,9 @@ static jlt_status follow(jlt_portrait_request *r, FILE *file, const double *star
     /* The orbit is continued beyond the plotted part until its fate is clear. */
     for (int i = 5; direction > 0 && i <= 4 * PATIENCE && row.end == JLT_END_TIME && fate_of(r, &row) == JLT_PORTRAIT_WANDERING;
          i++)
-        JLT_TRY(jlt_course_to(course, r->until * i / 4, &row));
+        JLT_PASS(jlt_course_to(course, r->until * i / 4, &row));
     if (direction > 0 && row.end != JLT_END_INTERRUPT) r->fates[fate_of(r, &row)]++;
-done:
-    jlt_course_destroy(course);
-    return st;
+    return JLT_OK;
 }
 
 static jlt_exit follow_all(jlt_portrait_request *r, FILE *file)
@@ -361,39 +358,39 @@ static jlt_exit draw(const jlt_portrait_request *r)
     return jlt_plot_draw(&plot);
 }
 
+static void end_request(jlt_portrait_request *r)
+{
+    jlt_assign_clear(&r->level);
+    jlt_session_end(r);
+}
+
 static const jlt_swept_form swept = { &jlt_command_portrait, true, 0 };
 
 static jlt_exit run(int argc, char **argv)
 {
-    jlt_portrait_request r = { .orbits = 60, .until = 20 };
+    JLT_CLEARED(end_request) jlt_portrait_request r = { .orbits = 60, .until = 20 };
+    JLT_CLEARED(jlt_stream_discard) jlt_stream trajectories = { 0 };
     jlt_common *common = &r.session.common;
-    jlt_stream trajectories = { 0 };
     jlt_exit code;
 
     jlt_session_begin(&r.session, argc, argv);
     argp_parse(&parser, argc, argv, 0, NULL, &r);
-    if (jlt_swept_done(&code, &swept, &r.session.common)) goto done;
-    code = open_top(&r);
-    if (code == JLT_EXIT_DONE) code = read_levels(&r);
-    if (code == JLT_EXIT_DONE && r.session.common.plan) code = show_plan(&r);
-    if (code == JLT_EXIT_DONE) code = jlt_common_write(common);
-    if (code == JLT_EXIT_DONE && r.trajectories != NULL) code = jlt_stream_open(&trajectories, r.trajectories);
-    if (code != JLT_EXIT_DONE) goto done;
+    if (jlt_swept_done(&code, &swept, &r.session.common)) return code;
+    JLT_PASS(open_top(&r));
+    JLT_PASS(read_levels(&r));
+    if (r.session.common.plan) JLT_PASS(show_plan(&r));
+    JLT_PASS(jlt_common_write(common));
+    if (r.trajectories != NULL) JLT_PASS(jlt_stream_open(&trajectories, r.trajectories));
     if (!jlt_balanced_fixed_like(r.fixed, &r.fixed_count, &r.top, r.start))
         r.fixed_curve = jlt_balanced_fixed_points(r.fixed, &r.fixed_count, &r.top, &r.levels) == JLT_ERR_UNSUPPORTED;
     write_fixed_points(common->table.file, &r);
-    if (common->points != NULL || r.trajectories != NULL) code = follow_all(&r, trajectories.file);
-    if (code == JLT_EXIT_DONE) code = jlt_common_save(common);
-    if (code == JLT_EXIT_DONE && r.trajectories != NULL) code = jlt_stream_close(&trajectories);
-    if (code == JLT_EXIT_DONE && common->plot != NULL) code = draw(&r);
-done:
-    jlt_stream_discard(&trajectories);
-    jlt_assign_clear(&r.level);
-    jlt_session_end(&r.session);
-    return code;
+    if (common->points != NULL || r.trajectories != NULL) JLT_PASS(follow_all(&r, trajectories.file));
+    JLT_PASS(jlt_common_save(common));
+    if (r.trajectories != NULL) JLT_PASS(jlt_stream_close(&trajectories));
+    return common->plot != NULL ? draw(&r) : JLT_EXIT_DONE;
 }
 
 const jlt_command jlt_command_portrait = {
-    "portrait", "--level ...|--start ... [OPTION...]",
+    "portrait", "[MODEL] --level ...|--start ... [OPTION...]",
     "a3 = 0: the flow on M^2, its fixed points and their stability, orbits, picture", run, &parser, NULL
 };

@@ -46,7 +46,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
 static const struct argp_child children[] = { { &jlt_session_argp, 0, NULL, 0 }, { 0 } };
 
 static const struct argp parser = {
-    option_table, parse, "",
+    option_table, parse, "[MODEL]",
     "The limiting case I3 = 0 of the spherical top, by quadratures: compute the turning points and period of gamma3, and the "
     "rotation number, which is the turns of (v_nu, v_tau) in a period. Where E1 = 0, every orbit has this period."
     "\vColumns:\n"
@@ -115,14 +115,13 @@ static jlt_status integrate(double defects[3], const request *r, const jlt_rod *
     const jlt_course_options options = { .method = s->method, .tolerance = s->tolerance, .interrupt = s->interrupt };
     const double pi = acos(-1), *x = s->x;
     jlt_plan plan;
-    jlt_course *course = NULL;
+    JLT_OWNED(jlt_course) *course = NULL;
     jlt_course_row row;
-    jlt_status st = jlt_plan_make(&plan, &question);
     double before[JLT_TOP_STATES], after[JLT_TOP_STATES], turn;
 
-    if (st != JLT_OK) return st;
-    JLT_TRY(jlt_course_create(&course, &plan, &question, &options));
-    JLT_TRY(jlt_course_to(course, rod->period, &row));
+    JLT_PASS(jlt_plan_make(&plan, &question));
+    JLT_PASS(jlt_course_create(&course, &plan, &question, &options));
+    JLT_PASS(jlt_course_to(course, rod->period, &row));
     jlt_counterpart_look(&rod->counterpart, before, x);
     jlt_counterpart_look(&rod->counterpart, after, row.x);
     turn = direction(&rod->top, after) - direction(&rod->top, before);
@@ -130,9 +129,7 @@ static jlt_status integrate(double defects[3], const request *r, const jlt_rod *
     defects[1] = rod->E1 > 1e-24 * fabs(rod->E2) ? fabs(remainder(turn - rod->turn, 2 * pi)) : NAN;
     defects[2] = 0;
     for (int i = 0; i < JLT_TOP_STATES; i++) defects[2] = fmax(defects[2], fabs(row.x[i] - x[i]));
-done:
-    jlt_course_destroy(course);
-    return st;
+    return JLT_OK;
 }
 
 static jlt_status open_rod(jlt_rod *rod, const request *r)
@@ -243,46 +240,41 @@ static jlt_exit draw(const request *r)
 
 static jlt_exit run(int argc, char **argv)
 {
-    request r = { .extent = { JLT_EXTENT_NONE, JLT_EXTENT_NONE } };
+    JLT_CLEARED(jlt_session_end) request r = { .extent = { JLT_EXTENT_NONE, JLT_EXTENT_NONE } };
     jlt_common *common = &r.session.common;
     jlt_counterpart found;
     size_t I3;
-    jlt_exit code;
 
     jlt_session_begin(&r.session, argc, argv);
     r.session.tolerance = 1e-15;
     argp_parse(&parser, argc, argv, 0, NULL, &r);
-    code = jlt_session_open(&r.session);
-    if (code == JLT_EXIT_DONE && jlt_descriptor_param(r.session.descriptor, "I3", &I3)) {
+    JLT_PASS(jlt_session_open(&r.session));
+    if (jlt_descriptor_param(r.session.descriptor, "I3", &I3)) {
         const char *given = jlt_assign_fraction(&r.session.common.set, "I3");
         if (given != NULL && strcmp(given, "0") != 0)
-            code = jlt_command_fail(JLT_EXIT_INPUT, "--set I3=%s: the quadratures are those of I3 = 0", given);
+            return jlt_command_fail(JLT_EXIT_INPUT, "--set I3=%s: the quadratures are those of I3 = 0", given);
         r.session.params[I3] = 0;
     }
-    if (code == JLT_EXIT_DONE) code = jlt_top_counterpart(&found, &r.session, jlt_rod_table, "quadratures");
-    if (code == JLT_EXIT_DONE) code = check_claims(&r);
-    if (code == JLT_EXIT_DONE) code = jlt_session_start(&r.session);
-    if (code == JLT_EXIT_DONE) code = bind_axes(&r);
-    if (code == JLT_EXIT_DONE && r.session.common.plot != NULL && r.axis_count != 1)
-        code = jlt_command_fail(JLT_EXIT_USAGE, "--plot needs a --sweep of one quantity: vary one, or leave out --plot");
-    if (code == JLT_EXIT_DONE) code = check_start(&r);
-    if (code == JLT_EXIT_DONE && r.session.common.plan) {
+    JLT_PASS(jlt_top_counterpart(&found, &r.session, jlt_rod_table, "quadratures"));
+    JLT_PASS(check_claims(&r));
+    JLT_PASS(jlt_session_start(&r.session));
+    JLT_PASS(bind_axes(&r));
+    if (r.session.common.plot != NULL && r.axis_count != 1)
+        return jlt_command_fail(JLT_EXIT_USAGE, "--plot needs a --sweep of one quantity: vary one, or leave out --plot");
+    JLT_PASS(check_start(&r));
+    if (r.session.common.plan) {
         puts("  * quadrature: nothing is integrated in time");
-        code = JLT_EXIT_PLANNED;
+        return JLT_EXIT_PLANNED;
     }
-    if (code == JLT_EXIT_DONE) code = jlt_common_write(common);
-    if (code != JLT_EXIT_DONE) goto done;
-    code = write_rows(common->table.file, &r);
-    if (code == JLT_EXIT_DONE) code = jlt_common_save(common);
-    if (code == JLT_EXIT_DONE && jlt_session_interrupted(&r.session))
+    JLT_PASS(jlt_common_write(common));
+    JLT_PASS(write_rows(common->table.file, &r));
+    JLT_PASS(jlt_common_save(common));
+    if (jlt_session_interrupted(&r.session))
         fprintf(stderr, "jellett: interrupted; %zu whole rows are saved in %s\n", r.rows, common->table.path);
-    if (code == JLT_EXIT_DONE && common->plot != NULL) code = draw(&r);
-done:
-    jlt_session_end(&r.session);
-    return code;
+    return common->plot != NULL ? draw(&r) : JLT_EXIT_DONE;
 }
 
 const jlt_command jlt_command_rod = {
-    "rod", "--start ... [OPTION...]",
+    "rod", "[MODEL] --start ... [OPTION...]",
     "I3 = 0 by quadratures: period, rotation number, checked against integration", run, &parser, NULL
 };

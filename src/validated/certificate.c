@@ -207,7 +207,7 @@ static bool is_defined(jlt_certificate_report *report, jlt_certificate_verdict o
 /* SHA-256 of the certificate without `digest`. Returns false if memory is out. */
 static bool digest_of(char digest[65], json_t *certificate)
 {
-    json_t *copy = json_copy(certificate);
+    json_auto_t *copy = json_copy(certificate);
     JLT_FREED char *text = NULL;
 
     if (copy != NULL) {
@@ -215,7 +215,6 @@ static bool digest_of(char digest[65], json_t *certificate)
         text = json_dumps(copy, JSON_COMPACT | JSON_SORT_KEYS);
     }
     if (text != NULL) ttc_sha256(digest, text, strlen(text));
-    json_decref(copy);
     return text != NULL;
 }
 
@@ -263,7 +262,6 @@ void jlt_certificate_check(jlt_certificate_report *report, json_t *certificate, 
     const char *digest = json_string_value(json_object_get(certificate, "digest"));
     const json_t *given = json_object_get(certificate, "given"), *said = json_object_get(certificate, "shown");
     const jlt_descriptor *d;
-    json_t *proved = NULL, *words = NULL;
     const char *problem;
     char found[65];
 
@@ -278,7 +276,7 @@ void jlt_certificate_check(jlt_certificate_report *report, json_t *certificate, 
     *report = jlt_judge_say(JLT_CERTIFICATE_REFUSED, "its digest is not that of its text: it was changed after it was made");
     if (!digest_of(found, certificate) || strcmp(found, digest) != 0) return;
     if (!is_defined(report, JLT_CERTIFICATE_REFUSED, kind, d)) return;
-    proved = prove(report, kind, given, d, watch);
+    json_auto_t *proved = prove(report, kind, given, d, watch), *words = NULL;
     if (proved == NULL) return;
     if (!jlt_said_follows(said, proved))
         *report = jlt_judge_say(JLT_CERTIFICATE_REFUSED,
@@ -288,6 +286,4 @@ void jlt_certificate_check(jlt_certificate_report *report, json_t *certificate, 
     else if ((words = jlt_theorem_words(kind, d, given, said)) == NULL) *report = jlt_judge_failure(JLT_ERR_NOMEM);
     else if (!json_equal(words, json_object_get(certificate, "theorem")))
         *report = jlt_judge_say(JLT_CERTIFICATE_REFUSED, "its theorem is not what its numbers say");
-    json_decref(proved);
-    json_decref(words);
 }

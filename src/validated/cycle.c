@@ -5,29 +5,25 @@
 
 jlt_status jlt_cycle_create(jlt_cycle **cycle, const jlt_cycle_question *question)
 {
-    jlt_cycle *self = calloc(1, sizeof *self);
-    jlt_status st = JLT_ERR_NOMEM;
+    JLT_OWNED(jlt_cycle) *self = calloc(1, sizeof *self);
 
     *cycle = NULL;
-    if (self == NULL) return st;
+    if (self == NULL) return JLT_ERR_NOMEM;
     self->question = question;
-    st = JLT_ERR_ARG;
     if (question->descriptor->state_count > JLT_CYCLE_STATES_MAX
         || question->descriptor->state_count < 2 + question->level_count)
-        goto done;
-    JLT_TRY(jlt_formulas_create(&self->formulas, question->descriptor, question->free, question->free_count, question->levels,
-                                question->level_count));
+        return JLT_ERR_ARG;
+    JLT_PASS(jlt_formulas_create(&self->formulas, question->descriptor, question->free, question->free_count, question->levels,
+                                 question->level_count));
     self->unknowns = self->formulas->states - 1;
     self->state = _arb_vec_init((slong)self->formulas->dim);
     jlt_arrival_init(&self->arrival, self->formulas->dim);
-    JLT_TRY(jlt_step_create(&self->step, self->formulas, question->params, jlt_step_accuracy_for(question->digits),
-                            question->watch));
-    JLT_TRY(jlt_jets_create(&self->levels, self->formulas, self->formulas->levels, 0, 0));
+    JLT_PASS(jlt_step_create(&self->step, self->formulas, question->params, jlt_step_accuracy_for(question->digits),
+                             question->watch));
+    JLT_PASS(jlt_jets_create(&self->levels, self->formulas, self->formulas->levels, 0, 0));
     *cycle = self;
     self = NULL; /* ownership moved to the caller */
-done:
-    jlt_cycle_destroy(self);
-    return st;
+    return JLT_OK;
 }
 
 void jlt_cycle_destroy(jlt_cycle *cycle)

@@ -64,11 +64,10 @@ unsigned jlt_jets_terms(unsigned degree) { return (degree + 1) * (degree + 2) / 
 
 jlt_status jlt_jets_create(jlt_jets **jets, const jlt_formulas *of, const ttc_program *program, unsigned order, unsigned degree)
 {
-    jlt_jets *self = calloc(1, sizeof *self);
-    jlt_status st = JLT_ERR_NOMEM;
+    JLT_OWNED(jlt_jets) *self = calloc(1, sizeof *self);
 
     *jets = NULL;
-    if (self == NULL) return st;
+    if (self == NULL) return JLT_ERR_NOMEM;
     arb_init(self->scratch);
     self->of = of;
     self->program = program;
@@ -79,13 +78,11 @@ jlt_status jlt_jets_create(jlt_jets **jets, const jlt_formulas *of, const ttc_pr
     self->size = ttc_program_size(program);
     self->series = calloc(self->size + 1, sizeof *self->series);
     self->partner = calloc(self->size + 1, sizeof *self->partner);
-    if (self->series == NULL || self->partner == NULL) goto done;
-    JLT_TRY(look_through(self));
+    if (self->series == NULL || self->partner == NULL) return JLT_ERR_NOMEM;
+    JLT_PASS(look_through(self));
     *jets = self;
     self = NULL; /* ownership moved to the caller */
-done:
-    jlt_jets_destroy(self);
-    return st;
+    return JLT_OK;
 }
 
 void jlt_jets_destroy(jlt_jets *jets)

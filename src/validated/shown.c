@@ -56,15 +56,13 @@ json_t *jlt_shown_upper_bound(const arf_t bound)
 {
     const char *below;
     char text[64];
-    json_t *lower;
     JLT_SCOPED(arf, opposite);
 
     arf_neg(opposite, bound);
-    lower = jlt_shown_lower_bound(opposite);
+    json_auto_t *lower = jlt_shown_lower_bound(opposite);
     below = json_string_value(lower);
     if (below == NULL) return NULL;
     snprintf(text, sizeof text, "%s%s", below[0] == '-' || strcmp(below, "0") == 0 ? "" : "-", below + (below[0] == '-'));
-    json_decref(lower);
     return json_string(text);
 }
 

@@ -151,12 +151,11 @@ static void write_conditions(FILE *out, const jlt_descriptor *d, const json_t *s
 static void write_image(FILE *out, const jlt_theorem_subject *s)
 {
     const jlt_reversor *reversor = jlt_theorem_reversor(s->descriptor);
-    json_t *flipped = reversor == NULL ? NULL : jlt_theorem_flipped(s->descriptor, reversor);
+    json_auto_t *flipped = reversor == NULL ? NULL : jlt_theorem_flipped(s->descriptor, reversor);
 
     if (flipped == NULL) return;
     fputs("The image of the orbit under the reversor ", out);
     jlt_theorem_text_flips(out, flipped);
-    json_decref(flipped);
     fputs(", time reversed, is another periodic orbit, which has the inverse multipliers on the images of the levels: "
           "it repels.", out);
 }

@@ -144,7 +144,7 @@ refuse 4 'the proof could not be carried out' cycle "${orbit[@]}" --radius 1
 refuse 3 "neither a parameter nor a level 'a3'" cycle "${orbit[@]}" --spread a3=1e-9
 refuse 4 'finds no periodic orbit' cycle lorenz --section z=27 --start x=100,y=-100
 refuse 2 'no kind of certificate' saddle "${orbit[@]}"
-refuse 2 'has no picture' cycle "${orbit[@]}" --plot "$scratch/none.svg"
+refuse 2 "unrecognized option '--plot'" cycle "${orbit[@]}" --plot "$scratch/none.svg"
 refuse 2 'say near which orbit' cycle lorenz --section z=27
 refuse 2 '--distance is an option of homoclinic, not of cycle' cycle "${orbit[@]}" --distance 1e-6
 refuse 2 '--orbit is an option of homoclinic, not of sink' sink "${orbit[@]}" --orbit 2

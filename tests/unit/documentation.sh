@@ -38,6 +38,10 @@ for program in ttc jellett; do
         done < <($program "$command" --help | grep -E '^  (jellett|ttc) |^    --' | grep -oE '\b(tools|codegen|tests)/[^ ]+')
         # Where an option's line is full, argp may write the margin of what follows before it: another length of either mends it.
         ! $program "$command" --help | grep -nE '^  -.,  +--' || fail "$program $command --help: an option stands behind the margin"
+        # Likewise before a line of a description, which stands in column 30 of jellett, in 29 of ttc.
+        ! $program "$command" --help | awk '/^ +-\?, --help/ { exit }
+            /^(  -., |      )--/ { options = 1; next } options && !/^ {29,30}[^ ]/ && !/^$/ && !/^ [A-Z]/' | grep . ||
+            fail "$program $command --help: a description stands beside its margin"
         for option in $($program "$command" --help | grep -oE -- '--[a-z][a-z-]*' | sort -u); do
             option=${option#-}
             grep -qF -- "${option//-/\\-}" "$page" || fail "$page: -$option is missing"

@@ -66,6 +66,9 @@ refuse 3 "--level: lorenz claims no integral .E." jellett section lorenz --start
 refuse 2 "lorenz has no record .valid.: leave out --contact" jellett section lorenz --start x=1,y=1 --section z=27 --contact report
 refuse 2 "unrecognized option '--contact" jellett orbits --contact report
 refuse 2 "unrecognized option '--contact" jellett lyapunov --contact end
+refuse 2 "--contact report writes a column of orbits, and rows here are boxes" jellett transfer --contact report --boxes 8x8
+refuse 2 "--contact report writes a column of orbits, and rows of --sweep are shares" jellett fates --contact report --sweep E=1:2:2
+refuse 2 "unrecognized option .--plot" jellett certify sink --plot picture.svg
 for command in fates eigen lyapunov "rod --start $start"; do
     # shellcheck disable=SC2086
     refuse 2 "--sweep: no range is given" jellett $command --sweep ""
