@@ -120,7 +120,7 @@ static double reach_of(const jlt_linearization *r, const double *x, size_t j)
     return fmin(fmax(JLT_LINEARIZATION_TOLERANCE * size, rounding), 1e-3 * room);
 }
 
-/* Evaluate the gradients of the integrals that are proved. */
+/* Evaluate the gradients of the integrals that are proved; where one of them has a pole, as y/x has at x = 0, none is used. */
 static jlt_status measure_gradients(jlt_linearization *r, const jlt_instance *instance, const double *x)
 {
     const jlt_descriptor *d = r->descriptor;
@@ -128,7 +128,8 @@ static jlt_status measure_gradients(jlt_linearization *r, const jlt_instance *in
 
     r->integrals = 0;
     if (d->integral_gradients.call == NULL || d->integral_count > SIZE) return JLT_OK;
-    JLT_PASS(jlt_instance_gradients(instance, gradients, x));
+    const jlt_status st = jlt_instance_gradients(instance, gradients, x);
+    if (st != JLT_OK) return st == JLT_ERR_DOMAIN || st == JLT_ERR_NONFINITE ? JLT_OK : st;
     for (unsigned k = 0; k < d->integral_count; k++) {
         if (!jlt_descriptor_proves(d, "integral", d->integrals[k].name)) continue;
         memcpy(r->gradients + r->integrals * r->n, gradients + k * r->n, r->n * sizeof *gradients);

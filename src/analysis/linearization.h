@@ -43,7 +43,7 @@ typedef struct {
     double residual_ratio;            /* largest JLT_LINEARIZATION_TOLERANCE |f_i| / sum_j |df_i/dx_j| reach_j, over all f_i that
                                        * are not exactly 0: x counts as an equilibrium if this is at most the tolerance */
     double jacobian[JLT_LINEARIZATION_SIZE_MAX * JLT_LINEARIZATION_SIZE_MAX]; /* row-major, shape (n, n) */
-    size_t integrals;                 /* number of proved integrals of the variant */
+    size_t integrals;                 /* number of proved integrals of the variant; 0 where one has a pole */
     jlt_named held[JLT_LINEARIZATION_SIZE_MAX]; /* shape (integrals,) */
     double gradients[JLT_LINEARIZATION_SIZE_MAX * JLT_LINEARIZATION_SIZE_MAX]; /* their gradients, shape (integrals, n) */
     double charpoly[JLT_LINEARIZATION_SIZE_MAX + 1]; /* monic, highest power first, Faddeev-LeVerrier; the coefficients that

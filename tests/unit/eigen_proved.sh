@@ -211,4 +211,10 @@ says "$nothing" passed.tt --at x=1.4142135623730951 --fast
 says ' 0 or near it, condition not defined' passed.tt --at x=1.4142135623730951
 says 'trace 3' passed.tt --at x=1.4142135623730951 --digits 30
 says ' 3 condition 1' passed.tt --at x=1.4142135623730951 --digits 30
+
+# y/x is an integral that has no value at the node: it says nothing there, and the field is what it is.
+printf '%s\n' 'model node' 'state x' 'state y' 'eq x = -x' 'eq y = -y' 'integral slope = y/x' \
+    'equilibria rest : x = 0, y = 0' > node.tt
+says 'verdict stable' node.tt --at x=0,y=0
+jellett verify node.tt > out 2>&1 || fail "jellett verify node.tt: $(cat out)"
 exit $status
