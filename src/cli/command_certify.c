@@ -238,13 +238,15 @@ static jlt_exit add_homoclinic(json_t *given, const jlt_given *question, const o
                                            o->motion.starts[0], jlt_status_text(st));
 }
 
-/* Refuse a proof of symmetry for which the table has no reversor, before the orbit is refined. */
-static jlt_exit check_reversors(const options *o, const jlt_cycle_question *question)
+/* Refuse a proof of symmetry for which the table has no reversor, before the orbit is refined. One that closes up to periods, with
+ * some of turns[0..count) nonzero, is refused for that. */
+static jlt_exit check_reversors(const options *o, const jlt_cycle_question *question, const int *turns, size_t count)
 {
-    bool possible = true;
+    bool possible = strcmp(o->kind, "symmetric") != 0 && strcmp(o->kind, "elliptic") != 0;
     jlt_status st = JLT_OK;
 
-    if (strcmp(o->kind, "symmetric") == 0 || strcmp(o->kind, "elliptic") == 0) st = jlt_symmetry_is_possible(&possible, question);
+    for (size_t i = 0; i < count; i++) possible |= turns[i] != 0;
+    if (!possible) st = jlt_symmetry_is_possible(&possible, question);
     if (st != JLT_OK) return jlt_command_fail(jlt_command_exit(st), "%s", jlt_status_text(st));
     return possible ? JLT_EXIT_DONE
                     : jlt_command_fail(JLT_EXIT_FAILED, "not proved: no reversor of the table that is proved without a condition "
@@ -269,8 +271,9 @@ static jlt_exit ask(json_t **given, const jlt_descriptor **d, options *o, jlt_sy
     if (st != JLT_OK) code = jlt_motion_no_orbit(st, system, o->motion.starts[0]);
     if (code == JLT_EXIT_DONE) code = jlt_certify_given(given, d, &o->motion, system, &o->spread, (unsigned)o->digits);
     if (code != JLT_EXIT_DONE) return code;
-    code = jlt_given_read(&question, *given, *d, &o->watch, problem) ? check_reversors(o, &question.question)
-                                                                     : jlt_command_fail(JLT_EXIT_INPUT, "%s", problem);
+    code = jlt_given_read(&question, *given, *d, &o->watch, problem)
+               ? check_reversors(o, &question.question, turns, (size_t)legs * (*d)->state_count)
+               : jlt_command_fail(JLT_EXIT_INPUT, "%s", problem);
     if (code == JLT_EXIT_DONE) st = jlt_given_make_legs(&question, *given, legs, x, T, turns, o->radius, problem);
     if (st != JLT_OK && *problem != '\0')
         code = jlt_command_fail(JLT_EXIT_INPUT, "%s", problem);
