@@ -257,7 +257,11 @@ static jlt_exit read_values(double *values, const jlt_motion_options *options, c
         for (size_t i = 0; i < lists[k]->count; i++) {
             const jlt_assignment *item = &lists[k]->items[i];
             const unsigned index = jlt_surface_value(surface, item->name);
-            if (index == surface->count || (index >= surface->params) != (k == 1)) {
+            const unsigned kind = index >= surface->params; /* as in `lists` */
+            if (index < surface->count && kind != k)
+                return jlt_command_fail(JLT_EXIT_INPUT, "%s: %s is a %s: write --%s %s=VALUE", k == 0 ? "--set" : "--level",
+                                        item->name, kind == 0 ? "parameter" : "level", kind == 0 ? "set" : "level", item->name);
+            if (index == surface->count) {
                 list_names(text, sizeof text, surface, k == 0 ? 0 : surface->params, k == 0 ? surface->params : surface->count,
                            ", ");
                 return jlt_command_fail(JLT_EXIT_INPUT, "%s: there is no %s '%s'; there are %s", k == 0 ? "--set" : "--level",
