@@ -8,6 +8,6 @@ jellett check tools/certificates/*.json > "$scratch/out"
 [ "$(grep -c ': proved$' "$scratch/out")" -eq "$(ls tools/certificates/*.json | wc -l)" ]
 tools/certificates/make "$scratch"
 for certificate in tools/certificates/*.json; do cmp "$certificate" "$scratch/${certificate##*/}"; done
-for name in sink roessler_1 symmetric elliptic turn_over turn_over_box; do
+for name in sink mixed_attractor roessler_1 symmetric elliptic mixed_island turn_over turn_over_box; do
     python3 tools/check_certificate.py tools/certificates/$name.json
 done
