@@ -40,7 +40,7 @@ for program in ttc jellett; do
         ! $program "$command" --help | grep -nE '^  -.,  +--' || fail "$program $command --help: an option stands behind the margin"
         # Likewise before a line of a description, which stands in column 30 of jellett, in 29 of ttc.
         ! $program "$command" --help | awk '/^ +-\?, --help/ { exit }
-            /^(  -., |      )--/ { options = 1; next } options && !/^ {29,30}[^ ]/ && !/^$/ && !/^ [A-Z]/' | grep . ||
+            /^(  -., |      )--/ { options = 1; next } options && !/^$/ && !/^ [A-Z]/' | grep -vE '^ {29,30}[^ ]' ||
             fail "$program $command --help: a description stands beside its margin"
         for option in $($program "$command" --help | grep -oE -- '--[a-z][a-z-]*' | sort -u); do
             option=${option#-}
