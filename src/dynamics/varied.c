@@ -30,13 +30,16 @@ static void call(const double *restrict x, const double *restrict p, double *res
 
     jlt_varied_linear(self, x, both);
     memcpy(out, both, n * sizeof *out);
-    for (unsigned k = 0; k < columns; k++) {
-        const double *y = x + n * (1 + k);
-        double *dy = out + n * (1 + k);
-        for (unsigned i = 0; i < n; i++) {
+    for (unsigned i = 0; i < n; i++) {
+        const double *row = jacobian + i * n;
+        unsigned used[JLT_CHART_STATES_MAX], count = 0;
+        for (unsigned j = 0; j < n; j++)
+            if (row[j] != 0) used[count++] = j;
+        for (unsigned k = 0; k < columns; k++) {
+            const double *y = x + n * (1 + k);
             double sum = 0;
-            for (unsigned j = 0; j < n; j++) sum += jacobian[i * n + j] * y[j];
-            dy[i] = sum;
+            for (unsigned j = 0; j < count; j++) sum += row[used[j]] * y[used[j]];
+            out[n * (1 + k) + i] = sum;
         }
     }
     for (unsigned i = 0; i < n; i++) trace += jacobian[i * n + i];
