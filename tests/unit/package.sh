@@ -43,15 +43,16 @@ fi
 depends_of() {
     echo " $(dpkg-deb -f "$scratch/$1_${version}_$architecture.deb" Depends | sed -E 's/ \([^)]*\)//g; s/ *[,|] */ /g') "
 }
+declare -A owners=()
 for file in "$tree/bin/ttc" "$tree/bin/jellett" "$tree/libexec/jellett/jellett-bench" "$library"; do
     depends=$(depends_of jellett)
     [ "$file" != "$library" ] || depends=$(depends_of libjellett0)
     while read -r soname; do
         path=$(ldd "$file" | awk -v name="$soname" '$1 == name { print $3 }')
-        owner=$(dpkg -S "*/$soname" 2>/dev/null | sed 's/:.*//' | sort -u)
+        [ -n "${owners[$soname]-}" ] || owners[$soname]=$(dpkg -S "*/$soname" 2>/dev/null | sed 's/:.*//' | sort -u)
         found=no
-        for name in $owner; do [[ $depends != *" $name "* ]] || found=yes; done
-        [ $found = yes ] || fail "${file##*/} needs $soname ($path, of ${owner:-no package}), and the package does not depend on it"
+        for name in ${owners[$soname]}; do [[ $depends != *" $name "* ]] || found=yes; done
+        [ $found = yes ] || fail "${file##*/} needs $soname ($path, of ${owners[$soname]:-no package}), and the package does not depend on it"
     done < <(readelf -d "$file" | sed -n 's/.*NEEDED.*\[\(.*\)\]/\1/p' | grep -v '^ld-linux')
 done
 
