@@ -204,6 +204,9 @@ static jlt_exit open_file(sweep *self)
         if (code == JLT_EXIT_DONE && reader.at < size)
             fprintf(stderr, "jellett: %s: %lld bytes behind the last record that is whole are cut\n", self->path,
                     (long long)(size - reader.at));
+        if (code == JLT_EXIT_DONE && reader.skipped > 0)
+            fprintf(stderr, "jellett: %s: %lld bytes among its records are damaged and left out\n", self->path,
+                    (long long)reader.skipped);
     }
     jlt_shard_reader_close(&reader);
     return code;
