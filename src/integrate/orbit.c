@@ -98,21 +98,24 @@ const jlt_stepper *jlt_orbit_stepper(const jlt_orbit *self)
     return self->stepper;
 }
 
-jlt_status jlt_orbit_loss(jlt_orbit *self, double *theta, double *least, const jlt_event *event)
+jlt_status jlt_orbit_loss(jlt_orbit *self, double *theta, jlt_event_least *least, const jlt_event *event)
 {
     *theta = INFINITY;
     const jlt_status st = jlt_edge_first_loss(theta, self->stepper, event);
     if (st != JLT_OK || !(*theta <= 1)) return st;
     *least = jlt_edge_least_after(self->stepper, event, *theta);
-    if (!(*least <= 0)) *theta = INFINITY; /* the polynomial of values that are not all finite tells nothing */
+    if (!(least->value <= 0)) *theta = INFINITY; /* the polynomial of values that are not all finite tells nothing */
     return st;
 }
 
-double jlt_orbit_least(jlt_orbit *self, const jlt_event *event)
+jlt_event_least jlt_orbit_least(jlt_orbit *self, const jlt_event *event)
 {
-    const double ends = fmin(jlt_locate_value(event, self->stepper->x_start), jlt_locate_value(event, self->stepper->x));
+    const double start = jlt_locate_value(event, self->stepper->x_start), end = jlt_locate_value(event, self->stepper->x);
+    const jlt_event_least ends = end < start ? (jlt_event_least){ end, 1 } : (jlt_event_least){ start, 0 };
 
-    return jlt_stepper_dense(self->stepper) == JLT_OK ? fmin(ends, jlt_edge_least_after(self->stepper, event, 0)) : ends;
+    if (jlt_stepper_dense(self->stepper) != JLT_OK) return ends;
+    const jlt_event_least within = jlt_edge_least_after(self->stepper, event, 0);
+    return within.value < ends.value ? within : ends;
 }
 
 jlt_status jlt_orbit_zero(jlt_orbit *self, double *theta, const jlt_event *event)
