@@ -95,7 +95,6 @@ typedef struct {
     unsigned char *is_done; /* shape (own,), by position in the shard's order */
     size_t own, before, lost, failed, empty; /* pieces: of the shard; done before; killed; of status > 0; without rows */
     jlt_exit worst; /* largest status of the pieces that have rows */
-    char *names;    /* the columns of the first piece's rows */
 } sweep;
 
 static size_t piece_at(const sweep *self, size_t position)
@@ -242,7 +241,7 @@ static jlt_exit compute(sweep *self, size_t position)
     note(self, status);
     const size_t size = jlt_sweep_rows_of(worker->rows);
     const jlt_shard_record record = { number, (int)status, worker->rows, size, worker->words, worker->words_size };
-    if (record.rows_size > 0) JLT_PASS(jlt_sweep_rows_check(&self->names, &self->study, worker->rows));
+    if (record.rows_size > 0) JLT_PASS(jlt_sweep_rows_check(&self->study, worker->rows));
     jlt_interrupt_hold();
     const jlt_status st = jlt_shard_add(&self->shard, &record);
     jlt_interrupt_release();
@@ -364,7 +363,6 @@ static jlt_exit run(int argc, char **argv)
     free(self.is_done);
     free(self.folder);
     free(self.path);
-    free(self.names);
     return code;
 }
 
