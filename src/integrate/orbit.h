@@ -23,7 +23,8 @@ typedef struct {
     double first_step;        /* |dtau|; default: the method chooses */
     double max_step;          /* |dtau|; default: no limit */
     size_t max_steps;         /* budget of accepted and rejected steps of one call; default 10^7; of a stiff motion that would not
-                                 come to t_end with them fewer are taken */
+                                 come to t_end, or to t_last, with them fewer are taken */
+    double t_last;            /* the last t_end that will be asked for; default: that of each call */
     const volatile sig_atomic_t *interrupt; /* nonzero ends the call with JLT_END_INTERRUPT; NULL: none */
     jlt_invariants invariants;
     bool project;             /* after each step put the state back onto the start's levels of the invariants, along their
