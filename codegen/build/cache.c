@@ -72,51 +72,61 @@ void ttc_cache_close(ttc_cache *cache)
 
 char *ttc_cache_path(const ttc_cache *cache, const char *key) { return joined(cache->folder, key, ".so"); }
 
-/* Read a whole file into memory that the caller frees. Returns NULL on failure. */
+enum { SEAL = 64 }; /* hexadecimal digits of SHA-256, at the end of the file, where the dynamic loader does not look */
+
+/* Read a whole file into memory that the caller frees, with room for a key behind it. Returns NULL on failure. */
 static char *read_all(const char *path, size_t *length)
 {
     FILE *file = fopen(path, "rb");
     struct stat found;
     char *bytes = NULL;
     if (file == NULL) return NULL;
-    if (fstat(fileno(file), &found) == 0 && found.st_size > 0) bytes = malloc((size_t)found.st_size);
+    if (fstat(fileno(file), &found) == 0 && found.st_size > 0) bytes = malloc((size_t)found.st_size + SEAL);
     if (bytes != NULL) *length = fread(bytes, 1, (size_t)found.st_size, file);
     fclose(file);
     return bytes;
 }
 
-enum { SEAL = 64 }; /* hexadecimal digits of SHA-256, at the end of the file, where the dynamic loader does not look */
+/* The digest of an object's content and its key, which is written behind the content. */
+static void digest_of(char digest[SEAL + 1], char *bytes, size_t length, const char *key)
+{
+    memcpy(bytes + length, key, SEAL);
+    ttc_sha256(digest, bytes, length + SEAL);
+}
 
-/* Append to an object the digest of its content. */
-static bool seal(const char *path)
+/* Append the digest to an object. */
+static bool seal(const char *path, const char *key)
 {
     char digest[SEAL + 1];
     size_t length = 0;
     char *bytes = read_all(path, &length);
     FILE *file = bytes == NULL ? NULL : fopen(path, "ab");
-    if (bytes != NULL) ttc_sha256(digest, bytes, length);
+    if (bytes != NULL) digest_of(digest, bytes, length, key);
     free(bytes);
     if (file == NULL) return false;
     const bool written = fwrite(digest, 1, SEAL, file) == SEAL;
     return fclose(file) == 0 && written;
 }
 
-static bool is_whole(const char *path)
+static bool is_whole(const char *path, const char *key)
 {
-    char digest[SEAL + 1];
+    char digest[SEAL + 1], sealed[SEAL];
     size_t length = 0;
     char *bytes = read_all(path, &length);
     bool whole = bytes != NULL && length > SEAL;
-    if (whole) ttc_sha256(digest, bytes, length - SEAL);
-    whole = whole && memcmp(digest, bytes + length - SEAL, SEAL) == 0;
+    if (whole) {
+        memcpy(sealed, bytes + length - SEAL, SEAL);
+        digest_of(digest, bytes, length - SEAL, key);
+        whole = memcmp(digest, sealed, SEAL) == 0;
+    }
     free(bytes);
     return whole;
 }
 
-bool ttc_cache_has(const char *path)
+bool ttc_cache_has(const char *path, const char *key)
 {
     struct stat found;
-    if (lstat(path, &found) != 0 || !S_ISREG(found.st_mode) || !is_private(&found) || !is_whole(path)) return false;
+    if (lstat(path, &found) != 0 || !S_ISREG(found.st_mode) || !is_private(&found) || !is_whole(path, key)) return false;
     utimensat(AT_FDCWD, path, NULL, 0);
     return true;
 }
@@ -187,7 +197,7 @@ static bool flush(const char *path)
 bool ttc_cache_publish(const ttc_cache *cache, const char *key, const char *object, char *workshop)
 {
     char *whole = joined(cache->folder, key, UNFINISHED), *path = ttc_cache_path(cache, key);
-    bool good = whole != NULL && path != NULL && seal(object) && chmod(object, 0700) == 0 && flush(object)
+    bool good = whole != NULL && path != NULL && seal(object, key) && chmod(object, 0700) == 0 && flush(object)
                 && rename(object, whole) == 0;
     const int reason = errno;
     ttc_cache_clear_workshop(workshop);

@@ -19,9 +19,10 @@ void ttc_cache_close(ttc_cache *cache); /* releases the lock; legal on a zeroed 
 /** The path FOLDER/KEY.so of an entry, for the caller to free; NULL when memory is out. */
 char *ttc_cache_path(const ttc_cache *cache, const char *key);
 
-/** Returns true if the entry exists, belongs to the user, is writable by nobody else, and matches the digest at its end: loading an
- *  object that a full disk or a crash cut short could crash the program. Then also marks it as used. Cost: reads the whole file. */
-bool ttc_cache_has(const char *path);
+/** Returns true if the entry exists, belongs to the user, is writable by nobody else, and matches the digest of content and key at
+ *  its end: an object that a full disk or a crash cut short could crash the program, and one that was copied or renamed is of
+ *  another table. Then also marks it as used. Cost: reads the whole file. */
+bool ttc_cache_has(const char *path, const char *key);
 
 /** Lock the key: wait until no other process makes its entry. Returns false if it cannot be locked; errno says why. */
 bool ttc_cache_lock(ttc_cache *cache, const char *key);
@@ -31,8 +32,8 @@ bool ttc_cache_lock(ttc_cache *cache, const char *key);
 char *ttc_cache_workshop(const ttc_cache *cache, const char *key);
 void ttc_cache_clear_workshop(char *workshop); /* frees the path as well; legal on NULL */
 
-/** Append its digest to the file `object` in the temporary folder and make it the entry of this key. Also on failure, the folder is
- *  removed and its path freed. Returns false on failure; errno says why. */
+/** Append the digest of content and key to the file `object` in the temporary folder and make it the entry of this key. Also on
+ *  failure, the folder is removed and its path freed. Returns false on failure; errno says why. */
 bool ttc_cache_publish(const ttc_cache *cache, const char *key, const char *object, char *workshop);
 
 /** Remove entries that have not been used for `days` days. */

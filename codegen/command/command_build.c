@@ -92,9 +92,9 @@ static int find_or_make(ttc_cache *cache, ttc_model *model, const char *compiler
     const bool is_known = make_key(key, model, compiler, options->lanes);
     *path = ttc_cache_path(cache, key);
     if (*path == NULL) return TTC_EXIT_MEMORY;
-    if (is_known && ttc_cache_has(*path)) return TTC_EXIT_DONE;
+    if (is_known && ttc_cache_has(*path, key)) return TTC_EXIT_DONE;
     if (!ttc_cache_lock(cache, key)) return cannot(cache, "lock");
-    if (is_known && ttc_cache_has(*path)) return TTC_EXIT_DONE; /* another run made it while this one waited */
+    if (is_known && ttc_cache_has(*path, key)) return TTC_EXIT_DONE; /* another run made it while this one waited */
     return make(cache, key, model, compiler, options);
 }
 

@@ -189,6 +189,9 @@ static const char unshown[] = "not proved: the orbit near %s is not shown, with 
 
 /* Rounding moves a multiplier 1 that stands in a Jordan block by its square or cube root. */
 static const double jordan = 1e-4;
+/* An orbit whose points miss their images by more of their size is not its own: doubles tell them to much less, unless the orbit is
+ * so unstable that no proof succeeds. */
+static const double far = 1e-4;
 static const char in_family[] = "the orbit could not be refined with %zu digits: a multiplier is 1 to within %.1g, as where orbits "
                                 "come in families, of which no box holds exactly one (choose one by --level of an integral that "
                                 "differs along the family; leave what a symmetry moves out of the table)";
@@ -238,19 +241,25 @@ static jlt_exit add_homoclinic(json_t *given, const jlt_given *question, const o
                                            o->motion.starts[0], jlt_status_text(st));
 }
 
-/* Refuse a proof of symmetry for which the table has no reversor, before the orbit is refined. One that closes up to periods, with
- * some of turns[0..count) nonzero, is refused for that. */
-static jlt_exit check_reversors(const options *o, const jlt_cycle_question *question, const int *turns, size_t count)
+/* Refuse a proof of symmetry that would fail, before the orbit is refined: the table has no reversor for it, or those that it has
+ * map the points x, shape (legs, states), elsewhere. An orbit that closes up to periods, with some of `turns` nonzero, is refused
+ * for that. */
+static jlt_exit check_reversors(const options *o, const jlt_cycle_question *question, const double *x, const int *turns,
+                                unsigned legs)
 {
-    bool possible = strcmp(o->kind, "symmetric") != 0 && strcmp(o->kind, "elliptic") != 0;
+    bool asked = strcmp(o->kind, "symmetric") == 0 || strcmp(o->kind, "elliptic") == 0;
+    double miss = 0;
     jlt_status st = JLT_OK;
 
-    for (size_t i = 0; i < count; i++) possible |= turns[i] != 0;
-    if (!possible) st = jlt_symmetry_is_possible(&possible, question);
+    for (unsigned i = 0; i < legs * question->descriptor->state_count; i++) asked = asked && turns[i] == 0;
+    if (asked) st = jlt_symmetry_foresee(&miss, question, x, legs);
     if (st != JLT_OK) return jlt_command_fail(jlt_command_exit(st), "%s", jlt_status_text(st));
-    return possible ? JLT_EXIT_DONE
-                    : jlt_command_fail(JLT_EXIT_FAILED, "not proved: no reversor of the table that is proved without a condition "
-                                       "maps the section, crossed as it is, and the levels to themselves");
+    if (isinf(miss))
+        return jlt_command_fail(JLT_EXIT_FAILED, "not proved: no reversor of the table that is proved without a condition maps the "
+                                                 "section, crossed as it is, and the levels to themselves");
+    return miss <= far ? JLT_EXIT_DONE
+                       : jlt_command_fail(JLT_EXIT_FAILED, "not proved: the orbit is not shown to be its own mirror image: its "
+                                                           "points miss their images by %.2g of their size", miss);
 }
 
 /* Make the question about an orbit: find it in doubles, refine it in balls, and put boxes around it. */
@@ -272,7 +281,7 @@ static jlt_exit ask(json_t **given, const jlt_descriptor **d, options *o, jlt_sy
     if (code == JLT_EXIT_DONE) code = jlt_certify_given(given, d, &o->motion, system, &o->spread, (unsigned)o->digits);
     if (code != JLT_EXIT_DONE) return code;
     code = jlt_given_read(&question, *given, *d, &o->watch, problem)
-               ? check_reversors(o, &question.question, turns, (size_t)legs * (*d)->state_count)
+               ? check_reversors(o, &question.question, x, turns, legs)
                : jlt_command_fail(JLT_EXIT_INPUT, "%s", problem);
     if (code == JLT_EXIT_DONE) st = jlt_given_make_legs(&question, *given, legs, x, T, turns, o->radius, problem);
     if (st != JLT_OK && *problem != '\0')

@@ -91,7 +91,7 @@ static jlt_exit open_course(jlt_simulate_request *r, const char *tier)
     const jlt_session *s = &r->session;
     const jlt_question question = { s->descriptor, s->params, s->x, r->track && r->course_count == 0, false, tier, &s->others };
     const jlt_course_options options = { .method = s->method, .tolerance = s->tolerance, .interrupt = s->interrupt,
-                                         .project = r->project && r->course_count == 0 };
+                                         .t_last = r->times[r->time_count - 1], .project = r->project && r->course_count == 0 };
     jlt_plan *plan = &r->plans[r->course_count];
     jlt_status st;
 

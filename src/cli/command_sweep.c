@@ -95,7 +95,6 @@ typedef struct {
     unsigned char *is_done; /* shape (own,), by position in the shard's order */
     size_t own, before, lost, failed, empty; /* pieces: of the shard; done before; killed; of status > 0; without rows */
     jlt_exit worst; /* largest status of the pieces that have rows */
-    char *names;    /* the columns of the first piece's rows */
 } sweep;
 
 static size_t piece_at(const sweep *self, size_t position)
@@ -204,6 +203,9 @@ static jlt_exit open_file(sweep *self)
         if (code == JLT_EXIT_DONE && reader.at < size)
             fprintf(stderr, "jellett: %s: %lld bytes behind the last record that is whole are cut\n", self->path,
                     (long long)(size - reader.at));
+        if (code == JLT_EXIT_DONE && reader.skipped > 0)
+            fprintf(stderr, "jellett: %s: %lld bytes among its records are damaged and left out\n", self->path,
+                    (long long)reader.skipped);
     }
     jlt_shard_reader_close(&reader);
     return code;
@@ -239,7 +241,7 @@ static jlt_exit compute(sweep *self, size_t position)
     note(self, status);
     const size_t size = jlt_sweep_rows_of(worker->rows);
     const jlt_shard_record record = { number, (int)status, worker->rows, size, worker->words, worker->words_size };
-    if (record.rows_size > 0) JLT_PASS(jlt_sweep_rows_check(&self->names, &self->study, worker->rows));
+    if (record.rows_size > 0) JLT_PASS(jlt_sweep_rows_check(&self->study, worker->rows));
     jlt_interrupt_hold();
     const jlt_status st = jlt_shard_add(&self->shard, &record);
     jlt_interrupt_release();
@@ -361,7 +363,6 @@ static jlt_exit run(int argc, char **argv)
     free(self.is_done);
     free(self.folder);
     free(self.path);
-    free(self.names);
     return code;
 }
 

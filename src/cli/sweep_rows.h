@@ -8,8 +8,7 @@
  *  without the NUL. */
 size_t jlt_sweep_rows_of(char *text);
 
-/** Check that the rows have the columns of the study's other pieces, none of which has the name of something that the study runs
- *  over. In and out: *names, the column names of the first piece, NULL before it; owned by the caller. Says what is wrong. */
-jlt_exit jlt_sweep_rows_check(char **names, const jlt_study *study, const char *rows);
+/** Check that no column of these rows has the name of something that the study runs over. Says what is wrong. */
+jlt_exit jlt_sweep_rows_check(const jlt_study *study, const char *rows);
 
 #endif

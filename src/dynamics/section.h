@@ -73,8 +73,8 @@ typedef struct {
     double x[JLT_CHART_STATES_MAX];
     double residual;             /* x[column] - level as the integrator left it */
     double least;                /* least value of the model's conditions since the start: at this point, at the ends of earlier
-                                    steps, and, if it is not positive, within a step at whose ends they hold; INFINITY: there are
-                                    none; NaN: one of them had no value, and all known values are positive */
+                                    steps, and, if it is not positive, within steps; INFINITY: there are none; NaN: one of them had
+                                    no value, and all known values are positive */
 } jlt_return;
 
 typedef struct jlt_section jlt_section;

@@ -2,10 +2,17 @@
 
 #include <math.h>
 
+#include "integrate/locate.h"
+
+typedef struct {
+    const jlt_observed *observed;
+    unsigned condition;
+} watched;
+
 static double condition_value(void *context, const double *x)
 {
-    const jlt_section_conditions *self = context;
-    return jlt_observed_condition_value(self->observed, self->dip.condition, x);
+    const watched *self = context;
+    return jlt_observed_condition_value(self->observed, self->condition, x);
 }
 
 void jlt_section_conditions_turn(jlt_section_conditions *self)
@@ -36,18 +43,35 @@ static jlt_section_least least_at(const jlt_section_conditions *self, const doub
     return out;
 }
 
-/* Set the dip to the first condition that is lost within the step; not if one is lost already. */
+/* Where a condition is least within the last step, if it is broken there and rises again before the end. */
+static bool dips(jlt_event_least *least, jlt_orbit *orbit, const jlt_event *event)
+{
+    const jlt_stepper *stepper = jlt_orbit_stepper(orbit);
+    double theta;
+
+    if (jlt_locate_value(event, stepper->x_start) > 0 && jlt_locate_value(event, stepper->x) > 0)
+        return jlt_orbit_loss(orbit, &theta, least, event) == JLT_OK && theta <= 1;
+    if (!(stepper->h * jlt_locate_slope(event, stepper, stepper->x_start, stepper->f_start) < 0)
+        || !(stepper->h * jlt_locate_slope(event, stepper, stepper->x, stepper->f) > 0))
+        return false;
+    *least = jlt_orbit_least(orbit, event);
+    return least->value <= 0;
+}
+
+/* Set the dip to the least value of a broken condition within the step, if it is less than what was met before. */
 static void look_within(jlt_section_conditions *self, jlt_orbit *orbit)
 {
     const unsigned count = self->observed != NULL && self->looks_within ? jlt_observed_conditions(self->observed) : 0;
-    const jlt_event event = { .value = condition_value, .context = self };
+    watched one = { self->observed, 0 };
+    const jlt_event event = { .value = condition_value, .context = &one };
+    double before = self->so_far.value;
 
-    for (unsigned i = 0; !(self->so_far.value <= 0) && i < count; i++) {
-        double theta;
-        self->dip.condition = i;
-        if (jlt_orbit_loss(orbit, &theta, &self->dip.value, &event) != JLT_OK || theta > 1) continue;
-        self->dip_theta = theta;
-        return;
+    for (; one.condition < count; one.condition++) {
+        jlt_event_least least;
+        if (!dips(&least, orbit, &event) || least.value >= before) continue;
+        before = least.value;
+        self->dip = (jlt_section_least){ least.value, one.condition };
+        self->dip_theta = least.theta;
     }
 }
 

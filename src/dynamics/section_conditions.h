@@ -15,7 +15,7 @@ typedef struct {
     const jlt_observed *observed; /* NULL: there are no conditions */
     bool looks_within;            /* steps are searched for a condition that holds at both ends, but not in between */
     jlt_section_least so_far;     /* before the last step */
-    jlt_section_least end, dip;   /* of the last step: at its end; within it, where a condition is lost, */
+    jlt_section_least end, dip;   /* of the last step: at its end; within it, where a broken condition is least, */
     double dip_theta;             /* at this fraction of it; INFINITY: nowhere */
 } jlt_section_conditions;
 
@@ -26,7 +26,7 @@ void jlt_section_conditions_begin(jlt_section_conditions *self);
 void jlt_section_conditions_note(jlt_section_conditions *self, jlt_section_least value);
 
 /** Count all of the step before, and evaluate the conditions on the one that the orbit has just made. Cost: one kernel; to look
- *  within the step, jlt_orbit_loss for each condition. */
+ *  within the step, jlt_orbit_loss or jlt_orbit_least for each condition. */
 void jlt_section_conditions_step(jlt_section_conditions *self, jlt_orbit *orbit);
 
 /** Count the last step up to its fraction theta, where the orbit is at x, shape (states,). Cost: one kernel. */

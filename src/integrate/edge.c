@@ -242,7 +242,7 @@ jlt_status jlt_edge_first_loss(double *theta, jlt_stepper *stepper, const jlt_ev
 }
 
 /* By ternary search, after an interval that holds the minimum is found by doubling. */
-double jlt_edge_least_after(const jlt_stepper *stepper, const jlt_event *event, double theta)
+jlt_event_least jlt_edge_least_after(const jlt_stepper *stepper, const jlt_event *event, double theta)
 {
     double low = theta, width = 0x1p-12;
 
@@ -253,7 +253,7 @@ double jlt_edge_least_after(const jlt_stepper *stepper, const jlt_event *event, 
         if (left > right) low += width / 3;
         width *= 2.0 / 3;
     }
-    return value_at(stepper, event, low);
+    return (jlt_event_least){ value_at(stepper, event, low), jlt_smaller(low, 1) };
 }
 
 static jlt_status leave_conditions(double *theta, jlt_stepper *stepper)

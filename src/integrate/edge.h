@@ -25,7 +25,7 @@ JLT_CHECKED jlt_status jlt_edge_first_loss(double *theta, jlt_stepper *stepper, 
 
 /** The least value of such a function from theta on, until it rises again, on the polynomial of the last step; call
  *  jlt_stepper_dense before. Cost: at most 145 values of the function. */
-double jlt_edge_least_after(const jlt_stepper *stepper, const jlt_event *event, double theta);
+jlt_event_least jlt_edge_least_after(const jlt_stepper *stepper, const jlt_event *event, double theta);
 
 /** Whether the stepper's point is outside the domain. */
 bool jlt_edge_is_outside(const jlt_stepper *stepper);

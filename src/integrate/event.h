@@ -39,4 +39,9 @@ typedef struct {
     double slope;     /* dg/dtau there */
 } jlt_crossing;
 
+/** The least value of an event's function within a step, and at which fraction of the step. */
+typedef struct {
+    double value, theta;
+} jlt_event_least;
+
 #endif

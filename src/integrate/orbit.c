@@ -29,6 +29,7 @@ struct jlt_orbit {
     double *at, *slope; /* (stride,): the state handed out, and work; the watches' arrays follow */
 
     double pace_time, paced; /* where the last PACE steps began, and the time that the PACE steps before them took the orbit */
+    size_t pace_step;        /* steps before the last PACE steps */
 
     jlt_invariant_watch invariants;
     jlt_pole_verdict pole;
@@ -84,6 +85,9 @@ jlt_status jlt_orbit_start(jlt_orbit *self, double t, const double *x, int direc
     self->pole.ends = false;
     JLT_PASS(jlt_stepper_start(self->stepper, t, x, direction, self->options.first_step));
     jlt_invariant_begin(&self->invariants, &self->options.invariants, self->stepper->x);
+    self->pace_step = self->stepper->steps + self->stepper->rejected;
+    self->pace_time = jlt_stepper_time(self->stepper);
+    self->paced = 0;
     return look_for_pole(self);
 }
 
@@ -98,21 +102,24 @@ const jlt_stepper *jlt_orbit_stepper(const jlt_orbit *self)
     return self->stepper;
 }
 
-jlt_status jlt_orbit_loss(jlt_orbit *self, double *theta, double *least, const jlt_event *event)
+jlt_status jlt_orbit_loss(jlt_orbit *self, double *theta, jlt_event_least *least, const jlt_event *event)
 {
     *theta = INFINITY;
     const jlt_status st = jlt_edge_first_loss(theta, self->stepper, event);
     if (st != JLT_OK || !(*theta <= 1)) return st;
     *least = jlt_edge_least_after(self->stepper, event, *theta);
-    if (!(*least <= 0)) *theta = INFINITY; /* the polynomial of values that are not all finite tells nothing */
+    if (!(least->value <= 0)) *theta = INFINITY; /* the polynomial of values that are not all finite tells nothing */
     return st;
 }
 
-double jlt_orbit_least(jlt_orbit *self, const jlt_event *event)
+jlt_event_least jlt_orbit_least(jlt_orbit *self, const jlt_event *event)
 {
-    const double ends = fmin(jlt_locate_value(event, self->stepper->x_start), jlt_locate_value(event, self->stepper->x));
+    const double start = jlt_locate_value(event, self->stepper->x_start), end = jlt_locate_value(event, self->stepper->x);
+    const jlt_event_least ends = end < start ? (jlt_event_least){ end, 1 } : (jlt_event_least){ start, 0 };
 
-    return jlt_stepper_dense(self->stepper) == JLT_OK ? fmin(ends, jlt_edge_least_after(self->stepper, event, 0)) : ends;
+    if (jlt_stepper_dense(self->stepper) != JLT_OK) return ends;
+    const jlt_event_least within = jlt_edge_least_after(self->stepper, event, 0);
+    return within.value < ends.value ? within : ends;
 }
 
 jlt_status jlt_orbit_zero(jlt_orbit *self, double *theta, const jlt_event *event)
@@ -281,10 +288,19 @@ static double longest_step(const jlt_orbit *self)
     return longest;
 }
 
-/* Whether `steps` more steps may take the orbit to t_end. They do not if it is stiff, and would not even go a fourth of the way if
- * steps went on to grow as they have grown from the last PACE steps but one to the last. */
+/* Whether `steps` more steps may take the orbit to t_end; or, where t_last is known, as many as one call has to that. They do not
+ * if it is stiff, and would not even go a fourth of the way if steps went on to grow as they have grown from the last PACE steps
+ * but one to the last. */
 static bool may_arrive(jlt_orbit *self, double t_end, size_t steps)
 {
+    const size_t total = self->stepper->steps + self->stepper->rejected;
+
+    if (total - self->pace_step < PACE) return true;
+    self->pace_step = total;
+    if (self->options.t_last != 0) {
+        t_end = self->options.t_last;
+        steps = self->options.max_steps;
+    }
     const double now = jlt_stepper_time(self->stepper), made = fabs(now - self->pace_time), growth = fmax(made / self->paced, 1);
     const double rounds = (double)steps / PACE, rest = fabs(t_end - now);
     const double ahead = made * (growth > 1 ? growth * expm1(rounds * log(growth)) / (growth - 1) : rounds);
@@ -300,7 +316,6 @@ jlt_status jlt_orbit_next(jlt_orbit *self, double t_end, const jlt_event *events
     jlt_status st = JLT_OK;
     jlt_stepper *stepper = self->stepper;
     const size_t spent = stepper->steps + stepper->rejected;
-    size_t looked = 0;
     bool found = false;
 
     if (count > JLT_ORBIT_EVENTS_MAX || isnan(t_end)) return JLT_ERR_ARG;
@@ -308,8 +323,6 @@ jlt_status jlt_orbit_next(jlt_orbit *self, double t_end, const jlt_event *events
         if (events[e].value == NULL && (events[e].column >= stepper->columns || !isfinite(events[e].level))) return JLT_ERR_ARG;
     if (!isfinite(t_end)) t_end = stepper->direction * INFINITY;
     JLT_TRY(watch_events(self, events, count));
-    self->pace_time = jlt_stepper_time(stepper);
-    self->paced = 0;
 
     for (;;) {
         JLT_TRY(rest_of_step(self, out, &found, t_end));
@@ -323,12 +336,7 @@ jlt_status jlt_orbit_next(jlt_orbit *self, double t_end, const jlt_event *events
             return JLT_OK;
         }
         const size_t used = stepper->steps + stepper->rejected - spent;
-        bool hopeless = used >= self->options.max_steps;
-        if (!hopeless && used - looked >= PACE) {
-            looked = used;
-            hopeless = !may_arrive(self, t_end, self->options.max_steps - used);
-        }
-        if (hopeless) {
+        if (used >= self->options.max_steps || !may_arrive(self, t_end, self->options.max_steps - used)) {
             st = JLT_ERR_BUDGET;
             goto done;
         }

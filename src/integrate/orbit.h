@@ -23,7 +23,8 @@ typedef struct {
     double first_step;        /* |dtau|; default: the method chooses */
     double max_step;          /* |dtau|; default: no limit */
     size_t max_steps;         /* budget of accepted and rejected steps of one call; default 10^7; of a stiff motion that would not
-                                 come to t_end with them fewer are taken */
+                                 come to t_end, or to t_last, with them fewer are taken */
+    double t_last;            /* the last t_end that will be asked for; default: that of each call */
     const volatile sig_atomic_t *interrupt; /* nonzero ends the call with JLT_END_INTERRUPT; NULL: none */
     jlt_invariants invariants;
     bool project;             /* after each step put the state back onto the start's levels of the invariants, along their
@@ -99,11 +100,11 @@ const jlt_stepper *jlt_orbit_stepper(const jlt_orbit *self); /* the point now, t
 /** Find where in the last step the function of an event, positive at both ends of it, first comes to zero. Out: *theta, in [0, 1],
  *  or INFINITY: nowhere; else *least, its least value from there on until it rises again, and jlt_stepper_values may be called.
  *  Errors and cost: those of jlt_edge_first_loss, jlt_edge_least_after (edge.h). */
-JLT_CHECKED jlt_status jlt_orbit_loss(jlt_orbit *self, double *theta, double *least, const jlt_event *event);
+JLT_CHECKED jlt_status jlt_orbit_loss(jlt_orbit *self, double *theta, jlt_event_least *least, const jlt_event *event);
 
 /** The least value of an event's function in the last step, from its start on until it rises again, and at its end. The step's
  *  polynomial costs as in jlt_stepper_dense; if that fails, only the ends count. */
-double jlt_orbit_least(jlt_orbit *self, const jlt_event *event);
+jlt_event_least jlt_orbit_least(jlt_orbit *self, const jlt_event *event);
 
 /** Find the first zero in the last step of the function of an event, positive at its start. Out: *theta, in [0, 1], or INFINITY:
  *  none. Where there is one, jlt_stepper_values may be called. Errors and cost: those of jlt_edge_left, for one condition. */

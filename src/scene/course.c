@@ -128,7 +128,8 @@ static jlt_status open_leg(jlt_course *self, unsigned candidate, const double *x
     jlt_leg *next = self->leg == &self->legs[0] ? &self->legs[1] : &self->legs[0];
     const jlt_course_options *o = &self->options;
     const jlt_options to_orbit = {
-        .tolerance = o->tolerance, .max_steps = o->max_steps, .interrupt = o->interrupt, .project = o->project
+        .tolerance = o->tolerance, .max_steps = o->max_steps, .t_last = ldexp(o->t_last, -self->units.time),
+        .interrupt = o->interrupt, .project = o->project
     };
     jlt_tier tier = self->plan.candidates[candidate].tier;
     char refusal[JLT_TIER_TEXT_MAX];

@@ -17,6 +17,7 @@ typedef struct {
     const jlt_method *method;               /* NULL: the default */
     double tolerance;                       /* of the local error, relative to scale; 0: 1e-12 */
     size_t max_steps;                       /* of one call; 0: 10^7 */
+    double t_last;                          /* the last time that will be asked for, in the table's unit; 0: unknown */
     bool project;                           /* after every step put the state back onto the start's levels of all integrals */
     const volatile sig_atomic_t *interrupt; /* may be NULL */
 } jlt_course_options;

@@ -49,7 +49,7 @@ static double value_of(void *context, const double *y)
 
 /* Where in the last step, as a fraction of it, a condition breaks first; INFINITY: nowhere, or it was broken at the start. *least:
  * its least value in a step in which it is broken. */
-static double break_within(double *least, watched *one, const jlt_stepper *stepper)
+static double break_within(jlt_event_least *least, watched *one, const jlt_stepper *stepper)
 {
     const jlt_event event = { .value = value_of, .context = one };
     const bool ends_broken = value_of(one, stepper->x) <= 0, starts_broken = !(value_of(one, stepper->x_start) > 0);
@@ -70,9 +70,9 @@ void jlt_course_conditions_look_within(jlt_course_conditions *self, const jlt_le
 
     for (unsigned i = 0; i < jlt_observed_conditions(self->observed); i++) {
         watched one = { self, leg, i };
-        double least = INFINITY;
+        jlt_event_least least = { .value = INFINITY };
         const double theta = break_within(&least, &one, stepper);
-        self->least = fmin(self->least, least);
+        self->least = fmin(self->least, least.value);
         if (theta >= first || theta >= 1 || !isnan(self->lost_at)) continue;
         first = theta;
         self->lost = jlt_observed_condition(self->observed, i);

@@ -20,6 +20,7 @@ jlt_status jlt_leg_open(jlt_leg *out, char *refusal, const jlt_tier *tier, const
     JLT_TRY(jlt_tier_open(&out->view, out->y, refusal, tier, params, x));
     JLT_TRY(jlt_tier_edges_open(&out->edges, &out->view));
     JLT_TRY(jlt_field_of(&out->field, out->view.instance));
+    options.t_last *= sense(out);
     if (options.project) JLT_TRY(jlt_conserved_of(&options.invariants, &out->conserved, out->view.instance));
     JLT_TRY(jlt_orbit_create(&out->orbit, method, &out->field, &options));
 done:

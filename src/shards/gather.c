@@ -103,10 +103,8 @@ static jlt_status take_file(jlt_gather *self, FILE *words, size_t file)
     if (st == JLT_ERR_ARG) free(study);
     if (st != JLT_OK || study == NULL) return st;
     st = take_study(self, words, study, self->paths[file]);
-    for (off_t at = reader->at; st == JLT_OK; at = reader->at) {
-        st = jlt_shard_reader_next(reader, &record);
-        if (st == JLT_OK) st = take_record(self, words, file, at, &record);
-    }
+    while (st == JLT_OK && (st = jlt_shard_reader_next(reader, &record)) == JLT_OK)
+        st = take_record(self, words, file, reader->from, &record);
     if (st == JLT_ERR_IO) fprintf(words, "%s: %s\n", self->paths[file], strerror(errno));
     return st == JLT_ERR_EMPTY ? JLT_OK : st;
 }

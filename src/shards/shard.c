@@ -108,17 +108,40 @@ void jlt_shard_reader_close(jlt_shard_reader *self)
     *self = (jlt_shard_reader){ .descriptor = -1 };
 }
 
+/* Move *at to the next line that begins as the record of a piece does. Errors: EMPTY, there is none; IO. */
+static jlt_status find_piece(const jlt_shard_reader *self, off_t *at)
+{
+    static const char begins[] = "\npiece ";
+    const size_t length = sizeof begins - 1;
+    char block[8192];
+
+    for (off_t from = *at; self->size - from >= (off_t)length; from += (off_t)(sizeof block - length + 1)) {
+        const size_t size = self->size - from < (off_t)sizeof block ? (size_t)(self->size - from) : sizeof block;
+        JLT_PASS(read_bytes(self, block, size, from));
+        for (size_t i = 0; i + length <= size; i++) {
+            if (memcmp(block + i, begins, length) != 0) continue;
+            *at = from + (off_t)i + 1;
+            return JLT_OK;
+        }
+    }
+    return JLT_ERR_EMPTY;
+}
+
 jlt_status jlt_shard_reader_next(jlt_shard_reader *self, jlt_shard_record *record)
 {
-    char kind[6] = "", key[JLT_SHARD_KEY] = "";
-    off_t next = 0;
-    const jlt_status st = read_record(self, record, kind, key, &next, self->at);
-
-    if (st == JLT_ERR_ARG) return JLT_ERR_EMPTY;
-    if (st != JLT_OK) return st;
-    if (strcmp(kind, "piece") != 0 || strcmp(key, self->key) != 0) return JLT_ERR_EMPTY;
-    self->at = next;
-    return JLT_OK;
+    for (off_t at = self->at;;) {
+        char kind[6] = "", key[JLT_SHARD_KEY] = "";
+        off_t next = 0;
+        const jlt_status st = read_record(self, record, kind, key, &next, at);
+        if (st == JLT_OK && strcmp(kind, "piece") == 0 && strcmp(key, self->key) == 0) {
+            self->skipped += at - self->at;
+            self->from = at;
+            self->at = next;
+            return JLT_OK;
+        }
+        if (st != JLT_OK && st != JLT_ERR_ARG && st != JLT_ERR_EMPTY) return st;
+        JLT_PASS(find_piece(self, &at));
+    }
 }
 
 jlt_status jlt_shard_reader_at(jlt_shard_reader *self, jlt_shard_record *record, off_t at)

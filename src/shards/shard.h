@@ -36,6 +36,8 @@ typedef struct {
 typedef struct {
     int descriptor;
     off_t at, size; /* offset of the next record to read; size of the file */
+    off_t from;     /* offset of the last record that was read */
+    off_t skipped;  /* bytes before `at` that are no whole record of a piece of this study */
     char *data;     /* the bytes of the last record that was read, shape (room,); owned */
     size_t room;
     char key[JLT_SHARD_KEY];
@@ -47,8 +49,8 @@ typedef struct {
 JLT_CHECKED jlt_status jlt_shard_reader_open(jlt_shard_reader *self, char **study, int descriptor);
 void jlt_shard_reader_close(jlt_shard_reader *self); /* legal when zeroed */
 
-/** Read the next record, whose bytes are valid until the next call. Errors: EMPTY, no whole record follows: the file ends at `at`,
- *  or what stands there is torn, damaged, or of another study; NOMEM; IO. */
+/** Read the next record that is whole and of this study, whose bytes are valid until the next call. Errors: EMPTY, none follows;
+ *  NOMEM; IO. */
 JLT_CHECKED jlt_status jlt_shard_reader_next(jlt_shard_reader *self, jlt_shard_record *record);
 
 /** Read the record at offset `at` again. Errors: IO, it cannot be read or has changed; NOMEM. */
@@ -74,8 +76,8 @@ JLT_CHECKED jlt_status jlt_shard_open(jlt_shard *self, pid_t *holder, const char
 /** Close, and give up the lock. Legal when the descriptor is -1. */
 void jlt_shard_close(jlt_shard *self);
 
-/** Begin: replace the file's content by the record of the study. Resume: keep the first `end` bytes, which are whole records of
- *  this study, cut off the rest, and append there. Errors: IO (errno says why), NOMEM. */
+/** Begin: replace the file's content by the record of the study. Resume: keep the first `end` bytes, which a whole record of this
+ *  study ends, cut off the rest, and append there. Errors: IO (errno says why), NOMEM. */
 JLT_CHECKED jlt_status jlt_shard_begin(jlt_shard *self, const char *study);
 JLT_CHECKED jlt_status jlt_shard_resume(jlt_shard *self, const char *study, off_t end);
 

@@ -3,6 +3,7 @@
 #include "core/memory.h"
 #include "validated/cycle_map.h"
 
+#include <math.h>
 
 /* The parity of a function f under R: EVEN, f(Rx) = f(x); ODD, f(Rx) = -f(x); zero is both. */
 enum { NONE = 0, EVEN = 1, ODD = 2, BOTH = 3 };
@@ -57,15 +58,33 @@ static bool serves(const jlt_cycle *of, const jlt_reversor *reversor)
     return of->question->descriptor->claims[reversor->claim].verdict == JLT_PROVED && jlt_symmetry_keeps(of, reversor->signs);
 }
 
-jlt_status jlt_symmetry_is_possible(bool *possible, const jlt_cycle_question *question)
+/* The largest distance, along a state that the proof compares, of the images R x_(k-j) from the x_j. */
+static double distance_of_image(const jlt_cycle *of, const signed char *signs, const double *x, unsigned legs, unsigned k)
+{
+    const unsigned states = of->question->descriptor->state_count;
+    double largest = 0;
+
+    for (unsigned j = 0; j < legs; j++)
+        for (unsigned i = 0; i < of->unknowns; i++) {
+            const unsigned state = jlt_cycle_map_state(of, i);
+            largest = fmax(largest, fabs(signs[state] * x[(k + legs - j) % legs * states + state] - x[j * states + state]));
+        }
+    return largest;
+}
+
+jlt_status jlt_symmetry_foresee(double *miss, const jlt_cycle_question *question, const double *x, unsigned legs)
 {
     const jlt_descriptor *d = question->descriptor;
-    jlt_cycle *cycle;
+    double size = 0;
+    jlt_cycle *of;
 
-    *possible = false;
-    JLT_PASS(jlt_cycle_create(&cycle, question));
-    for (unsigned i = 0; i < d->reversor_count && !*possible; i++) *possible = serves(cycle, &d->reversors[i]);
-    jlt_cycle_destroy(cycle);
+    JLT_PASS(jlt_cycle_create(&of, question));
+    *miss = INFINITY;
+    for (unsigned i = 0; i < legs * d->state_count; i++) size = fmax(size, fabs(x[i]));
+    for (unsigned i = 0; i < d->reversor_count; i++)
+        for (unsigned k = 0; k < legs && serves(of, &d->reversors[i]); k++)
+            *miss = fmin(*miss, distance_of_image(of, d->reversors[i].signs, x, legs, k) / size);
+    jlt_cycle_destroy(of);
     return JLT_OK;
 }
 

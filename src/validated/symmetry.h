@@ -48,9 +48,10 @@ void jlt_symmetry_result_clear(jlt_symmetry_result *result);
 JLT_CHECKED jlt_status jlt_symmetry_prove(jlt_cycle *of, jlt_symmetry_result *result, const jlt_cycle_result *cycle, arb_srcptr box,
                                           arb_srcptr instants);
 
-/** Whether one of the table's proved reversors maps the section and the levels to themselves; without one no symmetry can be
- *  proved. Errors: as jlt_cycle_create. */
-JLT_CHECKED jlt_status jlt_symmetry_is_possible(bool *possible, const jlt_cycle_question *question);
+/** See from the orbit's points in doubles, x, shape (legs, states), whether a symmetry may be proved. Out: *miss, by how much the
+ *  points miss their images, relative to the largest of their numbers, under that proved reversor for which it is least; INFINITY:
+ *  none maps the section and the levels to themselves. Errors: as jlt_cycle_create. */
+JLT_CHECKED jlt_status jlt_symmetry_foresee(double *miss, const jlt_cycle_question *question, const double *x, unsigned legs);
 
 /** Whether the reversor with these signs, shape (states,), maps the section and the levels to themselves. */
 bool jlt_symmetry_keeps(const jlt_cycle *of, const signed char *signs);

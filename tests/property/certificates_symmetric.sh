@@ -82,8 +82,8 @@ refuse() { # STATUS TEXT OPTION...
 }
 # before the orbit is refined and proved, which takes its time
 refuse 1 'not proved: no reversor of the table' symmetric lorenz --section z=27 --period 2 --start x=-13.76,y=-19.58 --digits 12
-refuse 1 'not shown to be its own mirror image' symmetric "${centre[@]:0:7}" --start y=0.3014,py=-0.29987
-refuse 1 'not shown to be its own mirror image' symmetric "${centre[@]:0:7}" --period 4 --start y=-0.12188955,py=-0.26566932
+refuse 1 'its own mirror image: its points miss' symmetric "${centre[@]:0:7}" --start y=0.3014,py=-0.29987
+refuse 1 'its own mirror image: its points miss' symmetric "${centre[@]:0:7}" --period 4 --start y=-0.12188955,py=-0.26566932
 # Elliptic: the twist is what rotation numbers of curves around the point make of it. With r the amplitude of y along a curve,
 # (angle of a return - that at the point)/r^2 differs from it by about c r^2: what two curves make of it by extrapolation is nearer
 # than a tenth of their difference.

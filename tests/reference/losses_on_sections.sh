@@ -35,4 +35,40 @@ for how in --method=gauss --method=dop853 --project; do
     awk -v least="$least" 'BEGIN { exit (least - (15.70 - 15.707963267948966))^2 > 1e-22 }' ||
         fail "$how: the least value before the crossing at 5 pi is $least"
 done
+
+# Once a condition is broken its least value is told as it is between steps, also of steps that end broken, up to the row's time.
+# x = exp(t/20) cos t is least where tan t = 1/20: after the upward crossings of y = 0, at t = pi, 3 pi, ..., and before the
+# downward ones. The bound is a hundred tolerances, for the orbit until then and for the step's polynomial.
+cat > spiral.tt <<'T'
+model spiral
+param b
+default b = 1/2
+state x
+state y
+eq x = y + x/20
+eq y = - x + y/20
+valid high : b + x > 0
+valid far : b + 5 - x^2 - y^2 > 0
+T
+for how in --method=gauss --method=dop853 --method=taylor --method=rk8pd lanes; do
+    for way in up:-1:0.999 down:1:1; do
+        IFS=: read -r direction x other <<< "$way"
+        start=(--start "x=$x")
+        [ "$how" = lanes ] && start=(--grid "x=$x:$(awk "BEGIN { print $x * $other }"):2")
+        for command in section fates; do
+            report=(jellett $command ./spiral.tt --section y=0 --direction "$direction" "${start[@]}" --returns 3 --contact report)
+            [ "$how" = lanes ] || report+=("$how")
+            "${report[@]}" 2> err | awk -F, -v up="$x" -v command=$command '
+                /^orbit/ || /^x,/ { for (i = 1; i <= NF; i++) column[$i] = i; next }
+                /^#/ || (command == "section" && ($1 > 0 || $2 == 0)) || seen++ > 2 { next }
+                { k = command == "section" ? $2 : 3; pi = atan2(0, -1)
+                  t = up < 0 ? 2*pi*k : atan2(1, 20) + pi*(2*k - 1)
+                  want = 0.5 - exp(t/20)*(up < 0 ? 1 : 20/sqrt(401)); miss = $column["valid_min"] - want
+                  if (miss*miss > 1e-20*exp(t/10)) { print k, $column["valid_min"], want; bad = 1 }
+                  if (command == "fates") exit }
+                END { exit bad || seen < (command == "fates" ? 1 : 3) }' > said ||
+                fail "${report[*]}: the least values are others: $(cat said err)"
+        done
+    done
+done
 exit $status

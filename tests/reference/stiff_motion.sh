@@ -20,6 +20,13 @@ for method in gauss dop853 taylor rk8pd rkf45 msadams; do
     # not a fourth of the budget is spent
     awk -v t="$t" -v step="$step" 'BEGIN { exit !(step > 0 && t > 0 && t < 1e7 / 4 * step) }' || fail "$method: $(cat out err)"
 done
+# Nor is it with many rows on the way, at each of which the orbit would arrive.
+for every in 200 5; do
+    timeout 100 "${orbit[@]}" --until 20000 --every $every > out 2> err
+    [ $? -eq 4 ] || fail "every $every: status"
+    t=$(tail -1 out | cut -d, -f1) step=$(sed -n 's/.*: its steps take \([^ ]*\) of time, .* stiff, .*/\1/p' err)
+    awk -v t="$t" -v step="$step" 'BEGIN { exit !(step > 0 && t > 0 && t < 1e7 / 4 * step) }' || fail "every $every: $(cat err)"
+done
 "${orbit[@]}" --times 20 > out 2> err || fail "20: $(cat err)"
 tail -1 out | awk -F, '{ d = log($2/2) - $2^2/2 + 2 - 20/1e4; exit !($4 == "alive" && d < 1e-7 && d > -1e-7) }' || fail "$(cat out)"
 exit $status

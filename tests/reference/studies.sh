@@ -62,9 +62,13 @@ for ends in 0,0.2 0.2,0; do
         'start = { gamma3 = 0.2; v_nu = 0.6; omega_tau = 0.4; omega_n = 1; omega3 = 0; }; } );' > from$ends.scene
     expect 0 '' jellett simulate --start $start --times 1,2 --sweep a3=${ends/,/:}:2
     rows > swept
-    for i in 1 2; do expect 0 '' jellett sweep from$ends.scene --shard $i/2; done
-    expect 0 'at a3=0.*: .*drift_F_linear: .*columns' jellett merge from$ends.shards
-    rows | diff - swept || fail "merge: rows of a study are not those of a sweep"
+    for i in 1/2 2/2 1/1; do
+        expect 0 '' jellett sweep from$ends.scene --shard $i
+        [ $i = 1/2 ] && continue
+        expect 0 'at a3=0.*: .*drift_F_linear: .*columns' jellett merge from$ends.shards
+        rows | diff - swept || fail "merge: rows of a study are not those of a sweep"
+        rm from$ends.shards/*
+    done
 done
 # A point without states has no rows; where no point has any, that is bad input.
 expect 0 'at E=0:' jellett section --start eta=0.3,gamma3=0.2 --returns 1 --sweep E=0:2:2

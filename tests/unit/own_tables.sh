@@ -199,6 +199,10 @@ for damage in 'truncate -s -4096' 'truncate -s 4096' 'truncate -s 0' \
     eval "$damage" '"$object"' > /dev/null
     expect 0 '^1,-4.40912038921' jellett simulate ./lorenz.tt --start x=1,y=1,z=20 --times 1
 done
+# What has the name of another object is made anew.
+printf '%s\n' 'model decay' 'state x' 'state y' 'state z' 'eq x = -x' 'eq y = -y' 'eq z = -z' > decay.tt
+ttc build decay.tt > "$scratch/other" && cp "$(cat "$scratch/other")" "$object"
+expect 0 '^1,-4.40912038921' jellett simulate ./lorenz.tt --start x=1,y=1,z=20 --times 1
 expect 5 "no C compiler 'absent-cc'" env CC=absent-cc jellett simulate ./toda.tt --start q1=0,q2=0,q3=0,p1=0,p2=0,p3=0 --times 1
 expect 5 "cannot make the cache" env XDG_CACHE_HOME=/dev/null jellett simulate ./toda.tt --start q1=0,q2=0,q3=0,p1=0,p2=0,p3=0 \
     --times 1

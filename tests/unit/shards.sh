@@ -88,9 +88,19 @@ expect 0 "0 of them now" jellett sweep map.scene --into=map.3 --shard=2/3 --resu
 printf x | dd of=$file bs=1 seek=$((size / 2)) conv=notrunc 2> dd
 expect 1 "pieces are missing" jellett merge map.3 -o none.csv
 [ ! -e none.csv ] || fail "pieces are missing, and something is written"
-expect 0 "are cut" jellett sweep map.scene --into=map.3 --shard=2/3 --resume
-expect 0 "" jellett merge map.3 map.7 -o again.csv
-cmp again.csv map.1.csv || fail "shards of two runs at once: other bytes"
+expect 0 "bytes among its records are damaged" jellett sweep map.scene --into=map.3 --shard=2/3 --resume
+grep -q '; 1 of them now' err || fail "one record is damaged, and more than its piece is computed again: $(cat err)"
+expect 0 "" jellett merge map.3 -o again.csv
+cmp again.csv map.1.csv || fail "a record in the middle is damaged: other bytes"
+# The damage is in the line of a record, which then seems to end elsewhere, or behind the file.
+for digits in 0 1 99999999; do
+    LC_ALL=C sed "0,/^piece \([0-9]*\) \([0-9]*\) [0-9]*/s//piece \1 \2 $digits/" whole > $file
+    expect 0 "" jellett sweep map.scene --into=map.3 --shard=2/3 --resume
+    grep -q '; 1 of them now' err || fail "a record says it has $digits bytes, and more than its piece is computed: $(cat err)"
+    expect 0 "" jellett merge map.3 map.7 -o again.csv
+    cmp again.csv map.1.csv || fail "shards of two runs at once: other bytes"
+done
+cp whole $file
 
 # A file whose beginning is damaged is not begun anew over what it has.
 cp $file whole
