@@ -236,22 +236,40 @@ static void state_circular(question *q, const ttc_ratio *a, const ttc_ratio *f, 
     ttc_ratio_clear(ring, &bound);
 }
 
-static void state_function(question *q, slong v)
+/* Of a variable that is a function: a = log(e), else e = cos(a) or sin(a). Returns its kind, TTC_PI for what has no argument. */
+static ttc_symbol_kind read_function(question *q, slong v, ttc_ratio *a, ttc_ratio *e)
 {
     ttc_valuation *valuation = q->point->valuation;
-    const ttc_model *model = ttc_valuation_model(valuation);
-    const size_t symbol = ttc_valuation_symbol(valuation, v);
-    if (!ttc_witness_is_function(q->point, v) || model->symbols[symbol].kind == TTC_PI) return;
-    ttc_ratio argument, value;
-    ttc_ratio_init(q->point->ring, &argument);
-    ttc_ratio_init(q->point->ring, &value);
-    ttc_evaluate(valuation, &argument, model->symbols[symbol].definition);
-    ttc_ratio_set_variable(q->point->ring, &value, v);
-    if (model->symbols[symbol].kind == TTC_EXP) state_exponential(q, &argument, &value);
-    else if (model->symbols[symbol].kind == TTC_LOG) state_exponential(q, &value, &argument);
-    else state_circular(q, &argument, &value, model->symbols[symbol].kind == TTC_SINE);
-    ttc_ratio_clear(q->point->ring, &value);
-    ttc_ratio_clear(q->point->ring, &argument);
+    if (!ttc_witness_is_function(q->point, v)) return TTC_PI;
+    const ttc_symbol_entry *entry = ttc_valuation_model(valuation)->symbols + ttc_valuation_symbol(valuation, v);
+    if (entry->kind == TTC_PI) return TTC_PI;
+    ttc_evaluate(valuation, entry->kind == TTC_LOG ? e : a, entry->definition);
+    ttc_ratio_set_variable(q->point->ring, entry->kind == TTC_LOG ? a : e, v);
+    return entry->kind;
+}
+
+/* Bounds of a function, and of log(e/f) = log(e) - log(f) with others: of two exponentials that is greater whose exponent is. */
+static void state_function(question *q, slong v, const bool *stated)
+{
+    ttc_ring *ring = q->point->ring;
+    ttc_ratio a, e, b, f;
+    ttc_ratio_init(ring, &a);
+    ttc_ratio_init(ring, &e);
+    ttc_ratio_init(ring, &b);
+    ttc_ratio_init(ring, &f);
+    const ttc_symbol_kind kind = read_function(q, v, &a, &e);
+    if (kind == TTC_EXP || kind == TTC_LOG) state_exponential(q, &a, &e);
+    else if (kind != TTC_PI) state_circular(q, &a, &e, kind == TTC_SINE);
+    for (slong w = 0; (kind == TTC_EXP || kind == TTC_LOG) && w < (slong)ring->variable_count; w++) {
+        if (w == v || !stated[w] || read_function(q, w, &b, &f) != kind) continue;
+        ttc_ratio_subtract(ring, &b, &a, &b);
+        ttc_ratio_divide(ring, &f, &e, &f);
+        state_exponential(q, &b, &f);
+    }
+    ttc_ratio_clear(ring, &f);
+    ttc_ratio_clear(ring, &b);
+    ttc_ratio_clear(ring, &e);
+    ttc_ratio_clear(ring, &a);
 }
 
 /* Of functions, and of those that their arguments use. */
@@ -264,7 +282,7 @@ static void state_functions(question *q)
         for (size_t v = 0; v < count; v++) {
             if (stated[v] || q->variables[v] == NULL) continue;
             stated[v] = again = true;
-            state_function(q, (slong)v);
+            state_function(q, (slong)v, stated);
         }
     }
     free(stated);

@@ -244,21 +244,54 @@ static void name_sums(survey *s)
     }
 }
 
+static void begin_function(survey *s)
+{
+    if (s->found++ > 0) ttc_text_add(s->text, ", ");
+    else ttc_text_add(s->text, s->text->length > 0 ? TTC_LOSS_SEPARATOR "takes " : "takes ");
+}
+
+static void name_function(survey *s, ttc_value value)
+{
+    const char *label = ttc_program_label_of(s->program, value);
+    ttc_text formula = { 0 };
+    add_operation(s, &formula, ttc_program_at(s->program, value));
+    begin_function(s);
+    ttc_text_add(s->text, formula.length <= FORMULA_LIMIT || label == NULL ? ttc_text_string(&formula) : label);
+    s->text->failed |= formula.failed;
+    ttc_text_clear(&formula);
+}
+
+/* Name functions of rounded arguments in an expression of parameters, definitions included, each once. seen: by id. */
+static void name_functions_of(survey *s, ttc_id id, bool *seen)
+{
+    ttc_field *field = s->kernels->field;
+    if (seen[id]) return;
+    seen[id] = true;
+    if (ttc_kind_of(field->graph, id) == TTC_SYMBOL) {
+        const ttc_field_symbol *symbol = field->symbols + ttc_symbol_of(field->graph, id);
+        if (symbol->role >= TTC_ROLE_COSINE && ttc_expression_is_rounded(field, symbol->definition)) {
+            begin_function(s);
+            ttc_emit_formula(s->text, field->graph, id, ttc_emit_symbol_name, field);
+        }
+        if (symbol->role >= TTC_ROLE_UNIT) name_functions_of(s, symbol->definition, seen);
+    }
+    for (size_t i = 0; i < ttc_part_count(field->graph, id); i++) name_functions_of(s, ttc_part_at(field->graph, id, i).id, seen);
+}
+
+/* Name functions of rounded arguments, also in prepared values. */
 static void name_arguments(survey *s)
 {
+    bool *seen = calloc(ttc_graph_size(s->kernels->field->graph) + 1, sizeof *seen);
     s->found = 0;
-    for (size_t v = 0; v < ttc_program_size(s->program); v++) {
-        if (s->losses[v] != TTC_ROUNDED_ARGUMENT) continue;
-        if (s->found++ == 0) {
-            if (s->text->length > 0) ttc_text_add(s->text, TTC_LOSS_SEPARATOR);
-            ttc_text_add(s->text, "takes ");
-        } else {
-            ttc_text_add(s->text, ", ");
-        }
-        add_operation(s, s->text, ttc_program_at(s->program, (ttc_value)v));
+    s->text->failed |= seen == NULL;
+    for (size_t v = 0; seen != NULL && v < ttc_program_size(s->program); v++) {
+        const ttc_instruction *i = ttc_program_at(s->program, (ttc_value)v);
+        if (s->losses[v] == TTC_ROUNDED_ARGUMENT) name_function(s, (ttc_value)v);
+        if (i->op == TTC_OP_PARAMETER) name_functions_of(s, ttc_prepared_at(&s->kernels->prepared, i->index), seen);
     }
     if (s->found > 0)
         ttc_text_add(s->text, " of a rounded argument: digits are lost near its zeros, or where an exponent is large");
+    free(seen);
 }
 
 void ttc_emit_cancellations(ttc_text *text, const ttc_kernels *kernels, ttc_kernel_kind kind)

@@ -233,6 +233,8 @@ static bool cancels(ttc_field *field, ttc_id id, unsigned char *seen)
     return false;
 }
 
+bool ttc_expression_is_rounded(ttc_field *field, ttc_id id) { return !expression_fact(field, id).is_exact; }
+
 bool ttc_expression_cancels(ttc_field *field, ttc_id id)
 {
     unsigned char *seen = calloc(ttc_graph_size(field->graph) + 1, 1);

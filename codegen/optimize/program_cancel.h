@@ -21,6 +21,9 @@ enum { TTC_HARMLESS_CANCELLATION = 4 };
  *  Returns false when memory is out. */
 bool ttc_program_losses(ttc_loss *losses, const ttc_program *program, ttc_field *field, const ttc_prepared *prepared);
 
+/* Whether the value of an expression in parameters and states as it stands may be rounded. */
+bool ttc_expression_is_rounded(ttc_field *field, ttc_id id);
+
 /* Whether some sum in an expression as it stands, definitions included, can lose digits; true when memory is out. */
 bool ttc_expression_cancels(ttc_field *field, ttc_id id);
 

@@ -319,27 +319,6 @@ static void draw_verdict(cover *c)
     free(c->undefined_at);
 }
 
-/* Prove the conditions on symbols under test, on leaves of their own: in the domain, then also without divisors and without domain
- * records that depend on these symbols, since the symbols have given values, which must meet them. */
-static void prove_tested(ttc_task *task, ttc_prover prover, const ttc_subcase *start)
-{
-    cover whole = { .task = task, .prover = prover }, rest = whole, others = whole;
-    descend(&whole, start);
-    if (task->status == TTC_PROVED && ttc_domain_divides_by_tested(task)) {
-        task->extent = TTC_DOMAIN_OUT_OF_QUESTION;
-        descend(&rest, start);
-    }
-    if (task->status == TTC_PROVED && ttc_domain_speaks_of_tested(task)) {
-        task->extent = TTC_DOMAIN_OF_OTHERS;
-        descend(&others, start);
-    }
-    if (task->status != TTC_PROVED) return;
-    task->extent = TTC_DOMAIN_WHOLE;
-    task->tested = NULL;
-    free(task->point); /* it may violate conditions of the leaves that follow */
-    task->point = NULL;
-}
-
 /* Where what must not be zero is zero, a claim is false. Such points are often no rational numbers, and are not found as points of
  * a larger set; so what is not settled is looked at once more with this as a level of its own, or as levels of its terms. */
 static void look_at_zeros(cover *c, ttc_subcase *start)
@@ -350,7 +329,7 @@ static void look_at_zeros(cover *c, ttc_subcase *start)
     const size_t terms = c->task->has_terms_of_one_sign ? ttc_part_count(graph, zero) : 1;
     if (start->goal_count + terms > sizeof start->goals / sizeof *start->goals) return;
     for (size_t i = 0; i < terms; i++) start->goals[start->goal_count++] = terms == 1 ? zero : ttc_part_at(graph, zero, i).id;
-    c->task->is_at_zeros = true;
+    c->task->is_at_zeros = c->task->is_lower = true;
     descend(c, start);
 }
 
@@ -360,16 +339,43 @@ static void look_aside(cover *c, const ttc_subcase *start)
 {
     ttc_task *task = c->task;
     const size_t count = task->aside_count;
+    const bool is_lower = task->is_lower;
     for (size_t i = task->aside_first; i < count && task->status == TTC_PROVED; i++) {
         cover there = { .task = task, .prover = c->prover };
         ttc_subcase zero = *start;
         zero.goals[zero.goal_count++] = task->aside[i];
         task->is_at_zeros = true;
+        task->is_lower = is_lower;
+        for (size_t k = 0; k < task->model->state_count; k++)
+            task->is_lower |= ttc_model_depends(task->model, task->aside[i], task->model->states[k]);
         task->aside_first = task->aside_count = count;
         descend(&there, &zero);
         look_aside(&there, &zero);
         free(there.undefined_at);
     }
+}
+
+/* Prove the conditions on symbols under test, on leaves of their own: in the domain, then also without divisors and without domain
+ * records that depend on these symbols, since the symbols have given values, which must meet them. */
+static void prove_tested(ttc_task *task, ttc_prover prover, const ttc_subcase *start)
+{
+    const bool asked[] = { [TTC_DOMAIN_WHOLE] = true, [TTC_DOMAIN_OUT_OF_QUESTION] = ttc_domain_divides_by_tested(task),
+                           [TTC_DOMAIN_OF_OTHERS] = ttc_domain_speaks_of_tested(task) };
+    for (size_t extent = 0; extent < sizeof asked && task->status == TTC_PROVED; extent++) {
+        cover c = { .task = task, .prover = prover };
+        if (!asked[extent]) continue;
+        task->extent = (ttc_domain_extent)extent;
+        descend(&c, start);
+        look_aside(&c, start);
+        free(c.undefined_at);
+        task->is_at_zeros = task->is_lower = false;
+        task->aside_first = task->aside_count = 0;
+    }
+    if (task->status != TTC_PROVED) return;
+    task->extent = TTC_DOMAIN_WHOLE;
+    task->tested = NULL;
+    free(task->point); /* it may violate conditions of the leaves that follow */
+    task->point = NULL;
 }
 
 void ttc_task_run(ttc_task *task, ttc_prover prover)

@@ -119,17 +119,8 @@ static void require_values(ttc_task *task, ttc_id id, const ttc_ratio *divisor)
     }
     char *point = NULL;
     bool *moves = ttc_vanishing_moves(task);
-    const size_t mark = ttc_conditions_mark(&task->domain);
-    const bool contradictory = task->domain.contradictory;
-    ttc_ratio below;
-    ttc_ratio_init(task->ring, &below);
-    ttc_ratio_set_polynomial(task->ring, &below, divisor->denominator);
-    const bool is_apart = !ttc_task_moves(task, &below) && ttc_task_put_aside(task, divisor->denominator);
-    if (is_apart) ttc_conditions_add(&task->domain, &below, TTC_IS_NONZERO);
     const ttc_search_result result =
         moves == NULL ? TTC_POINT_NOT_DECIDED : ttc_vanishing_search(task, divisor->numerator, divisor->denominator, moves, &point);
-    ttc_conditions_rewind(&task->domain, mark, contradictory);
-    ttc_ratio_clear(task->ring, &below);
     free(moves);
     if (result == TTC_POINT_FOUND && !is_of_some_states(task, id)) {
         ttc_task_refute_at(task, point, divisor, "%s", at_all_states);

@@ -104,16 +104,18 @@ static bool separate(ttc_task *task, fmpz_mpoly_t polynomial, const bool *moves)
     return true;
 }
 
-/* Returns true if a level is solved for a parameter, so that each of its values may have another part of the level. */
-static bool binds_parameter(const ttc_task *task)
+/* Returns true if a level is solved for a parameter by states, so that each of its values may have another part of the level. */
+static bool binds_parameter(ttc_task *task)
 {
-    for (size_t i = 0; i < task->model->param_count; i++) {
-        const uint32_t param = task->model->params[i];
-        bool is_set = !ttc_valuation_is_bound(task->field, param);
-        for (size_t k = 0; !is_set && k < task->claim->when.count; k++) is_set = task->claim->when.items[k].symbol == param;
-        if (!is_set) return true;
+    bool binds = false;
+    ttc_ratio value;
+    ttc_ratio_init(task->ring, &value);
+    for (size_t i = 0; !binds && i < task->model->param_count; i++) {
+        ttc_evaluate(task->field, &value, task->model->symbols[task->model->params[i]].node);
+        binds = ttc_task_moves(task, &value);
     }
-    return false;
+    ttc_ratio_clear(task->ring, &value);
+    return binds;
 }
 
 /* Gradients, along the leaf's free states, of the expressions given for the target's states and for its parameters. */

@@ -56,7 +56,7 @@ static bool bind_root(ttc_task *task, ttc_valuation *map, uint32_t symbol, ttc_i
     ttc_evaluate(task->field, &value, square);
     ttc_task_require(task, &value, TTC_IS_NONNEGATIVE, "negative: what %s is the root of", name);
     if (ttc_task_open(task)) {
-        const ttc_search_result zero = ttc_task_search(task, &value, TTC_IS_ZERO, NULL);
+        const ttc_search_result zero = ttc_task_search_against(task, &value, TTC_IS_NONZERO, NULL);
         if (zero != TTC_POINT_IMPOSSIBLE && zero != TTC_POINT_EXCLUDED)
             ttc_task_unsettle(task, "what %s is the root of may be zero (expected a condition that excludes it)", name);
     }

@@ -1,5 +1,6 @@
 /* Invariant densities: proof of div(rho f) = 0, and a note on where rho is positive and smooth. */
 #include "prove/domain.h"
+#include "prove/signs.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -9,15 +10,17 @@ typedef struct {
     bool only_positive; /* zeros, poles and negative values are excluded so far */
 } description;
 
-/* Add `what` to the description unless it is excluded that value, or -value if `negative`, stands in this relation to zero. */
-static void describe(ttc_task *task, description *d, const ttc_ratio *value, ttc_relation relation, bool negative, const char *what)
+/* Add `what` to the description unless an expression stands in this relation to zero at every point of the leaf. */
+static void describe(ttc_task *task, description *d, ttc_id id, ttc_relation relation, const char *what)
 {
     char *point = NULL;
-    ttc_ratio opposite;
-    ttc_ratio_init(task->ring, &opposite);
-    if (negative) ttc_ratio_scale(task->ring, &opposite, value, task->ring->minus_one);
-    else ttc_ratio_set(task->ring, &opposite, value);
-    ttc_search_result result = ttc_task_search(task, &opposite, relation, &point);
+    ttc_ratio value;
+    if (ttc_signs_tell(task, task->field, id, relation)) return;
+    ttc_ratio_init(task->ring, &value);
+    ttc_evaluate(task->field, &value, id);
+    if (relation == TTC_IS_NONNEGATIVE) ttc_ratio_scale(task->ring, &value, &value, task->ring->minus_one);
+    const ttc_search_result result =
+        ttc_task_search(task, &value, relation == TTC_IS_NONNEGATIVE ? TTC_IS_POSITIVE : TTC_IS_ZERO, &point);
     if (result == TTC_POINT_FOUND || result == TTC_POINT_NOT_DECIDED) {
         if (!d->only_positive) fputs("; ", d->stream);
         d->only_positive = false;
@@ -25,7 +28,7 @@ static void describe(ttc_task *task, description *d, const ttc_ratio *value, ttc
         if (point != NULL) fprintf(d->stream, " at %s", point);
     }
     free(point);
-    ttc_ratio_clear(task->ring, &opposite);
+    ttc_ratio_clear(task->ring, &value);
 }
 
 /* Describe poles: points where the field is defined, and the density, or a definition that it alone uses, divides by zero. */
@@ -34,26 +37,20 @@ static void describe_poles(ttc_task *task, description *d)
     const ttc_model *model = task->model;
     unsigned char *of_claim = ttc_domain_divisors_of_claim(task);
     ttc_conditions whole = task->domain;
-    ttc_ratio value;
     if (of_claim == NULL) {
         ttc_task_unsettle(task, "out of memory");
         return;
     }
-    ttc_ratio_init(task->ring, &value);
     ttc_conditions_init(&task->domain, task->field);
     ttc_domain_add(task, &task->domain, TTC_DOMAIN_WITHOUT_CLAIM);
-    for (size_t i = 0; i < model->divisor_count; i++) {
-        if (!of_claim[i]) continue;
-        ttc_evaluate(task->field, &value, model->divisors[i].divisor);
-        if (ttc_task_open(task)) describe(task, d, &value, TTC_IS_ZERO, false, "a pole");
-    }
+    for (size_t i = 0; i < model->divisor_count; i++)
+        if (of_claim[i] && ttc_task_open(task)) describe(task, d, model->divisors[i].divisor, TTC_IS_NONZERO, "a pole");
     ttc_conditions_clear(&task->domain);
     task->domain = whole;
-    ttc_ratio_clear(task->ring, &value);
     free(of_claim);
 }
 
-static void describe_density(ttc_task *task, const ttc_ratio *density)
+static void describe_density(ttc_task *task)
 {
     size_t size = 0;
     char *text = NULL;
@@ -63,8 +60,8 @@ static void describe_density(ttc_task *task, const ttc_ratio *density)
         return;
     }
     describe_poles(task, &d);
-    describe(task, &d, density, TTC_IS_POSITIVE, true, "negative");
-    describe(task, &d, density, TTC_IS_ZERO, false, "zero");
+    describe(task, &d, task->claim->expression, TTC_IS_NONNEGATIVE, "negative");
+    describe(task, &d, task->claim->expression, TTC_IS_NONZERO, "zero");
     if (d.only_positive) fputs("positive and smooth on the domain", d.stream);
     bool is_first = task->note == NULL, is_worse = !is_first && task->has_smooth_density && !d.only_positive;
     if (fclose(d.stream) != 0 || !(is_first || is_worse)) {
@@ -109,7 +106,7 @@ void ttc_prove_measure(ttc_task *task)
         ttc_ratio_add_product(task->ring, &rate, &density, &entry);
     }
     ttc_task_require_zero(task, &rate, "div(%s f)", claim->name);
-    if (ttc_task_open(task)) describe_density(task, &density);
+    if (ttc_task_open(task)) describe_density(task);
     ttc_ratio_clear(task->ring, &entry);
     ttc_ratio_clear(task->ring, &rate);
     ttc_ratio_clear(task->ring, &density);

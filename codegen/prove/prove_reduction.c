@@ -118,7 +118,9 @@ static void prove_onto(ttc_task *task, const ttc_model *target)
     }
     ttc_prove_chain_rule(task, task->claim, target, map);
     ttc_prove_same_observations(task, target, map);
-    if (ttc_task_open(task) && !task->is_at_zeros && ttc_task_may_have_point(task)) ttc_prove_dimension(task, target);
+    /* For all parameters, special ones included, a reduction claims a dimension. */
+    const bool claims = !task->is_at_zeros || (!task->is_lower && task->claim->kind == TTC_CLAIM_REDUCTION);
+    if (ttc_task_open(task) && claims && ttc_task_may_have_point(task)) ttc_prove_dimension(task, target);
     ttc_task_leave_map(task);
     ttc_valuation_destroy(map);
 }

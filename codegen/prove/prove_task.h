@@ -61,8 +61,8 @@ struct ttc_task {
     ttc_id aside[8];   /* expressions that normal forms divide by: where those from aside_first on are zero, the claim is still to
                           be proved */
     size_t aside_first, aside_count;
-    bool is_at_zeros;  /* `unexcluded` or one of `aside` is one more level, on which counts what is claimed of all points, not a
-                          dimension */
+    bool is_at_zeros;  /* `unexcluded` or one of `aside` is one more level, on which counts what is claimed of all points, */
+    bool is_lower;     /* and of states, so that dimensions do not count */
     /* the verdict so far */
     ttc_proof_status status;
     bool relies_on_solver;

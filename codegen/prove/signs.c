@@ -152,6 +152,11 @@ static bool follows(ttc_task *task, ttc_valuation *valuation, ttc_id id, ttc_rel
     return result;
 }
 
+bool ttc_signs_tell(ttc_task *task, ttc_valuation *valuation, ttc_id id, ttc_relation relation)
+{
+    return follows(task, valuation, id, relation, false) || follows(task, valuation, id, relation, true);
+}
+
 /* Returns true for a sum of terms of one sign, which is zero only where all its terms are. */
 static bool adds_one_sign(ttc_task *task, ttc_id id)
 {
@@ -174,8 +179,7 @@ static void require(ttc_task *task, ttc_valuation *valuation, ttc_id id, ttc_rel
     ttc_ratio value;
     for (size_t i = 0; i < factors; i++) require(task, valuation, ttc_part_at(graph, id, i).id, relation, what);
     if (factors > 0 || !ttc_task_open(task)) return;
-    if (task->tested == NULL
-        && (follows(task, valuation, id, relation, false) || follows(task, valuation, id, relation, true))) return;
+    if (task->tested == NULL && ttc_signs_tell(task, valuation, id, relation)) return;
     ttc_ratio_init(task->ring, &value);
     ttc_evaluate(valuation, &value, id);
     const bool is_first = task->unexcluded == TTC_NONE;

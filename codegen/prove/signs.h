@@ -10,4 +10,7 @@
 TTC_PRINTF(5, 6)
 void ttc_signs_require(ttc_task *task, ttc_valuation *valuation, ttc_id id, ttc_relation relation, const char *format, ...);
 
+/* Returns true if the signs of its parts tell that an expression stands in a relation to zero at every point of the leaf. */
+bool ttc_signs_tell(ttc_task *task, ttc_valuation *valuation, ttc_id id, ttc_relation relation);
+
 #endif

@@ -38,7 +38,6 @@ static bool says_none(ttc_search_result result) { return result == TTC_POINT_IMP
 bool ttc_task_put_aside(ttc_task *task, const fmpz_mpoly_struct *denominator)
 {
     if (!(ttc_conditions_signs(&task->domain, denominator) & TTC_CAN_BE_ZERO)) return true;
-    if (task->tested != NULL) return false;
     for (size_t v = 0; v < task->ring->variable_count; v++)
         if (fmpz_mpoly_degree_si(denominator, (slong)v, task->ring->context) > 0 &&
             ttc_valuation_symbol(task->field, (slong)v) >= task->model->symbol_count)

@@ -51,12 +51,16 @@ ttc_search_result ttc_vanishing_search(ttc_task *task, const fmpz_mpoly_t polyno
                                        char **text)
 {
     fmpz_mpoly_t rest, coefficient;
-    ttc_ratio value;
-    size_t mark = ttc_conditions_mark(&task->domain);
-    bool contradictory = task->domain.contradictory;
+    ttc_ratio value, divisor;
+    const size_t mark = ttc_conditions_mark(&task->domain), aside = task->aside_count;
+    const bool contradictory = task->domain.contradictory;
     fmpz_mpoly_init(rest, task->ring->context);
     fmpz_mpoly_init(coefficient, task->ring->context);
     ttc_ratio_init(task->ring, &value);
+    ttc_ratio_init(task->ring, &divisor);
+    ttc_ratio_set_polynomial(task->ring, &divisor, below);
+    if (!ttc_task_moves(task, &divisor) && ttc_task_put_aside(task, below))
+        ttc_conditions_add(&task->domain, &divisor, TTC_IS_NONZERO);
     fmpz_mpoly_set(rest, polynomial, task->ring->context);
     while (!fmpz_mpoly_is_zero(rest, task->ring->context)) {
         take_coefficient(task, coefficient, rest, moves);
@@ -64,11 +68,11 @@ ttc_search_result ttc_vanishing_search(ttc_task *task, const fmpz_mpoly_t polyno
         ttc_conditions_add(&task->domain, &value, TTC_IS_ZERO);
     }
     ttc_search_result result = ttc_task_search(task, NULL, TTC_IS_ZERO, NULL);
-    if (result == TTC_POINT_FOUND) {
-        ttc_ratio_set_polynomial(task->ring, &value, below);
-        if (ttc_task_search(task, &value, TTC_IS_NONZERO, text) != TTC_POINT_FOUND) result = TTC_POINT_NOT_DECIDED;
-    }
+    if (result == TTC_POINT_FOUND && ttc_task_search(task, &divisor, TTC_IS_NONZERO, text) != TTC_POINT_FOUND)
+        result = TTC_POINT_NOT_DECIDED;
+    if (result == TTC_POINT_FOUND || result == TTC_POINT_NOT_DECIDED) task->aside_count = aside;
     ttc_conditions_rewind(&task->domain, mark, contradictory);
+    ttc_ratio_clear(task->ring, &divisor);
     ttc_ratio_clear(task->ring, &value);
     fmpz_mpoly_clear(coefficient, task->ring->context);
     fmpz_mpoly_clear(rest, task->ring->context);

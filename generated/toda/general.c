@@ -16,7 +16,8 @@
  *
  *  Accuracy
  *    digits are lost where terms nearly cancel in d(p1)/dt, d(p2)/dt, d(p3)/dt
- *    takes exp(), exp(), exp() of a rounded argument: digits are lost near its zeros, or where an exponent is large
+ *    takes exp(q1 - q2), exp(q3 - q1), exp(q2 - q3) of a rounded argument: digits are lost near its zeros,
+ *      or where an exponent is large
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
@@ -393,17 +394,17 @@ const jlt_descriptor jlt_kernels_toda_general = {
     .params = params,
     .prepare = prepare,
     .rhs = { rhs, 6, { 4, 2, 2, 0, 0, 3, 4, 4 }, { 6, 6, 0, 0, 0, 3, 4, 5 },
-        "digits are lost where terms nearly cancel in s1 - s3, d(p2)/dt, d(p3)/dt; takes exp(), exp(), exp() of a rounded argument: digits are lost near its zeros, or where an exponent is large" },
+        "digits are lost where terms nearly cancel in s1 - s3, d(p2)/dt, d(p3)/dt; takes exp(q1 - q2), exp(q3 - q1), exp(q2 - q3) of a rounded argument: digits are lost near its zeros, or where an exponent is large" },
     .jacobian = { jacobian, 36, { 9, 3, 0, 0, 0, 3, 5, 4 }, { 9, 12, 0, 0, 0, 3, 5, 5 },
         "takes exp(q1 - q2), exp(q3 - q1), exp(q2 - q3) of a rounded argument: digits are lost near its zeros, or where an exponent is large" },
     .rhs_jacobian = { rhs_jacobian, 42, { 12, 3, 0, 0, 0, 3, 5, 5 }, { 12, 18, 0, 0, 0, 3, 5, 6 },
-        "digits are lost where terms nearly cancel in d(p1)/dt, d(p2)/dt, d(p3)/dt; takes exp(), exp(), exp() of a rounded argument: digits are lost near its zeros, or where an exponent is large" },
+        "digits are lost where terms nearly cancel in d(p1)/dt, d(p2)/dt, d(p3)/dt; takes exp(q1 - q2), exp(q3 - q1), exp(q2 - q3) of a rounded argument: digits are lost near its zeros, or where an exponent is large" },
     .divergence = { divergence, 1, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },
         "" },
     .integral_values = { integral_values, 3, { 7, 5, 6, 0, 0, 3, 6, 6 }, { 13, 13, 0, 0, 0, 3, 7, 6 },
-        "digits are lost where terms nearly cancel in P, p3*s1 + p2*s3 + p1*s2, J; takes exp(), exp(), exp() of a rounded argument: digits are lost near its zeros, or where an exponent is large" },
+        "digits are lost where terms nearly cancel in P, p3*s1 + p2*s3 + p1*s2, J; takes exp(q1 - q2), exp(q2 - q3), exp(q3 - q1) of a rounded argument: digits are lost near its zeros, or where an exponent is large" },
     .integral_gradients = { integral_gradients, 18, { 9, 12, 3, 0, 0, 3, 5, 7 }, { 15, 18, 0, 0, 0, 3, 6, 6 },
-        "digits are lost where terms nearly cancel in s1 - s3, s1 - s2, s2 - s3, s3*p2 - s1*p3, s2*p1 - s1*p3, s2*p1 - s3*p2, d(J)/d(p1), d(J)/d(p2), d(J)/d(p3); takes exp(), exp(), exp() of a rounded argument: digits are lost near its zeros, or where an exponent is large" },
+        "digits are lost where terms nearly cancel in s1 - s3, s1 - s2, s2 - s3, s3*p2 - s1*p3, s2*p1 - s1*p3, s2*p1 - s3*p2, d(J)/d(p1), d(J)/d(p2), d(J)/d(p3); takes exp(q1 - q2), exp(q3 - q1), exp(q2 - q3) of a rounded argument: digits are lost near its zeros, or where an exponent is large" },
     .measure_values = { measure_values, 1, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },
         "" },
     .measure_divergences = { measure_divergences, 1, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },

@@ -1,5 +1,5 @@
-/* What a kernel's comment says of its divisors and roots, word by word for small tables: the oracle is what can vanish in
- * them. */
+/* What a kernel's comment says of its divisors, roots and functions, word by word for small tables: the oracle is what can vanish
+ * in them. */
 #include "unit/check.h"
 
 #include "emit/emit.h"
@@ -58,11 +58,35 @@ static void roots_are_named(void **unused)
                   "takes s = sqrt(1 - x^2): rounding errors of the states grow without bound where it vanishes");
 }
 
+/* log(1 + u) is u for small u, of which 1 + u has lost digits, also if u is a parameter. Of what is not rounded none are lost. */
+static void functions_of_rounded_arguments_are_named(void **unused)
+{
+    static const char end[] = " of a rounded argument: digits are lost near its zeros, or where an exponent is large";
+    static const example examples[] = {
+        { "model t\nstate x\nlog l = log(1 + x^2)\neq x = l\n", "takes log(x*x + 1)" },
+        { "model t\nparam p > 0\nstate x\nlog l = log(1 + p)\neq x = l*x\n", "takes l" },
+        { "model t\nparam p > 0\nstate x\nlog l = log(p)\nexp e = exp(2*p)\neq x = e*l*x\n", "" },
+        { "model t\nparam p\nstate x\nstate y\nexp e = exp(3*p)\nangle c s = cos(x + y) sin(x + y)\neq x = e*c\neq y = 3*e*s\n",
+          "takes e, cos(x + y), sin(x + y)" },
+        { "model t\nstate x\nstate y\nexp e = exp(x + y)\nexp f = exp(x - y)\nangle c s = cos(x + y) sin(x + y)\n"
+          "log l = log(2 + x^2)\neq x = e*f\neq y = c*s*l\n",
+          "takes exp(x + y), exp(x - y), cos(x + y), sin(x + y), log(x*x + 2)" },
+    };
+
+    (void)unused;
+    for (size_t i = 0; i < sizeof examples / sizeof *examples; i++) {
+        char losses[256];
+        snprintf(losses, sizeof losses, "%s%s", examples[i].losses, *examples[i].losses == '\0' ? "" : end);
+        expect_losses(examples[i].table, losses);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(divisors_that_may_vanish_are_named_and_others_are_not),
         cmocka_unit_test(roots_are_named),
+        cmocka_unit_test(functions_of_rounded_arguments_are_named),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
