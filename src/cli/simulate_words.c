@@ -13,18 +13,14 @@ static void tell_pole(const jlt_simulate_request *r)
     const jlt_course_row *row = &r->last;
     const char *untold[JLT_PLAN_STATES_MAX], *first = "";
     unsigned count = 0;
-    double largest = 0;
 
     fprintf(stderr, "jellett: the orbit reaches the pole %s = %+.10g at t = %.17g and ends there, with the limits ",
             d->states[row->pole].name, row->x[row->pole], row->t);
-    for (unsigned i = 0; i < d->state_count; i++)
-        if (isfinite(row->x[i])) largest = fmax(largest, fabs(row->x[i]));
     for (unsigned i = 0; i < d->state_count; i++) {
         if (i == row->pole) continue;
         if (!isfinite(row->x[i])) untold[count++] = d->states[i].name;
         if (!isfinite(row->x[i])) continue;
-        /* print rounding noise as 0 */
-        fprintf(stderr, "%s%s = %.10g", first, d->states[i].name, fabs(row->x[i]) > 1e-16 * largest ? row->x[i] : 0.0);
+        fprintf(stderr, "%s%s = %.10g", first, d->states[i].name, row->x[i]);
         first = ", ";
     }
     for (unsigned i = 0; i < count; i++)

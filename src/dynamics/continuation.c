@@ -111,6 +111,12 @@ static bool halves(const runner *self, const jlt_continuation_point *before, con
     return sum < 0 && size < 0.5; /* a difference of angles changes sign at half a period as well */
 }
 
+/* Whether two multipliers of product 1 are a complex pair. */
+static bool rotates(const place *at)
+{
+    return fabs(at->at.slope[0] + at->at.slope[3]) < 2;
+}
+
 /* Report the bifurcations between two places, then the new place. If the branch ends at a period doubling in between, report that
  * alone, and set *ends. */
 static jlt_status report(const runner *self, const place *from, const place *to, double step, jlt_continuation_point *last,
@@ -127,7 +133,10 @@ static jlt_status report(const runner *self, const place *from, const place *to,
     for (unsigned k = 0; k < JLT_CONTINUATION_TESTS; k++) {
         if (isnan(from->test[k]) || isnan(to->test[k]) || (from->test[k] > 0) == (to->test[k] > 0)) continue;
         if (k >= BRANCH_TEST && fmax(fabs(from->test[k]), fabs(to->test[k])) < noise_of_determinant) continue;
+        /* beside a torus they are a pair at least where both are inside the circle */
+        if (k == TORUS_TEST && !rotates(from) && !rotates(to)) continue;
         const bracket b = locate(self, from, to, step, k);
+        if (k == TORUS_TEST && !rotates(&b.at)) continue; /* a saddle of determinant 1 */
         JLT_PASS(deliver(self, &b, from, (jlt_bifurcation)(JLT_BIFURCATION_FOLD + k), sink, context));
     }
     *last = point;

@@ -160,9 +160,7 @@ static void test_functions(double test[4], const jlt_continuation_equation *at, 
     for (unsigned i = 0; i < d; i++) shifted[i * d + i] += 1;
     test[1] = jlt_linear_determinant(shifted, d);
     test[2] = border(matrix, at, tangent, d);
-    test[3] = NAN;
-    if (d == 2 && !symmetric && fabs(at->slope[0] + at->slope[3]) < 2)
-        test[3] = jlt_linear_determinant(at->slope, d) - 1;
+    test[3] = d == 2 && !symmetric ? jlt_linear_determinant(at->slope, d) - 1 : NAN;
 }
 
 jlt_status jlt_continuation_step_to(const jlt_continuation_runner *self, jlt_continuation_place *out,

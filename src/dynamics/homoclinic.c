@@ -262,7 +262,13 @@ static jlt_homoclinic image_of(const jlt_homoclinic *point, const jlt_chart *cha
     return image;
 }
 
-/* Leave out points that may be no crossings, given their errors (counted in *touching), and duplicates. Returns how many stay. */
+/* Whether the branches may only touch at the point, given its errors. */
+static bool may_touch(const jlt_homoclinic *point)
+{
+    return fabs(point->angle) <= point->angle_error || !(blur(point) < JLT_MANIFOLD_FINEST);
+}
+
+/* Leave out points that may be no crossings (counted in *touching), and duplicates. Returns how many stay. */
 static size_t keep_crossings(jlt_homoclinic *points, size_t count, size_t *touching, const jlt_chart *chart)
 {
     size_t kept = 0;
@@ -272,7 +278,7 @@ static size_t keep_crossings(jlt_homoclinic *points, size_t count, size_t *touch
         bool known = false;
         for (size_t k = 0; !known && k < kept; k++) known = is_same(&points[k], point, chart);
         if (known) continue;
-        if (fabs(point->angle) <= point->angle_error || !(blur(point) < JLT_MANIFOLD_FINEST)) ++*touching;
+        if (may_touch(point)) ++*touching;
         else points[kept++] = *point;
     }
     return kept;
@@ -294,7 +300,8 @@ jlt_status jlt_homoclinic_find(jlt_homoclinic **points, size_t *count, size_t *t
     const jlt_chart *chart = jlt_map_batch_flow(fine)->chart;
     const jlt_branch *const branches[] = { unstable_branch, stable_branch };
     JLT_FREED refinement *list = NULL;
-    size_t candidates = 0, kept = 0, apart = 0;
+    size_t candidates = 0, kept = 0, apart = 0, seen = 0;
+    bool crosses = true;
 
     *points = NULL;
     *count = 0;
@@ -303,13 +310,20 @@ jlt_status jlt_homoclinic_find(jlt_homoclinic **points, size_t *count, size_t *t
     if (candidates == 0) return JLT_OK;
     JLT_FREED jlt_homoclinic *found = calloc(2 * candidates, sizeof *found);
     JLT_FREED bool *has_twin = calloc(candidates, sizeof *has_twin);
-    JLT_PASS(found != NULL && has_twin != NULL ? refine(list, candidates, branches, fine, 12) : JLT_ERR_NOMEM);
-    for (size_t i = 0; i < candidates; i++) {
-        if (list[i].status != JLT_OK || list[i].best.residual > 1e-8) continue;
-        has_twin[kept] = list[i].has_twin;
-        found[kept++] = list[i].best;
+    if (found == NULL || has_twin == NULL) return JLT_ERR_NOMEM;
+    while (crosses && seen < candidates) {
+        const size_t first = kept, end = candidates - seen < JLT_HOMOCLINIC_ROW ? candidates : seen + JLT_HOMOCLINIC_ROW;
+        JLT_PASS(refine(list + seen, end - seen, branches, fine, 12));
+        for (; seen < end; seen++) {
+            if (list[seen].status != JLT_OK || list[seen].best.residual > 1e-8) continue;
+            has_twin[kept] = list[seen].has_twin;
+            found[kept++] = list[seen].best;
+        }
+        JLT_PASS(angle_errors(found + first, kept - first, branches, fine, coarse));
+        crosses = false;
+        for (size_t i = first; i < kept; i++) crosses |= !may_touch(&found[i]);
     }
-    JLT_PASS(angle_errors(found, kept, branches, fine, coarse));
+    for (size_t i = seen; i < candidates; i++) apart += list[i].has_twin ? 2 : 1;
     for (size_t i = 0, alone = kept; i < alone; i++)
         if (has_twin[i]) found[kept++] = image_of(&found[i], chart);
     kept = keep_crossings(found, kept, &apart, chart);

@@ -131,10 +131,15 @@ static size_t gather(const jlt_separatrices *self, swept *list, double *sigma, d
     return n;
 }
 
+static size_t crossings_of(const jlt_separatrices *self)
+{
+    return self->count[0][0] + self->count[0][1] + self->count[1][0] + self->count[1][1];
+}
+
 /* Set areas and lobes of all crossings, integrating once along every branch that is no mirror image. */
 static jlt_status measure_lobes(jlt_separatrices *self, jlt_map_batch *maps)
 {
-    const size_t room = 2 * (self->count[0][0] + self->count[0][1] + self->count[1][0] + self->count[1][1]) + 1;
+    const size_t room = 2 * crossings_of(self) + 1;
     JLT_FREED swept *list = calloc(room, sizeof *list);
     JLT_FREED double *sigma = calloc(3 * room, sizeof *sigma); /* (room,), then q, (room, 2) */
     JLT_FREED jlt_branch_area *areas = calloc(room, sizeof *areas);
@@ -204,6 +209,7 @@ jlt_status jlt_separatrices_cross(jlt_separatrices *self, const jlt_kernel_batch
     for (int u = 0; u < 2; u++)
         for (int s = 0; s < 2; s++)
             JLT_TRY(cross(self, u, s, maps));
+    if (crossings_of(self) == 0) goto done;
     JLT_TRY(measure_lobes(self, maps[0]));
     JLT_TRY(find_lobe_errors(self, maps[1], threads));
 done:

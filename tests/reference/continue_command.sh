@@ -160,6 +160,18 @@ grep -q 'stability changes, from 0 multipliers outside the unit circle to 2' log
 jellett continue ./pair.tt --section ph=0 --along mu=-0.3:0.2 --start a=0,b=0 --set w=0.37 -o rows.csv 2> log
 grep -q 'stability changes' log && fail "a torus is told twice: $(cat log)"
 awk -F, '/torus/ { found = $2^2 < 1e-16 } END { exit !found }' rows.csv || fail "no torus at mu = 0: $(grep torus rows.csv)"
+# A torus that a long step leaves far outside the unit circle, with a trace beyond 2. Where multipliers are real it is none.
+for w in 0.123 0.3333 0.499 1.4; do
+    for way in - ''; do
+        jellett continue ./pair.tt --section ph=0 --along mu=-1:1 --set mu=${way}0.95,w=$w --start a=0,b=0 --step 0.05 \
+            $([ -n "$way" ] || echo --decreasing) -o rows.csv 2> log
+        awk -F, '$17 == "torus" && $2^2 < 1e-20 && $18 < 1e-10 && $19 > -1e-10 { n++ } END { exit n != 1 }' rows.csv ||
+            fail "a torus in a long step, $w $way: $(cat log)"
+    done
+done
+sed -e 's/model pair/model real/' -e 's/+ w\*a/- w*a/' pair.tt > real.tt
+jellett continue ./real.tt --section ph=0 --along mu=-0.3:0.2 --start a=0,b=0 --set w=0.2 -o rows.csv 2> log
+! grep -q torus rows.csv || fail "a saddle of determinant 1: $(grep torus rows.csv)"
 
 # Multipliers of some -1e3 and 1e3: folds and doublings are passed, down to where the range ends. The same orbits come, to the last
 # digit, where the parameter counts in other units.

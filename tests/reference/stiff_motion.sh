@@ -29,4 +29,12 @@ for every in 200 5; do
 done
 "${orbit[@]}" --times 20 > out 2> err || fail "20: $(cat err)"
 tail -1 out | awk -F, '{ d = log($2/2) - $2^2/2 + 2 - 20/1e4; exit !($4 == "alive" && d < 1e-7 && d > -1e-7) }' || fail "$(cat out)"
+
+# Commands of maps say so as well, seen once a period of a clock.
+sed -e 's/model pol/model clocked/' pol.tt > clocked.tt
+printf '%s\n' 'state phi' 'eq phi = 1' 'periodic phi = 2*pi' >> clocked.tt
+for command in lyapunov 'orbits --period 1' 'continue --along mu=1e9:1e10' manifolds; do
+    jellett $command ./clocked.tt --section phi=0 --start x=2,y=0 --set mu=1e9 > out 2> err
+    [ $? -eq 4 ] && grep -q 'motion is stiff: no --method here is made for that' err || fail "$command: $(cat err)"
+done
 exit $status

@@ -140,4 +140,13 @@ eq y = mu*(1 - x^2)*y - x
 TABLE
 row jellett orbits ./relaxing.tt --section x=0 --start y=15 --period 1 > out
 awk -F, '{ exit !($4 == $5 && $5 == $6 && $5 > 3.5e-136 && $5 < 3.9e-136) }' out || fail "a small multiplier: $(cat out)"
+
+# 7. The limits at a pole are told as the last row has them, beside velocities of any size.
+far=R=1e18,g=1e18,a3=0.51e18,I1=1e36/3,I3=1e36/3
+row jellett simulate --set $far --start gamma3=0.25,v_nu=0.8e18,omega_tau=-0.6,omega_n=1.1,omega3=-2.3 --times 200 > out
+awk -F, 'NR == FNR { tau = $4; spin = $6; next } match($0, /omega_tau = [^,]*/) { told = substr($0, RSTART + 12, RLENGTH - 12) }
+    match($0, /omega3 = [^;]*/) { turn = substr($0, RSTART + 9, RLENGTH - 9) }
+    function off(a, b) { return a > b ? a - b : b - a }
+    END { exit !(tau > 0.37 && spin < -1.86 && off(told, tau) < 1e-9 && off(turn, spin) < 1e-8) }' out err ||
+    fail "limits at a pole: $(cat out err)"
 exit $status
