@@ -31,7 +31,8 @@ static const struct argp_option option_table[] = {
     { "turn", TURN, "VALUE", 0, "Largest angle between neighbouring segments, in radians; default 0.2", 1 },
     { "count", COUNT, "N", 0, "Compute at most N points on a branch, by at most 100*N returns; default 4000", 1 },
     { "seed", SEED, "VALUE", 0,
-      "Distance from the saddle at which branches begin, in coordinates, 1e-8 to 1e-2; default 1e-4", 1 },
+      "Distance from the saddle at which branches begin, in coordinates, 1e-8 to 1e-2; default 1e-4. Errors of angles are told for "
+      "that: a seed far from it may add more, so compare angles from several", 1 },
     { "crossings", CROSSINGS, "FILE", 0, "Write the points where separatrices cross to FILE, as CSV", 1 },
     { "no-crossings", NO_CROSSINGS, NULL, 0, "Do not look for points where separatrices cross", 1 },
     { 0 },
