@@ -26,6 +26,9 @@ static ttc_id sum_of_squares(ttc_graph *graph, const ttc_id *pair)
 /* The positive root of an expression, as a spare symbol; TTC_NONE if memory is out or no spare symbol is left. */
 static ttc_id root_of(ttc_task *task, ttc_id square, uint32_t *spares)
 {
+    /* Solutions of levels may use the first ones. */
+    while (*spares < TTC_SPARE_SYMBOLS && ttc_valuation_is_bound(task->field, (uint32_t)task->model->symbol_count + *spares))
+        ++*spares;
     if (*spares == TTC_SPARE_SYMBOLS || square == TTC_NONE) return TTC_NONE;
     const uint32_t spare = (uint32_t)task->model->symbol_count + (*spares)++;
     const ttc_id root = ttc_symbol(task->model->graph, spare);

@@ -152,7 +152,7 @@ void ttc_task_require(ttc_task *task, const ttc_ratio *ratio, ttc_relation relat
     }
     free(point);
     if (task->unexcluded == TTC_NONE && relation != TTC_IS_NONNEGATIVE)
-        task->unexcluded = ttc_subcase_expression(task, ratio->numerator);
+        task->unexcluded = ttc_task_expression(task, ratio->numerator);
     ttc_task_unsettle(task, "%s: %s", what == NULL ? "" : what,
                       result == TTC_POINT_FOUND
                           ? "false at a point that may lie outside the domain: conditions with a root or logarithm in question do "

@@ -93,6 +93,8 @@ ttc_search_result ttc_task_search(ttc_task *task, const ttc_ratio *ratio, ttc_re
 /* Search for a point of the leaf at which a ratio does not stand in this relation to zero. That there is none may hold but for
  * points put `aside`. */
 ttc_search_result ttc_task_search_against(ttc_task *task, const ttc_ratio *ratio, ttc_relation relation, char **text);
+/* A polynomial as an expression of the table; TTC_NONE if it uses spare symbols, which have no value on other leaves. */
+ttc_id ttc_task_expression(ttc_task *task, const fmpz_mpoly_struct *polynomial);
 /* Note that where this denominator of a normal form is zero the claim, one of all points, is still to be proved, on leaves of their
  * own. Returns false if that cannot be, as the denominator is no expression of the table, or too many are put aside. */
 bool ttc_task_put_aside(ttc_task *task, const fmpz_mpoly_struct *denominator);

@@ -150,6 +150,8 @@ static void bind_free(ttc_task *task, ttc_valuation *map, uint32_t symbol, uint3
 {
     const ttc_symbol_entry *entry = ttc_valuation_model(map)->symbols + symbol;
     ttc_ratio value;
+    while (*spares < TTC_SPARE_SYMBOLS && ttc_valuation_is_bound(task->field, (uint32_t)task->model->symbol_count + *spares))
+        ++*spares; /* by solutions of levels */
     if (*spares == TTC_SPARE_SYMBOLS) {
         ttc_task_unsettle(task, "more than %d parameters of %s are not known in %s", TTC_SPARE_SYMBOLS,
                           task->outer->model->name, task->model->name);

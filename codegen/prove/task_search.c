@@ -35,17 +35,23 @@ static void add_new_roots(ttc_task *task)
 
 static bool says_none(ttc_search_result result) { return result == TTC_POINT_IMPOSSIBLE || result == TTC_POINT_EXCLUDED; }
 
+ttc_id ttc_task_expression(ttc_task *task, const fmpz_mpoly_struct *polynomial)
+{
+    for (size_t v = 0; v < task->ring->variable_count; v++)
+        if (fmpz_mpoly_degree_si(polynomial, (slong)v, task->ring->context) > 0 &&
+            ttc_valuation_symbol(task->field, (slong)v) >= task->model->symbol_count)
+            return TTC_NONE;
+    return ttc_subcase_expression(task, polynomial);
+}
+
 bool ttc_task_put_aside(ttc_task *task, const fmpz_mpoly_struct *denominator)
 {
     if (!(ttc_conditions_signs(&task->domain, denominator) & TTC_CAN_BE_ZERO)) return true;
-    for (size_t v = 0; v < task->ring->variable_count; v++)
-        if (fmpz_mpoly_degree_si(denominator, (slong)v, task->ring->context) > 0 &&
-            ttc_valuation_symbol(task->field, (slong)v) >= task->model->symbol_count)
-            return false;
-    const ttc_id zero = ttc_subcase_expression(task, denominator);
+    const ttc_id zero = ttc_task_expression(task, denominator);
+    if (zero == TTC_NONE) return false;
     for (size_t i = task->aside_first; i < task->aside_count; i++)
         if (task->aside[i] == zero) return true;
-    if (zero == TTC_NONE || task->aside_count == sizeof task->aside / sizeof *task->aside) return false;
+    if (task->aside_count == sizeof task->aside / sizeof *task->aside) return false;
     task->aside[task->aside_count++] = zero;
     return true;
 }
