@@ -23,14 +23,20 @@ static ttc_id sum_of_squares(ttc_graph *graph, const ttc_id *pair)
     return ttc_add(graph, ttc_power(graph, pair[0], 2), ttc_power(graph, pair[1], 2));
 }
 
+bool ttc_prove_take_spare(uint32_t *spare, const ttc_task *task, uint32_t *spares)
+{
+    const uint32_t first = (uint32_t)task->model->symbol_count;
+
+    while (*spares < TTC_SPARE_SYMBOLS && ttc_valuation_is_bound(task->field, first + *spares)) ++*spares;
+    *spare = first + *spares;
+    return (*spares)++ < TTC_SPARE_SYMBOLS;
+}
+
 /* The positive root of an expression, as a spare symbol; TTC_NONE if memory is out or no spare symbol is left. */
 static ttc_id root_of(ttc_task *task, ttc_id square, uint32_t *spares)
 {
-    /* Solutions of levels may use the first ones. */
-    while (*spares < TTC_SPARE_SYMBOLS && ttc_valuation_is_bound(task->field, (uint32_t)task->model->symbol_count + *spares))
-        ++*spares;
-    if (*spares == TTC_SPARE_SYMBOLS || square == TTC_NONE) return TTC_NONE;
-    const uint32_t spare = (uint32_t)task->model->symbol_count + (*spares)++;
+    uint32_t spare;
+    if (square == TTC_NONE || !ttc_prove_take_spare(&spare, task, spares)) return TTC_NONE;
     const ttc_id root = ttc_symbol(task->model->graph, spare);
     ttc_valuation_bind_root(task->field, spare, square);
     return root;

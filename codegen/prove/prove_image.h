@@ -8,6 +8,10 @@
 /* out -= the value of an expression. */
 void ttc_prove_take_off(ttc_task *task, ttc_ratio *out, ttc_valuation *valuation, ttc_id id);
 
+/** Take a spare symbol that no solution of a level has. In/out: spares, how many were taken or passed over, at first 0. Returns
+ *  false if none is left. */
+bool ttc_prove_take_spare(uint32_t *spare, const ttc_task *task, uint32_t *spares);
+
 /** Bind the states and parameters of the other table, in `map`, to what the image gives for them in the task's model. Adds the
  *  condition that angles have values; requires that radicands are positive. Not settled if no point is known that meets these. */
 void ttc_prove_bind_image(ttc_task *task, ttc_valuation *map, const ttc_claim *claim, const ttc_image *image);

@@ -150,14 +150,12 @@ static void bind_free(ttc_task *task, ttc_valuation *map, uint32_t symbol, uint3
 {
     const ttc_symbol_entry *entry = ttc_valuation_model(map)->symbols + symbol;
     ttc_ratio value;
-    while (*spares < TTC_SPARE_SYMBOLS && ttc_valuation_is_bound(task->field, (uint32_t)task->model->symbol_count + *spares))
-        ++*spares; /* by solutions of levels */
-    if (*spares == TTC_SPARE_SYMBOLS) {
+    uint32_t spare;
+    if (!ttc_prove_take_spare(&spare, task, spares)) {
         ttc_task_unsettle(task, "more than %d parameters of %s are not known in %s", TTC_SPARE_SYMBOLS,
                           task->outer->model->name, task->model->name);
         return;
     }
-    const uint32_t spare = (uint32_t)task->model->symbol_count + (*spares)++;
     const ttc_id name = ttc_symbol(task->model->graph, spare);
     ttc_valuation_name(task->field, spare, entry->name);
     ttc_valuation_bind(map, symbol, name);

@@ -52,7 +52,8 @@ for file in "$tree/bin/ttc" "$tree/bin/jellett" "$tree/libexec/jellett/jellett-b
         [ -n "${owners[$soname]-}" ] || owners[$soname]=$(dpkg -S "*/$soname" 2>/dev/null | sed 's/:.*//' | sort -u)
         found=no
         for name in ${owners[$soname]}; do [[ $depends != *" $name "* ]] || found=yes; done
-        [ $found = yes ] || fail "${file##*/} needs $soname ($path, of ${owners[$soname]:-no package}), and the package does not depend on it"
+        [ $found = yes ] ||
+            fail "${file##*/} needs $soname ($path, of ${owners[$soname]:-no package}), and the package does not depend on it"
     done < <(readelf -d "$file" | sed -n 's/.*NEEDED.*\[\(.*\)\]/\1/p' | grep -v '^ld-linux')
 done
 
