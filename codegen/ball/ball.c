@@ -26,6 +26,7 @@ typedef struct {
     size_t size;
     arb_ptr balls;
     unsigned char *state; /* knowledge */
+    bool used;            /* a state may not be UNKNOWN */
 } ball_memory;
 
 struct ttc_ball {
@@ -95,7 +96,8 @@ static bool room(ttc_ball *ball)
 static void forget_values(ttc_ball *ball)
 {
     for (int mode = 0; mode < MODES; mode++)
-        if (ball->balls[mode].state != NULL) memset(ball->balls[mode].state, UNKNOWN, ball->balls[mode].size);
+        if (ball->balls[mode].used) memset(ball->balls[mode].state, UNKNOWN, ball->balls[mode].size);
+    for (int mode = 0; mode < MODES; mode++) ball->balls[mode].used = false;
     ttc_ball_exact_forget(&ball->exact);
 }
 
@@ -196,11 +198,18 @@ static bool evaluate_parts(arb_t out, ttc_ball *ball, evaluation mode, ttc_id id
         good = evaluate(ball, mode, part.id);
         if (!good) break;
         if (product) {
-            arb_pow_ui(term, ball->balls[mode].balls + part.id, (unsigned long)labs((long)part.exponent), precision);
-            if (part.exponent < 0) arb_div(out, out, term, precision);
-            else arb_mul(out, out, term, precision);
+            arb_srcptr factor = ball->balls[mode].balls + part.id;
+            if (abs(part.exponent) != 1) {
+                arb_pow_ui(term, factor, (unsigned long)labs((long)part.exponent), precision);
+                factor = term;
+            }
+            if (part.exponent < 0) arb_div(out, out, factor, precision);
+            else if (arb_is_one(out)) arb_set(out, factor);
+            else arb_mul(out, out, factor, precision);
         } else if (fmpq_is_one(part.coefficient)) {
             arb_add(out, out, ball->balls[mode].balls + part.id, precision);
+        } else if (fmpq_cmp_si(part.coefficient, -1) == 0) {
+            arb_sub(out, out, ball->balls[mode].balls + part.id, precision);
         } else {
             arb_set_fmpq(term, part.coefficient, precision);
             arb_mul(term, term, ball->balls[mode].balls + part.id, precision);
@@ -219,6 +228,7 @@ static bool evaluate(ttc_ball *ball, evaluation mode, ttc_id id)
     bool good;
 
     if (m->state[id] != UNKNOWN) return m->state[id] == GOOD;
+    m->used = true;
     m->state[id] = BAD; /* for a symbol that is bound to an expression in itself */
     if (kind == TTC_NUMBER) {
         arb_set_fmpq(m->balls + id, ttc_coefficient(ball->symbols.model->graph, id), precision);

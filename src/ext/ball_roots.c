@@ -20,6 +20,38 @@ static slong size_of(const arb_poly_t poly)
     return most;
 }
 
+/* Both roots of a real polynomial of degree 2, which must be simple and known to be real or not. */
+static bool solve_quadratic(acb_ptr roots, const arb_poly_t poly, slong precision)
+{
+    arb_srcptr a = arb_poly_get_coeff_ptr(poly, 2), b = arb_poly_get_coeff_ptr(poly, 1), c = arb_poly_get_coeff_ptr(poly, 0);
+    JLT_SCOPED(arb, product, discriminant, twice);
+
+    arb_mul(product, a, c, precision);
+    arb_mul_2exp_si(product, product, 2);
+    arb_mul(discriminant, b, b, precision);
+    arb_sub(discriminant, discriminant, product, precision);
+    if (!arb_is_nonzero(discriminant)) return false;
+    _acb_vec_zero(roots, 2);
+    arb_mul_2exp_si(twice, a, 1);
+    if (arb_is_negative(discriminant)) {
+        arb_neg(discriminant, discriminant);
+        arb_sqrt(discriminant, discriminant, precision);
+        arb_div(acb_imagref(roots), discriminant, twice, precision);
+        arb_div(acb_realref(roots), b, twice, precision);
+        arb_neg(acb_realref(roots), acb_realref(roots));
+        acb_conj(roots + 1, roots);
+        return true;
+    }
+    arb_sqrt(discriminant, discriminant, precision);
+    if (arf_sgn(arb_midref(b)) < 0) arb_neg(discriminant, discriminant);
+    arb_add(product, b, discriminant, precision); /* without cancellation */
+    arb_neg(product, product);
+    arb_div(acb_realref(roots), product, twice, precision);
+    arb_mul_2exp_si(discriminant, c, 1);
+    arb_div(acb_realref(roots + 1), discriminant, product, precision);
+    return true;
+}
+
 /* All roots of a real polynomial without the root 0; the imaginary parts of real roots are exactly zero. The roots are scaled by a
  * power of two to the order of 1, where the iterations begin. Returns false if the precision does not isolate them. */
 static bool separate(acb_ptr roots, const arb_poly_t poly, slong precision)
@@ -28,6 +60,7 @@ static bool separate(acb_ptr roots, const arb_poly_t poly, slong precision)
     bool good;
     JLT_SCOPED(acb_poly, scaled);
 
+    if (degree == 2) return solve_quadratic(roots, poly, precision) && !acb_contains_zero(roots) && !acb_contains_zero(roots + 1);
     acb_poly_set_arb_poly(scaled, poly);
     for (slong k = 0; k < degree; k++)
         acb_mul_2exp_si(acb_poly_get_coeff_ptr(scaled, k), acb_poly_get_coeff_ptr(scaled, k), size * (k - degree));

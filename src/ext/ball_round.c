@@ -7,19 +7,20 @@ enum { CONDITION_BITS = 60 };
 
 /* The condition number |x| |y| / |y^H x| of a simple eigenvalue with right and left eigenvectors x and y. The product of A - mu
  * over all other eigenvalues mu is a multiple of x y^H, so the number is its Frobenius norm divided by |trace|. *sure becomes
- * false if the ball has fewer than 60 accurate bits. A multiple eigenvalue gives NaN, or INFINITY if it is defective. */
-static double condition(bool *sure, const jlt_ball_problem *p, slong which)
+ * false if the ball has fewer than 60 accurate bits. A multiple eigenvalue gives NaN, or INFINITY if it is defective.
+ * zeros: the factors of the eigenvalues zero, A^(n - count). */
+static double condition(bool *sure, const jlt_ball_problem *p, const arb_mat_t zeros, slong which)
 {
 
     if (p->kinds[which].multiplicity > 1) return p->kinds[which].semisimple ? NAN : INFINITY;
     JLT_SCOPED_MATRIX(acb, p->n, p->n, product, factor);
     JLT_SCOPED(acb, trace);
     JLT_SCOPED(arb, size, ratio);
-    acb_mat_one(product);
-    for (slong i = 0, factors = 0; i < p->n; i++) {
+    acb_mat_set_arb_mat(product, zeros);
+    for (slong i = 0, factors = p->n - p->count; i < p->count; i++) {
         if (i == which) continue;
         acb_mat_set_arb_mat(factor, p->a);
-        for (slong j = 0; i < p->count && j < p->n; j++)
+        for (slong j = 0; j < p->n; j++)
             acb_sub(acb_mat_entry(factor, j, j), acb_mat_entry(factor, j, j), p->roots + i, p->precision);
         if (factors++ == 0) acb_mat_swap(product, factor);
         else acb_mat_mul(product, product, factor, p->precision);
@@ -79,10 +80,12 @@ bool jlt_ball_problem_round(jlt_ball_spectrum *s, bool *sure, const jlt_ball_pro
         s->charpoly[k] = rounded(&s->charpoly_error[k], sure, arb_poly_get_coeff_ptr(p->charpoly, (slong)(s->n - k)), p->precision);
         finite = finite && isfinite(s->charpoly[k]);
     }
+    JLT_SCOPED_MATRIX(arb, p->n, p->n, zeros);
+    arb_mat_pow_ui(zeros, p->a, (ulong)(p->n - p->count), p->precision);
     for (slong i = 0; i < p->count; i++) {
         jlt_ball_eigenvalue *value = &s->values[i];
-        *value = (jlt_ball_eigenvalue){ .condition = i > 0 && conjugate(p->roots + i, p->roots + i - 1) ? value[-1].condition
-                                                                                                         : condition(sure, p, i) };
+        const bool mirrored = i > 0 && conjugate(p->roots + i, p->roots + i - 1);
+        *value = (jlt_ball_eigenvalue){ .condition = mirrored ? value[-1].condition : condition(sure, p, zeros, i) };
         value->re = rounded(&value->error, sure, acb_realref(p->roots + i), p->precision);
         value->im = rounded(&value->error, sure, acb_imagref(p->roots + i), p->precision);
         finite = finite && isnormal(hypot(value->re, value->im));

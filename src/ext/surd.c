@@ -4,6 +4,8 @@
 
 #include <stdlib.h>
 
+enum { FEW = sizeof(((jlt_surd *)0)->few) / sizeof(fmpq) };
+
 static size_t size_of(unsigned level)
 {
     return (size_t)1 << level;
@@ -36,7 +38,8 @@ void jlt_surd_field_destroy(jlt_surd_field *field)
 static void init_at(jlt_surd *a, unsigned level)
 {
     a->level = level;
-    a->coordinates = _fmpq_vec_init((slong)size_of(level));
+    for (size_t i = 0; i < FEW; i++) fmpq_init(a->few + i);
+    a->coordinates = size_of(level) <= FEW ? a->few : _fmpq_vec_init((slong)size_of(level));
 }
 
 void jlt_surd_init(jlt_surd *a)
@@ -46,7 +49,8 @@ void jlt_surd_init(jlt_surd *a)
 
 void jlt_surd_clear(jlt_surd *a)
 {
-    _fmpq_vec_clear(a->coordinates, (slong)size_of(a->level));
+    for (size_t i = 0; i < FEW; i++) fmpq_clear(a->few + i);
+    if (a->coordinates != a->few) _fmpq_vec_clear(a->coordinates, (slong)size_of(a->level));
 }
 
 void jlt_surd_swap(jlt_surd *a, jlt_surd *b)
@@ -55,6 +59,8 @@ void jlt_surd_swap(jlt_surd *a, jlt_surd *b)
 
     *a = *b;
     *b = held;
+    if (a->coordinates == b->few) a->coordinates = a->few;
+    if (b->coordinates == a->few) b->coordinates = b->few;
 }
 
 /* Move `a` into out at its least level; `a` is cleared. */
@@ -85,6 +91,7 @@ void jlt_surd_set(jlt_surd *out, const jlt_surd *a)
 {
     jlt_surd same;
 
+    if (out == a) return;
     raise_to(&same, a, a->level);
     give(out, &same);
 }
@@ -160,6 +167,10 @@ void jlt_surd_multiply(jlt_surd *out, const jlt_surd *a, const jlt_surd *b, cons
     const jlt_surd *const low = a->level < b->level ? a : b, *const high = low == a ? b : a;
     jlt_surd product;
 
+    if (low->level == 0 && fmpq_is_one(low->coordinates)) {
+        jlt_surd_set(out, high);
+        return;
+    }
     init_at(&product, high->level);
     add_multiple(product.coordinates, high->coordinates, high->level, low, field);
     give(out, &product);

@@ -15,7 +15,8 @@ enum { JLT_SURD_ROOTS_MAX = 4 };
 typedef struct {
     unsigned level; /* the least possible */
     fmpq *coordinates;
-} jlt_surd;
+    fmpq few[2];    /* where they lie if there are no more */
+} jlt_surd; /* not to be copied by assignment: see jlt_surd_set, jlt_surd_swap */
 
 typedef struct {
     unsigned count;

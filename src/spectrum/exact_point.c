@@ -16,6 +16,8 @@ typedef struct {
     ttc_id *bound;                 /* by symbol: the expression that the family gives for it, or TTC_NONE */
     jlt_surd *numbers;             /* by node, like `state`; initialized where that is not UNKNOWN */
     unsigned char *state;
+    jlt_surd *inverses;            /* by node, of numbers; initialized where `inverted` is not UNKNOWN */
+    unsigned char *inverted;
     size_t size;
 } walk;
 
@@ -63,6 +65,16 @@ static bool evaluate_symbol(jlt_surd *out, walk *w, uint32_t symbol)
     return true;
 }
 
+/* 1/numbers[id]. Returns NULL if that number is zero. */
+static const jlt_surd *inverse_of(walk *w, ttc_id id)
+{
+    if (w->inverted[id] == UNKNOWN) {
+        jlt_surd_init(&w->inverses[id]);
+        w->inverted[id] = jlt_surd_invert(&w->inverses[id], &w->numbers[id], w->field) ? GOOD : BAD;
+    }
+    return w->inverted[id] == GOOD ? &w->inverses[id] : NULL;
+}
+
 static bool evaluate_parts(jlt_surd *out, walk *w, ttc_id id)
 {
     const ttc_graph *graph = w->model->graph;
@@ -77,10 +89,8 @@ static bool evaluate_parts(jlt_surd *out, walk *w, ttc_id id)
         if (!good) break;
         const jlt_surd *number = &w->numbers[part.id];
         if (product) {
-            if (part.exponent < 0) {
-                good = jlt_surd_invert(factor, number, w->field);
-                number = factor;
-            }
+            if (part.exponent < 0) number = inverse_of(w, part.id);
+            good = number != NULL;
             for (int32_t k = abs(part.exponent); good && k > 0; k--) jlt_surd_multiply(out, out, number, w->field);
         } else if (fmpq_is_one(part.coefficient)) {
             jlt_surd_add(out, out, number);
@@ -115,6 +125,10 @@ static void end(walk *w)
 {
     for (size_t i = 0; w->numbers != NULL && w->state != NULL && i < w->size; i++)
         if (w->state[i] != UNKNOWN) jlt_surd_clear(&w->numbers[i]);
+    for (size_t i = 0; w->inverses != NULL && w->inverted != NULL && i < w->size; i++)
+        if (w->inverted[i] != UNKNOWN) jlt_surd_clear(&w->inverses[i]);
+    free(w->inverses);
+    free(w->inverted);
     free(w->numbers);
     free(w->state);
     free(w->bound);
@@ -130,7 +144,10 @@ static bool begin(walk *w, const jlt_oracle *oracle, jlt_surd_field *field)
     w->bound = calloc(model->symbol_count + 1, sizeof *w->bound);
     w->state = calloc(w->size, 1);
     w->numbers = malloc(w->size * sizeof *w->numbers);
-    return w->values != NULL && w->bound != NULL && w->state != NULL && w->numbers != NULL;
+    w->inverted = calloc(w->size, 1);
+    w->inverses = malloc(w->size * sizeof *w->inverses);
+    return w->values != NULL && w->bound != NULL && w->state != NULL && w->numbers != NULL && w->inverted != NULL &&
+           w->inverses != NULL;
 }
 
 static void bind(walk *w, const jlt_oracle *oracle, const char *family, const unsigned char *given)
