@@ -55,13 +55,16 @@ double jlt_transfer_finding_density(const jlt_transfer *transfer, const double *
 jlt_status jlt_transfer_finding_peaks(size_t *places, size_t *count, size_t room, const jlt_transfer *transfer, const double *v)
 {
     JLT_FREED size_t *neighbours = jlt_memory_array(NEIGHBOURS, sizeof *neighbours);
+    double mass = 0, shares = 0;
     size_t found = 0;
 
     if (neighbours == NULL) return JLT_ERR_NOMEM;
+    for (size_t i = 0; i < transfer->count; i++) mass += v[i], shares += transfer->share[i];
+    const double mean = mass / (shares * jlt_boxes_volume(&transfer->boxes));
     for (size_t i = 0; i < transfer->count; i++) {
         const double density = jlt_transfer_finding_density(transfer, v, i);
         const size_t all = jlt_boxes_neighbours(&transfer->boxes, neighbours, transfer->box[i]);
-        bool is_peak = density > 0;
+        bool is_peak = density > mean;
         for (size_t k = 0; is_peak && k < all; k++) {
             const uint32_t other = transfer->kept[neighbours[k]];
             is_peak = other == JLT_TRANSFER_NONE || jlt_transfer_finding_density(transfer, v, other) < density;

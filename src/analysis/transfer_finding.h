@@ -32,8 +32,8 @@ void jlt_transfer_finding_clear(jlt_transfer_finding *self); /* legal when zeroe
 /** The density of masses v in a kept box: mass over the volume of the part of the box in the space. */
 double jlt_transfer_finding_density(const jlt_transfer *transfer, const double *v, size_t place);
 
-/** Find the boxes whose density exceeds that of all their neighbours, at most `room` of them, by descending density: places to
- *  look for periodic orbits. Out: places, shape (room,), indices among kept boxes; *count. Errors: NOMEM. */
+/** Find the boxes whose density exceeds the mean and that of all their neighbours, at most `room` of them, by descending density:
+ *  places to look for periodic orbits. Out: places, shape (room,), indices among kept boxes; *count. Errors: NOMEM. */
 JLT_CHECKED jlt_status jlt_transfer_finding_peaks(size_t *places, size_t *count, size_t room, const jlt_transfer *transfer,
                                                   const double *v);
 
