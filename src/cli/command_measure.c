@@ -2,6 +2,7 @@
 #include "analysis/measure.h"
 #include "cli/plot.h"
 #include "cli/swept.h"
+#include "core/digits.h"
 #include "core/memory.h"
 #include "report/csv.h"
 #include "report/decimal.h"
@@ -135,6 +136,7 @@ static void write_claims(FILE *stream, const jlt_measure_finding *f)
 static void write_text(FILE *stream, const jlt_measure_finding *f)
 {
     const jlt_descriptor *d = f->instance->descriptor;
+    char trace[JLT_DIGITS_SIZE];
 
     fprintf(stream, "%s: %s\nkernels      %s, table %.12s\nparameters  ", d->model, d->title,
             d->variant[0] == '\0' ? "general" : d->variant, d->sha256);
@@ -145,8 +147,10 @@ static void write_text(FILE *stream, const jlt_measure_finding *f)
     if (!f->obstructed) return;
     fprintf(stream, "\nobstruction: at the equilibrium");
     jlt_decimal_write_named(stream, d->states, f->x, d->state_count);
-    fprintf(stream, "\nthe trace is %.6g (error < %.1g), so no invariant measure has a smooth positive density (Proposition 1)\n",
-            f->obstruction.trace, f->obstruction.trace_error);
+    jlt_digits_shortest(trace, f->obstruction.trace);
+    fprintf(stream, "\nthe trace is %s (", trace);
+    jlt_decimal_write_error(stream, f->obstruction.trace_error);
+    fputs("), so no invariant measure has a smooth positive density (Proposition 1)\n", stream);
 }
 
 static json_t *obstruction_json(const jlt_measure_finding *f)

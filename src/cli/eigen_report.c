@@ -77,12 +77,6 @@ static void write_values(FILE *stream, const char *title, const jlt_quantity *qu
     fputc('\n', stream);
 }
 
-static void write_error(FILE *stream, double error)
-{
-    if (error > 0.0) fprintf(stream, "error < %.2g", error);
-    else fputs(isnan(error) ? "or near it" : "exactly", stream);
-}
-
 static void write_eigenvalue(FILE *stream, const jlt_linearization *r, size_t which)
 {
     const jlt_eigenvalue *value = &r->eigen.values[which];
@@ -102,7 +96,7 @@ static void write_eigenvalue(FILE *stream, const jlt_linearization *r, size_t wh
         if (value->im == 0.0) snprintf(number, sizeof number, "%.17g", value->re);
         else snprintf(number, sizeof number, "%.17g %+.17gi", value->re, value->im);
         fprintf(stream, "  %-48s ", number);
-        write_error(stream, value->error);
+        jlt_decimal_write_error(stream, value->error);
     }
     fputs(texts != NULL ? "   condition " : ", condition ", stream);
     if (isfinite(value->condition)) fprintf(stream, "%.3g\n", value->condition);
@@ -126,14 +120,17 @@ static void write_matrix(FILE *stream, const jlt_linearization *r)
     for (size_t k = 0; k <= n; k++) {
         fprintf(stream, "  lambda^%-2zu ", n - k);
         write_number(stream, r->texts == NULL ? 24 : 0, 17, r->texts == NULL ? NULL : r->texts->charpoly[k], r->charpoly[k]);
-        if (r->texts == NULL && r->charpoly_error[k] > 0.0) fprintf(stream, "   error < %.2g", r->charpoly_error[k]);
+        if (r->texts == NULL && r->charpoly_error[k] > 0.0) {
+            fputs("   ", stream);
+            jlt_decimal_write_error(stream, r->charpoly_error[k]);
+        }
         if (!isnan(r->charpoly_formula[k])) fprintf(stream, "   formula %.17g", r->charpoly_formula[k]);
         fputc('\n', stream);
     }
     fputs("\ntrace        ", stream);
     write_number(stream, 0, 17, r->texts == NULL ? NULL : r->texts->trace, r->trace);
     if (r->texts == NULL) fputs(", ", stream);
-    if (r->texts == NULL) write_error(stream, r->trace_error);
+    if (r->texts == NULL) jlt_decimal_write_error(stream, r->trace_error);
     if (!isnan(r->trace_formula)) fprintf(stream, "; formula %.17g", r->trace_formula);
     fputc('\n', stream);
 }

@@ -1,6 +1,7 @@
 /* Numbers have points whatever locale the program that calls the library has set, and that locale stays. */
 #include "check.h"
 
+#include <float.h>
 #include <locale.h>
 #include <math.h>
 #include <stdio.h>
@@ -41,6 +42,25 @@ static void a_header_has_points(void **unused)
     fclose(stream);
     assert_string_equal(text, " a=0.51 b=0.3333333333333333");
     free(text);
+}
+
+/* A text of an error is a bound too: it is never below the error, and about a tenth above at most. */
+static void an_error_is_rounded_up(void **unused)
+{
+    (void)unused;
+    for (int i = 0; i < 2000; i++) {
+        const double error = i == 0 ? 5e-324 : pow(10, -320 + i / 4.0);
+        char *text = NULL;
+        size_t size = 0;
+        double said = 0;
+        FILE *stream = open_memstream(&text, &size);
+        jlt_decimal_write_error(stream, error);
+        fclose(stream);
+        assert_true(strncmp(text, "error < ", 8) == 0);
+        assert_ok(jlt_number_parse(&said, text + 8, strlen(text + 8)));
+        assert_true(said > error && said < 1.11 * fmax(error, DBL_MIN));
+        free(text);
+    }
 }
 
 static void json_has_points(void **unused)
@@ -166,6 +186,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_row_has_points_and_as_many_digits_as_it_needs),
         cmocka_unit_test(a_header_has_points),
+        cmocka_unit_test(an_error_is_rounded_up),
         cmocka_unit_test(json_has_points),
         cmocka_unit_test(numbers_with_points_are_read),
         cmocka_unit_test(scenes_are_read),
