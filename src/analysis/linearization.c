@@ -331,8 +331,7 @@ static bool is_mirrored(const jlt_ball_question *q, size_t n)
 static jlt_motion motion_of(const jlt_ball_spectrum *s, const jlt_ball_question *q)
 {
     if (!s->proved) return JLT_MOTION_OPEN;
-    for (size_t i = 0; s->rooted && i < s->n - s->zeros; i++)
-        if (s->values[i].re > s->values[i].error) return JLT_MOTION_UNSTABLE;
+    if (s->expelling) return JLT_MOTION_UNSTABLE;
     if (s->growing || s->defective) return JLT_MOTION_OPEN;
     if (s->decaying) return s->zeros == 0 ? JLT_MOTION_ATTRACTED : s->zeros == s->attributed ? JLT_MOTION_STABLE : JLT_MOTION_OPEN;
     return s->zeros == 0 && is_mirrored(q, s->n) ? JLT_MOTION_STABLE : JLT_MOTION_OPEN;

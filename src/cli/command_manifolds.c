@@ -31,8 +31,7 @@ static const struct argp_option option_table[] = {
     { "turn", TURN, "VALUE", 0, "Largest angle between neighbouring segments, in radians; default 0.2", 1 },
     { "count", COUNT, "N", 0, "Compute at most N points on a branch, by at most 100*N returns; default 4000", 1 },
     { "seed", SEED, "VALUE", 0,
-      "Distance from the saddle at which branches begin, in coordinates, 1e-8 to 1e-2; default 1e-4. Errors of angles are told for "
-      "that: a seed far from it may add more, so compare angles from several", 1 },
+      "Distance from the saddle at which branches begin, in coordinates, 1e-6 to 1e-3; default 1e-4", 1 },
     { "crossings", CROSSINGS, "FILE", 0, "Write the points where separatrices cross to FILE, as CSV", 1 },
     { "no-crossings", NO_CROSSINGS, NULL, 0, "Do not look for points where separatrices cross", 1 },
     { 0 },
@@ -97,9 +96,9 @@ static const struct argp parser = {
     "                    branch; empty where one branch goes around an angle on the\n"
     "                    way and the other does not\n"
     "  lobe_error        its error\n\n"
-    "Errors are the changes that other tolerances and seeds make, and, for lobes, other points on the branches. Branches grow "
-    "one point after another by --method, each on its own thread. Crossings are refined, and lobes integrated, side by side in "
-    "lanes, by a method that --tol chooses; if --method is given, by that method.\n\n"
+    "Errors are the changes that another tolerance and a beginning curved like the manifold make, and, for lobes, other points on "
+    "the branches. Branches grow one point after another by --method, each on its own thread. Crossings are refined, and lobes "
+    "integrated, side by side in lanes, by a method that --tol chooses; if --method is given, by that method.\n\n"
     "Examples:\n"
     "  jellett manifolds --plot fig3b.svg > branches.csv",
     children, NULL, NULL,

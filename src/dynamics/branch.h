@@ -7,20 +7,24 @@
  *
  *  one unit of sigma is one fundamental domain. Whatever lambda is, F^n starts within `seed` of the saddle: its starting point is
  *  O(seed^2) off the manifold, which every F contracts by the other multiplier, and an error along the manifold only shifts sigma
- *  by O(seed). */
+ *  by O(seed), differently to both sides of a whole sigma. A bent branch starts on a parabola, which F maps to itself to second
+ *  order: it shows what these errors make. */
 #ifndef JLT_DYNAMICS_BRANCH_H
 #define JLT_DYNAMICS_BRANCH_H
 
 #include "dynamics/map_batch.h"
 #include "dynamics/periodic.h"
 
-#define JLT_BRANCH_SEED_LEAST 1e-8
-#define JLT_BRANCH_SEED_MOST 1e-2
+#define JLT_BRANCH_SEED_LEAST 1e-6
+#define JLT_BRANCH_SEED_MOST 1e-3
 
 typedef struct {
     jlt_map *map;
     double q[2],        /* the saddle's point */
-        v[2];           /* the unit eigenvector, times side */
+        v[2],           /* the unit eigenvector, times side */
+        w[2],           /* the other unit eigenvector */
+        bend[2];        /* of the parabola q + r v + r^2 (bend[0] v + bend[1] w); NaN where F does not lead back */
+    bool bent;          /* start on the parabola, in place of the tangent line */
     double lambda;      /* > 1: the factor by which F, or its inverse, multiplies the distance from the saddle */
     size_t returns;     /* of P in one F */
     int time_direction; /* +1 unstable, -1 stable */
@@ -29,8 +33,8 @@ typedef struct {
 
 /** Take the stable or the unstable branch at the orbit's first point (jlt_periodic_rotate makes another point the first). In: side,
  *  +1 along the eigenvector whose larger component is positive, -1 against it; seed, the distance of the branch's first point, in
- *  [JLT_BRANCH_SEED_LEAST, JLT_BRANCH_SEED_MOST]. Errors: ARG, the orbit is no saddle of a two-dimensional map; side or seed out of
- *  range. */
+ *  [JLT_BRANCH_SEED_LEAST, JLT_BRANCH_SEED_MOST]. Out: a branch that is not bent. Errors: ARG, the orbit is no saddle of a
+ *  two-dimensional map; side or seed out of range. Cost: one F. */
 JLT_CHECKED jlt_status jlt_branch_init(jlt_branch *out, jlt_map *map, const jlt_periodic *saddle, bool stable, int side,
                                        double seed);
 
@@ -39,6 +43,9 @@ JLT_CHECKED jlt_status jlt_branch_init(jlt_branch *out, jlt_map *map, const jlt_
  *  chart that solves for states.
  *  Cost: ceil(sigma)*returns returns. */
 JLT_CHECKED jlt_status jlt_branch_point(const jlt_branch *self, double q[2], double sigma);
+
+/** About the parameter of gamma(sigma) on the bent branch; NaN if there is none. */
+double jlt_branch_bent_sigma(const jlt_branch *self, double sigma);
 
 /** Compute many points and tangents at once, point i at sigma[i] on branches[i]; maps: a batch for the branches' section. Out:
  *  status, shape (count,), what jlt_branch_point would return; q, and tangent, its derivative by sigma from the variational

@@ -130,48 +130,20 @@ done:
     return st;
 }
 
-/* By how much sigma of a point is less on `other`, the same branch with another seed: the logarithm of the seeds' ratio, as far as
- * the branch is straight, and a term of the size of the seed, the same everywhere, which is measured where few returns lead. */
-static jlt_status shift_of(double *shift, const jlt_branch *branch, const jlt_branch *other, jlt_map_batch *maps)
-{
-    const jlt_chart *chart = jlt_map_batch_flow(maps)->chart;
-    const jlt_branch *const both[] = { branch, other };
-    const double straight = log(other->seed / branch->seed) / log(branch->lambda), sigma = 4 + fabs(straight);
-    double q[2][2], tangent[2][2], gap[2];
-    const double *along = tangent[1];
-    jlt_status status[2];
-
-    *shift = straight;
-    if (other->seed == branch->seed) return JLT_OK;
-    const jlt_status st = jlt_branch_points(both, maps, status, q[0], tangent[0], (double[]){ sigma, sigma - straight }, 2);
-    if (st != JLT_OK || status[0] != JLT_OK || status[1] != JLT_OK) return st;
-    jlt_chart_difference(chart, gap, q[0], q[1]);
-    *shift -= (gap[0] * along[0] + gap[1] * along[1]) / (along[0] * along[0] + along[1] * along[1]);
-    return JLT_OK;
-}
-
-/* Find the crossings again by other maps, from branches whose seeds are `seeds` times as large, and put them into `again`.
- * angle_error becomes the largest change of the angle so far, NaN where a crossing is not found. Newton's method ends at three
- * times the residual that the point has. */
+/* Find the crossings again by other maps, on bent branches if asked, and put them into `again`. angle_error becomes the
+ * largest change of the angle so far, NaN where a crossing is not found. Newton's method ends at three times the residual that the
+ * point has. */
 static jlt_status angles_again(jlt_homoclinic *points, size_t count, const jlt_branch *const branches[2], jlt_map_batch *maps,
-                               double seeds, refinement *room)
+                               bool bent, refinement *room)
 {
     jlt_branch u = *branches[0], s = *branches[1];
     const jlt_branch *const others[] = { &u, &s };
-    double shift[2];
 
-    u.seed *= seeds;
-    s.seed *= seeds;
-    for (unsigned k = 0; k < 2; k++) JLT_PASS(shift_of(&shift[k], branches[k], others[k], maps));
+    u.bent = s.bent = bent;
     for (size_t i = 0; i < count; i++) {
-        jlt_homoclinic other = points[i];
-        other.sigma_unstable -= shift[0];
-        other.sigma_stable -= shift[1];
-        begin_refinement(&room[i], &other);
+        begin_refinement(&room[i], &points[i]);
+        for (unsigned k = 0; bent && k < 2; k++) room[i].sigma[k] = jlt_branch_bent_sigma(branches[k], room[i].sigma[k]);
         room[i].enough = 3 * points[i].residual;
-        if (!(other.sigma_unstable < 0) && !(other.sigma_stable < 0)) continue;
-        room[i].goes_on = false;
-        room[i].status = JLT_ERR_ARG;
     }
     JLT_PASS(refine(room, count, others, maps, 8));
     for (size_t i = 0; i < count; i++) {
@@ -184,7 +156,7 @@ static jlt_status angles_again(jlt_homoclinic *points, size_t count, const jlt_b
     return JLT_OK;
 }
 
-/* Set angle_error to twice the largest change of the angle by another tolerance, another seed, and both: where only rounding is
+/* Set angle_error to twice the largest change of the angle by another tolerance, bent branches, and both: where only rounding is
  * left, one of them alone may happen to change little. */
 static jlt_status angle_errors(jlt_homoclinic *points, size_t count, const jlt_branch *const branches[2], jlt_map_batch *fine,
                                jlt_map_batch *coarse)
@@ -193,9 +165,9 @@ static jlt_status angle_errors(jlt_homoclinic *points, size_t count, const jlt_b
 
     if (room == NULL) return JLT_ERR_NOMEM;
     for (size_t i = 0; i < count; i++) points[i].angle_error = 0;
-    JLT_PASS(angles_again(points, count, branches, coarse, 1, room));
-    JLT_PASS(angles_again(points, count, branches, fine, 2, room));
-    JLT_PASS(angles_again(points, count, branches, coarse, 2, room));
+    JLT_PASS(angles_again(points, count, branches, coarse, false, room));
+    JLT_PASS(angles_again(points, count, branches, fine, true, room));
+    JLT_PASS(angles_again(points, count, branches, coarse, true, room));
     for (size_t i = 0; i < count; i++) points[i].angle_error *= 2;
     return JLT_OK;
 }

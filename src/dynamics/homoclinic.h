@@ -11,11 +11,11 @@ typedef struct {
     double q[2];
     double sigma_unstable, sigma_stable; /* parameters on the two branches */
     double angle;       /* from the unstable to the stable tangent as lines, in (-pi/2, pi/2], in section coordinates */
-    double angle_error; /* twice the largest change of angle by a tolerance ten times larger, a seed twice as large, or both */
+    double angle_error; /* twice the largest change of angle by a tolerance ten times larger, bent branches, or both */
     double residual;    /* distance of the two branches' points after refinement */
     struct {
         double q[2], sigma[2];
-    } again; /* the point and its parameters at ten times the tolerance, from a seed twice as large */
+    } again; /* the point and its parameters at ten times the tolerance, on bent branches */
     jlt_branch_area area[2]; /* along the unstable and along the stable branch, at this point; 0 until the caller sets them */
     double lobe;        /* area in section coordinates that the branches enclose between this crossing and the next one along the
                            unstable branch, > 0 where it lies to the left of the unstable branch; NaN until it is measured, for the

@@ -38,6 +38,8 @@ static void reflect_branch(jlt_separatrices *self, int k)
 
     jlt_chart_mirror(self->chart, branch->q, original->q);
     for (int c = 0; c < 2; c++) branch->v[c] = self->chart->mirror[c] * original->v[c];
+    for (int c = 0; c < 2; c++) branch->w[c] = self->chart->mirror[c] * original->w[c];
+    memcpy(branch->bend, original->bend, sizeof branch->bend);
     branch->lambda = original->lambda;
 }
 
@@ -160,8 +162,8 @@ static jlt_status measure_lobes(jlt_separatrices *self, jlt_map_batch *maps)
     return JLT_OK;
 }
 
-/* Add to lobe_error twice the change of each lobe along branches from seeds twice as large, with polygons of their own: it shows
- * the errors of points, seeds and interpolation together. */
+/* Add to lobe_error twice the change of each lobe along bent branches from seeds twice as large, with polygons of their own: it
+ * shows the errors of points, seeds and interpolation together. */
 static jlt_status find_lobe_errors(jlt_separatrices *self, jlt_map_batch *maps, unsigned threads)
 {
     jlt_separatrices other = { .chart = self->chart, .growth = self->growth };
@@ -172,6 +174,7 @@ static jlt_status find_lobe_errors(jlt_separatrices *self, jlt_map_batch *maps, 
         other.original[k] = self->original[k];
         other.branch[k] = self->branch[k];
         other.branch[k].map = map;
+        other.branch[k].bent = true;
         other.branch[k].seed *= 2;
     }
     if (st == JLT_OK) st = grow_all(&other, threads);
@@ -181,8 +184,10 @@ static jlt_status find_lobe_errors(jlt_separatrices *self, jlt_map_batch *maps, 
         if (points == NULL) st = JLT_ERR_NOMEM;
         for (size_t n = 0; points != NULL && n < count; n++) {
             const jlt_homoclinic *of = &self->crossings[i / 2][i % 2][n];
-            points[n] = (jlt_homoclinic){ .q = { of->again.q[0], of->again.q[1] }, .sigma_unstable = of->again.sigma[0],
-                                          .sigma_stable = of->again.sigma[1], .lobe = NAN };
+            points[n] = (jlt_homoclinic){ .q = { of->again.q[0], of->again.q[1] },
+                                          .sigma_unstable = of->again.sigma[0] - log(2) / log(self->branch[i / 2].lambda),
+                                          .sigma_stable = of->again.sigma[1] - log(2) / log(self->branch[2 + i % 2].lambda),
+                                          .lobe = NAN };
         }
     }
     if (st == JLT_OK) st = measure_lobes(&other, maps);

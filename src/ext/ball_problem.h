@@ -29,8 +29,8 @@ typedef struct {
 
 /** Enclose the eigenvalues other than zero. Parts known to be zero are exactly zero in the balls: imaginary parts of real
  *  eigenvalues, and real parts of pairs on the imaginary axis if the polynomial is even.
- *  In/out: *p. Out: growing and decaying of *s. Returns false if this precision does not separate the eigenvalues; if p->late,
- *  clusters then share balls. Source: S. Miyajima, J. Comput. Appl. Math. 233 (2010) 2994-3004, as implemented in Arb. */
+ *  In/out: *p. Out: expelling, growing and decaying of *s. Returns false if this precision does not separate the eigenvalues; if
+ *  p->late, clusters then share balls. Source: S. Miyajima, J. Comput. Appl. Math. 233 (2010) 2994-3004, as implemented in Arb. */
 bool jlt_ball_problem_roots(jlt_ball_spectrum *s, jlt_ball_problem *p);
 
 /** Round every number to the nearest double. *sure: in every ball, all numbers round to the same double. Returns false if a number

@@ -115,6 +115,7 @@ static void take(jlt_ball_spectrum *s, jlt_ball_problem *p, acb_srcptr roots, sl
     for (slong i = 0; i < degree; i++) {
         arb_srcptr re = acb_realref(roots + i);
         const bool on_axis = arb_is_zero(re);
+        if (arb_is_positive(re)) s->expelling = 1;
         if (arb_is_positive(re) || (on_axis && !kind.semisimple)) s->growing = 1;
         if (!arb_is_negative(re)) s->decaying = 0;
         p->settled = p->settled && (on_axis || !arb_contains_zero(re));
@@ -207,7 +208,7 @@ bool jlt_ball_problem_roots(jlt_ball_spectrum *s, jlt_ball_problem *p)
     bool good = s->counted; /* dropping low coefficients that may differ from zero would change the roots */
 
     s->decaying = p->n > (slong)s->zeros;
-    s->growing = 0;
+    s->expelling = s->growing = 0;
     p->count = 0;
     p->settled = true;
     JLT_SCOPED(arb_poly, poly);

@@ -44,7 +44,8 @@ typedef struct {
     double jacobian[JLT_BALL_SIZE_MAX * JLT_BALL_SIZE_MAX]; /* shape (n, n) */
     double charpoly[JLT_BALL_SIZE_MAX + 1], charpoly_error[JLT_BALL_SIZE_MAX + 1]; /* highest power first */
     double trace, trace_error;
-    int growing;   /* an eigenvalue has a positive real part, or a multiple one on the imaginary axis is defective */
+    int expelling; /* an eigenvalue has a positive real part */
+    int growing;   /* it has, or a multiple one on the imaginary axis is defective */
     int decaying;  /* there are nonzero eigenvalues, and all of them have negative real parts */
     int defective; /* the eigenvalue zero is defective */
     int exists;    /* the equilibrium is proved to exist */

@@ -173,6 +173,9 @@ says 'motion stable' hidden.tt --set k=0
 says 'motion stable' carried.tt --at q=1.4,p=1.4,c=1 --find
 says 'motion asymptotically stable' multiple.tt
 says 'motion not settled by the linearization' multiple.tt --fast
+# A positive real part far below the digits of the imaginary part.
+printf '%s\n' 'model slow' 'state x' 'state y' 'eq x = 1e-30*x - y/3 + x^3' 'eq y = x/3 + 1e-30*y' > slow.tt
+says 'motion unstable' slow.tt
 # A mirror that leaves y, which is not zero, says nothing of the pair.
 printf '%s\n' 'model beside' 'state x' 'state y' 'eq x = 1 - y' 'eq y = x + x^3*(1 - y)' 'reversor x -> -x' > beside.tt
 says 'motion stable' beside.tt --at y=1
