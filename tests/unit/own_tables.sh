@@ -258,7 +258,7 @@ for table in eccentric well; do
 done
 
 # Newton's method fails numerically also where it leaves a state's interval.
-printf 'model never\nstate x in (0, 1)\neq x = 1 + x\n' > never.tt
+printf 'model never\nstate x in (0, inf)\neq x = 1 + 1/x^2\n' > never.tt
 expect 4 "finds no equilibrium" jellett eigen ./never.tt --at x=1/2 --find
 
 # An orbit that falls into a centre has no return; a section with too many coordinates names what leaves fewer.
