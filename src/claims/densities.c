@@ -67,7 +67,7 @@ static jlt_status add(jlt_verify_run *run, const jlt_descriptor *descriptor, uns
     run->density_count++;
     if (drawn == NULL || d->params == NULL) return JLT_ERR_NOMEM;
     for (int draw = 0; draw == 0 || (draw < REDRAWS && is_outside(d)); draw++) {
-        jlt_verify_draw_params(drawn, general, &run->random, kind);
+        jlt_verify_draw_params(drawn, general, &run->random, draw == 0 ? kind : 1);
         memcpy(d->params, drawn, general->param_count * sizeof *drawn);
         if (descriptor->impose != NULL) descriptor->impose(zero, drawn, d->params);
         jlt_measure_clear(&d->attempt);
