@@ -140,7 +140,8 @@ bool ttc_parse_unit_and_meaning(ttc_parser *parser, char **unit, char **meaning)
 bool ttc_parse_meaning(ttc_parser *parser, char **meaning); /* "meaning", optional */
 bool ttc_parse_positive(ttc_parser *parser, const char *rule); /* > 0; rule: what the condition means, for an error */
 
-/* After all records: look up references, solve eliminations, check that the table is complete, and warn of unused names. */
+/* After all records: look up references, solve eliminations, check that the table is complete, and warn. */
 void ttc_parse_resolve(ttc_parser *parser);
+void ttc_parse_warn(ttc_parser *parser); /* of unused names, defaults outside the domain, units that count as numbers */
 
 #endif

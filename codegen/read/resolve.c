@@ -318,50 +318,6 @@ static void check_matrices(ttc_parser *parser)
     }
 }
 
-static void warn_unused(ttc_parser *parser)
-{
-    const ttc_model *model = parser->model;
-    for (size_t i = 1; i < model->symbol_count; i++) {
-        const ttc_symbol_entry *entry = model->symbols + i;
-        const char *kind = entry->kind == TTC_PARAM && model->lift.file == NULL ? "parameter"
-                           : entry->kind == TTC_LET  ? "let"
-                           : entry->kind == TTC_ROOT ? "root"
-                           : entry->kind == TTC_EXP  ? "exponential"
-                           : entry->kind == TTC_LOG  ? "logarithm"
-                           : entry->kind == TTC_COSINE && !parser->used[entry->partner] ? "angle"
-                                                                                        : NULL;
-        if (kind != NULL && !parser->used[i])
-            ttc_report(parser->diagnostics, TTC_WARNING, entry->place.line, entry->place.column, "the %s '%s' is never used", kind,
-                       entry->name);
-    }
-}
-
-static bool has_dimension(const char *name, size_t length)
-{
-    static const char *const names[] = { "kg", "m", "s" };
-    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
-        if (strlen(names[i]) == length && memcmp(names[i], name, length) == 0) return true;
-    return false;
-}
-
-/* Warn of names in units of parameters and states that count as numbers; rad is one by right. */
-static void warn_of_units(ttc_parser *parser)
-{
-    for (size_t i = 1; i < parser->model->symbol_count; i++) {
-        const ttc_symbol_entry *entry = parser->model->symbols + i;
-        const bool counts = entry->unit != NULL && (entry->kind == TTC_PARAM || entry->kind == TTC_STATE);
-        for (const char *at = counts ? entry->unit : ""; *at != '\0';) {
-            const size_t length = strcspn(at, "*/ ^()");
-            const bool is_name = *at >= 'A' && !(length == 3 && memcmp(at, "rad", length) == 0);
-            if (is_name && !has_dimension(at, length))
-                ttc_report(parser->diagnostics, TTC_WARNING, entry->place.line, entry->place.column,
-                           "'%.*s' in the unit of %s counts as a number (only kg, m and s have dimensions)", (int)length, at,
-                           entry->name);
-            at += length + (at[length] != '\0');
-        }
-    }
-}
-
 void ttc_parse_resolve(ttc_parser *parser)
 {
     for (size_t i = 0; i < parser->reference_count; i++) resolve_reference(parser, parser->references + i);
@@ -375,7 +331,6 @@ void ttc_parse_resolve(ttc_parser *parser)
     check_levels(parser);
     check_observed(parser);
     for (size_t i = 0; i < parser->model->elimination_count; i++) solve_elimination(parser, parser->model->eliminations + i);
-    warn_unused(parser);
-    warn_of_units(parser);
     warn_of_divisors(parser);
+    ttc_parse_warn(parser);
 }

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { POINTS = 41, SAMPLES = 200, DRAWS_OF_PARAMS = 3 };
+enum { POINTS = 41, SAMPLES = 200, DRAWS_OF_PARAMS = 3, REDRAWS = 100 };
 
 /* Set d->contradicted: whether the range of the density that was found contains an equilibrium that excludes it. */
 static jlt_status contradict(jlt_verify_run *run, jlt_verify_density *d, jlt_instance *instance)
@@ -36,6 +36,14 @@ static jlt_status attempt(jlt_verify_run *run, jlt_verify_density *d)
     return JLT_OK;
 }
 
+/* Whether the parameters lie outside the table's domain, or hardly a random state lies in it at these parameters. */
+static bool is_outside(const jlt_verify_density *d)
+{
+    const bool has_instance = d->attempt.count > 0;
+
+    return d->status == JLT_ERR_NO_CONVERGENCE || (d->status == JLT_ERR_DOMAIN && !has_instance);
+}
+
 /* If the table claims a measure, it must be confirmed; if not, no density that contradicts an equilibrium may be found. */
 static bool holds(const jlt_verify_density *d)
 {
@@ -58,10 +66,13 @@ static jlt_status add(jlt_verify_run *run, const jlt_descriptor *descriptor, uns
     d->params = jlt_memory_array(general->param_count, sizeof *d->params);
     run->density_count++;
     if (drawn == NULL || d->params == NULL) return JLT_ERR_NOMEM;
-    jlt_verify_draw_params(drawn, general, &run->random, kind);
-    memcpy(d->params, drawn, general->param_count * sizeof *drawn);
-    if (descriptor->impose != NULL) descriptor->impose(zero, drawn, d->params);
-    d->status = attempt(run, d);
+    for (int draw = 0; draw == 0 || (draw < REDRAWS && is_outside(d)); draw++) {
+        jlt_verify_draw_params(drawn, general, &run->random, draw == 0 ? kind : 1);
+        memcpy(d->params, drawn, general->param_count * sizeof *drawn);
+        if (descriptor->impose != NULL) descriptor->impose(zero, drawn, d->params);
+        jlt_measure_clear(&d->attempt);
+        d->status = attempt(run, d);
+    }
     *(holds(d) ? &run->held : &run->failed) += 1;
     return d->status == JLT_ERR_NOMEM ? JLT_ERR_NOMEM : JLT_OK;
 }

@@ -78,9 +78,9 @@ static void draw_states(double *x, const jlt_descriptor *d, jlt_random *random, 
 bool jlt_sample_draw(jlt_sample *sample, jlt_verify_run *run, const jlt_sample_subject *subject, size_t number)
 {
     const jlt_descriptor *d = run->descriptor;
-    const unsigned kind = (unsigned)(number % 4);
 
     for (int attempt = 0; attempt < REDRAWS; attempt++) {
+        const unsigned kind = attempt < REDRAWS / 2 ? (unsigned)(number % 4) : 1;
         double params[JLT_SAMPLE_PARAMS_MAX], x[JLT_SAMPLE_STATES_MAX], value;
         const jlt_region *region;
         size_t index;

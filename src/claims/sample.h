@@ -28,7 +28,7 @@ JLT_CHECKED jlt_status jlt_sample_subject_init(jlt_sample_subject *subject, cons
 void jlt_sample_subject_clear(jlt_sample_subject *subject);
 
 /* Draw sample number `number` inside the domain; number mod 4 selects defaults, moderate values, extreme values, or states near
- * the ends of their intervals. Returns false if 1000 attempts give none. */
+ * the ends of their intervals; after 500 attempts all are moderate. Returns false if 1000 attempts give none. */
 bool jlt_sample_draw(jlt_sample *sample, jlt_verify_run *run, const jlt_sample_subject *subject, size_t number);
 
 /** Enclose all expressions of the subject at the sample. Errors: those of jlt_oracle_estimate. */

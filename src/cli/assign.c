@@ -1,5 +1,6 @@
 #include "cli/assign.h"
 
+#include "cli/grid.h"
 #include "core/digits.h"
 #include "core/memory.h"
 #include "ext/number.h"
@@ -28,13 +29,7 @@ static jlt_exit add(jlt_assign_list *list, const char *name, size_t name_length,
         return JLT_EXIT_DONE;
     }
     free(item.fraction);
-    if (st == JLT_ERR_ARG)
-        return jlt_command_fail(JLT_EXIT_INPUT, "%s: '%.*s' is no finite number (write 2, -0.51, 1e-3, 1/3, pi or 2*pi/3)", option,
-                                (int)length, value);
-    if (st == JLT_ERR_NONFINITE)
-        return jlt_command_fail(JLT_EXIT_INPUT, "%s: '%.*s' is outside the range of doubles, 2.3e-308 to 1.8e308", option,
-                                (int)length, value);
-    return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s", jlt_status_text(st));
+    return jlt_grid_judge(st, value, length, option);
 }
 
 jlt_exit jlt_assign_parse(jlt_assign_list *list, const char *text, const char *option)

@@ -101,7 +101,8 @@ static jlt_exit single(jlt_eigen_request *r)
     jlt_equilibrium_compute(&row->found, &r->question, r->params, r->x);
     if (row->found.status != JLT_OK) {
         jlt_eigen_reason(reason, row);
-        code = jlt_command_fail(jlt_command_exit(row->found.status), "%s", reason);
+        const bool sought = row->found.stage == JLT_EQUILIBRIUM_SEARCH;
+        code = jlt_command_fail(sought ? JLT_EXIT_NUMERICAL : jlt_command_exit(row->found.status), "%s", reason);
         goto done;
     }
     if (r->json) {

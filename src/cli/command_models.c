@@ -245,6 +245,24 @@ static void list_folder(FILE *stream)
     globfree(&found);
 }
 
+/* Print without blanks at the ends of lines, which empty columns leave. Takes *output. */
+static jlt_exit deliver(jlt_command_output *output)
+{
+    size_t length;
+
+    if (jlt_command_close(output) != JLT_OK) {
+        jlt_command_discard(output);
+        return jlt_command_no_memory();
+    }
+    for (const char *line = output->text; *line != '\0'; line += length + 1) {
+        size_t kept = length = strcspn(line, "\n");
+        while (kept > 0 && line[kept - 1] == ' ') kept--;
+        printf("%.*s\n", (int)kept, line);
+    }
+    jlt_command_discard(output);
+    return JLT_EXIT_DONE;
+}
+
 static jlt_exit run(int argc, char **argv)
 {
     options o = { 0 };
@@ -277,7 +295,7 @@ static jlt_exit run(int argc, char **argv)
         jlt_command_discard(&output);
         return jlt_command_no_memory();
     }
-    return jlt_command_deliver(&output, NULL);
+    return deliver(&output);
 }
 
 const jlt_command jlt_command_models = {

@@ -340,6 +340,8 @@ static jlt_exit run_shard(sweep *self)
         code = jlt_command_fail(JLT_EXIT_NUMERICAL, "%zu pieces were ended by signals: --resume tries again", self->lost);
     /* Fail if no point at all has rows. This needs all pieces: one of several shards may happen to have only such points. */
     if (code == JLT_EXIT_DONE && !interrupted && self->empty == self->study.pieces) code = JLT_EXIT_INPUT;
+    else if (code == JLT_EXIT_DONE && !interrupted && self->own > 0 && self->empty == self->own)
+        fprintf(stderr, "jellett: the command refused every point of %s: its %zu pieces have no rows\n", self->path, self->own);
     return code == JLT_EXIT_DONE ? self->worst : code;
 }
 

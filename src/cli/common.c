@@ -90,7 +90,10 @@ static error_t parse_files(int key, char *value, struct argp_state *state)
     jlt_common *self = state->input;
 
     switch (key) {
-    case 'o': self->output = value; return 0;
+    case 'o':
+        if (self->output != NULL) argp_error(state, "--output is given twice: a command writes one table");
+        self->output = value;
+        return 0;
     case 'p':
         if (!jlt_picture_known(value)) argp_error(state, "--plot: '%s' is no .svg, .png or .pdf", value);
         self->plot = value;

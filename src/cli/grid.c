@@ -16,10 +16,18 @@ enum { AXES_MAX = 16 }; /* that a caller may ask for at once */
 
 jlt_exit jlt_grid_number(double *value, const char *text, size_t length, const char *option)
 {
-    if (jlt_number_parse(value, text, length) != JLT_OK)
+    return jlt_grid_judge(jlt_number_parse(value, text, length), text, length, option);
+}
+
+jlt_exit jlt_grid_judge(jlt_status parsed, const char *text, size_t length, const char *option)
+{
+    if (parsed == JLT_ERR_ARG)
         return jlt_command_fail(JLT_EXIT_INPUT, "%s: '%.*s' is no finite number (write 2, -0.51, 1e-3, 1/3, pi or 2*pi/3)", option,
                                 (int)length, text);
-    return JLT_EXIT_DONE;
+    if (parsed == JLT_ERR_NONFINITE)
+        return jlt_command_fail(JLT_EXIT_INPUT, "%s: '%.*s' is outside the range of doubles, 2.3e-308 to 1.8e308", option,
+                                (int)length, text);
+    return parsed == JLT_OK ? JLT_EXIT_DONE : jlt_command_fail(JLT_EXIT_NUMERICAL, "%s", jlt_status_text(parsed));
 }
 
 jlt_exit jlt_grid_count(size_t *value, const char *text, size_t low, size_t high, const char *option)

@@ -62,4 +62,7 @@ jlt_exit jlt_grid_count(size_t *value, const char *text, size_t low, size_t high
 /** Read a finite number: a decimal or a fraction, correctly rounded, or a rational multiple of pi such as 2*pi/3. */
 jlt_exit jlt_grid_number(double *value, const char *text, size_t length, const char *option);
 
+/** Say what is wrong with such a number, if reading it gave any status but JLT_OK. */
+jlt_exit jlt_grid_judge(jlt_status parsed, const char *text, size_t length, const char *option);
+
 #endif

@@ -149,6 +149,11 @@ jlt_exit jlt_motion_fail(jlt_status status, const jlt_system *system, const char
                                 "%s: %s on one return, which lasts too long, or whose motion is stiff: no --method here is made "
                                 "for that ('jellett simulate' tells which)",
                                 what, jlt_status_text(status));
+    if (status == JLT_ERR_NO_PROGRESS && system != NULL)
+        return jlt_command_fail(JLT_EXIT_NUMERICAL,
+                                "%s: %s on one return: the orbit runs into a singularity, or hardly ever meets the section "
+                                "('jellett simulate' tells which)",
+                                what, jlt_status_text(status));
     if (status == JLT_ERR_DOMAIN && system != NULL && system->surface != NULL)
         return jlt_command_fail(JLT_EXIT_INPUT, "%s: the orbit ends before it returns: take another start ('jellett fates' shows "
                                 "which return)", what);

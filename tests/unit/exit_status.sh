@@ -91,6 +91,7 @@ expect 2 jellett verify --seed
 start=gamma3=-0.6,v_nu=0.5,omega_tau=0.3,omega_n=1,omega3=0.8
 expect 2 jellett section
 expect 2 jellett section --start eta=0.1,gamma3=-0.6 --method none
+expect 2 jellett section --start eta=0.1,gamma3=-0.6 -o one.csv -o other.csv
 expect 3 jellett section --start eta=0.1,gamma3=7
 expect 3 jellett section --start eta=0.1,gamma3=-0.6 --level E=-100,G=0
 expect 3 jellett section --start eta=0.1,gamma3=-0.6 --tol 0

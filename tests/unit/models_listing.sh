@@ -33,6 +33,7 @@ jq -e '[.[].states[] | has("default")] | any | not' "$scratch/listed" > /dev/nul
 
 # Printed: a row a descriptor, with the sums of the operations, and each model's title once.
 jellett models > "$scratch/printed"
+grep -n ' $' "$scratch/printed" && fail "printed lines end with blanks"
 jq -r 'def sum: .optimized | .add + .multiply + .fma + .divide + .root + .elementary;
     .[] | [([.variant, .time, .elimination] | if .[0] == "" then .[0] = "general" else . end | map(select(. != "")) | join(", ")),
         (.states | length), (.kernels | (.rhs | sum), (.jacobian | sum), (.rhs_jacobian | sum))] | map(tostring) | join(" ")' \

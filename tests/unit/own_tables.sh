@@ -247,4 +247,27 @@ expect 3 "the section has no coordinate 'foo'" jellett drift --start eta=0.1,gam
     echo "equilibria rest : x1 = 0$(printf ', x%d = 0' {2..17})"
 } > chain.tt
 expect 3 "chain has 17 states; verify serves up to 16" jellett verify ./chain.tt
+
+# Densities are compared at parameters of the domain: e < 1, and H > 0, as no state has y^2 < H otherwise.
+printf '%s\n' 'model eccentric' 'param e >= 0' 'state v' 'state E' 'angle c s = cos(E) sin(E)' 'domain ellipse : 1 - e > 0' \
+    'eq v = c' 'eq E = 1/(1 - e*c)' 'measure kepler = 1 - e*c' > eccentric.tt
+printf '%s\n' 'model well' 'param H' 'state y' 'state w' 'domain inside : H - y^2 > 0' 'eq y = w*(H - y^2)' 'eq w = 1' \
+    'measure inside = 1/(H - y^2)' > well.tt
+for table in eccentric well; do
+    for seed in 1 2 3 4 5; do expect 0 "checks hold, 0 fail" jellett verify ./$table.tt --seed $seed; done
+done
+# Families and densities are compared elsewhere where the defaults lie outside the domain, of which ttc warns.
+sed 's/^default.*/&\ndomain near : 1\/2 - a > 0/' "$JLT_SOURCE_DIR/codegen/models/chaplygin_sleigh.tt" > outside.tt
+expect 0 "the defaults lie outside the domain" ttc check outside.tt
+expect 0 "checks hold, 0 fail" jellett verify ./outside.tt
+
+# Newton's method fails numerically also where it leaves a state's interval.
+printf 'model never\nstate x in (0, inf)\neq x = 1 + 1/x^2\n' > never.tt
+expect 4 "finds no equilibrium" jellett eigen ./never.tt --at x=1/2 --find
+
+# An orbit that falls into a centre has no return; a section with too many coordinates names what leaves fewer.
+printf '%s\n' 'model plunge' 'state r' 'state p' 'state q' 'eq r = p' 'eq p = -1/r^2' 'eq q = 1 - q' > plunge.tt
+expect 4 "runs into a singularity, or hardly ever meets the section" jellett lyapunov ./plunge.tt --section q=-2 --start r=1,p=0
+expect 3 "need a section of two coordinates, not of 3: --level and --solve leave fewer" \
+    jellett manifolds restricted_three_body --section y=0 --start x=0.5,vx=0,vy=1
 exit $status

@@ -153,6 +153,10 @@ static const mistake mistakes[] = {
     { HEAD "default a = 1, a = 2\n", "7:16: error: a second default of 'a'" },
     { "model t\nparam a > 0\nstate x\neq x = a\ndefault a = 0\n",
       "5:13: error: the default of 'a' lies outside its own condition" },
+    { HEAD "default a = 2\nlet b = 2*a\ndomain near : 3 - b > 0\n",
+      "9:8: warning: the defaults lie outside the domain: 3 - b > 0 does not hold" },
+    { HEAD "default a = 2\ndomain near : 1/(a - 2) > 0\n",
+      "8:8: warning: the defaults lie outside the domain: 1/(a - 2) > 0 does not hold" },
 
     /* equations */
     { HEAD "eq x = a\n", "7:4: error: a second equation for 'x' (first in line 5)" },

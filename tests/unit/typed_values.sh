@@ -20,6 +20,7 @@ refused "--at: 'gamma3' is given twice" jellett eigen --at gamma3=0.1,gamma3=0.2
 refused "--level: 'E' is given twice" jellett section --grid 2x2 --level E=2,E=2.15
 refused "--start: 'eta' is given twice" jellett section --start eta=0.1,gamma3=-0.6,eta=0.2
 refused "--grid: 'eta' is given twice" jellett section --grid eta=0:1:2,eta=1:2:3
+refused "--times: '1e-320' is outside the range of doubles" jellett simulate lorenz --start x=1,y=1,z=1 --times 1e-320
 refused "--spacing: '1e-300'" jellett manifolds --spacing 1e-300
 for number in 0x10 0X1F 0b11; do
     printf 'compute = ( { what = "section";\n grid = "2x2"; returns = %s; } );\n' $number > "$scratch/s.scene"
