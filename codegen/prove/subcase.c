@@ -26,6 +26,17 @@ ttc_id ttc_subcase_expression(ttc_task *task, const fmpz_mpoly_t polynomial)
     return sum;
 }
 
+ttc_id ttc_subcase_others(ttc_task *task, const fmpz_mpoly_factor_t factors, slong one)
+{
+    ttc_id product = TTC_NONE;
+    for (slong i = 0; i < factors->num; i++) {
+        if (i == one) continue;
+        ttc_id other = ttc_subcase_expression(task, factors->poly + i);
+        product = product == TTC_NONE ? other : ttc_multiply(task->model->graph, product, other);
+    }
+    return product;
+}
+
 /* The price of solving for a variable: lowest for states, then parameters and levels, then cosines; 0: it cannot be solved for. */
 static slong price_of(ttc_task *task, slong variable)
 {
