@@ -16,7 +16,8 @@ find "${folders[@]}" -name '*.c' -o -name '*.cc' | xargs awk '
 find "${folders[@]}" -name '*.h' | sort > "$scratch/headers"
 xargs awk '
     FNR == 1 { line = 0 }
-    /^#/ { line++; if (line == 1) name = $1 == "#ifndef" ? $2 : ""; else if (line == 2 && $1 == "#define" && $2 == name) print FILENAME }
+    /^#/ && ++line == 1 { name = $1 == "#ifndef" ? $2 : "" }
+    /^#/ && line == 2 && $1 == "#define" && $2 == name { print FILENAME }
 ' < "$scratch/headers" > "$scratch/guarded"
 status=0 compiled=0
 while IFS= read -r header; do
