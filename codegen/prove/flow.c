@@ -77,8 +77,25 @@ bool ttc_task_moves(ttc_task *task, const ttc_ratio *ratio)
     return false;
 }
 
-/* The flow is not tangent to the leaf. Refute the claim at a real point of the leaf that lies on no other component, as the flow
- * leaves the level there; otherwise it is not settled. */
+/* Refute the claim at a real point of the leaf at which the first or second derivative of its expression by time is not zero: the
+ * expression is zero on the leaf, and not along the orbit of this point. */
+static void refute_along_orbit(ttc_task *task)
+{
+    ttc_id derivative = task->claim->expression;
+    ttc_ratio value;
+    ttc_ratio_init(task->ring, &value);
+    for (int order = 1; order <= 2 && ttc_task_open(task); order++) {
+        derivative = ttc_derive_field(task->model, derivative);
+        ttc_evaluate(task->field, &value, derivative);
+        if (ttc_task_open(task) && ttc_task_search(task, &value, TTC_IS_NONZERO, NULL) == TTC_POINT_FOUND)
+            ttc_task_require_zero(task, &value, "the set is left: %s by time of %s",
+                                  order == 1 ? "derivative" : "second derivative", task->claim->name);
+    }
+    ttc_ratio_clear(task->ring, &value);
+}
+
+/* The flow is not tangent to the leaf. Refute the claim along an orbit, or at a real point of the leaf that lies on no other
+ * component, as the flow leaves the level there; otherwise it is not settled. */
 static void refute_kept(ttc_task *task, const ttc_symbol_entry *entry, const ttc_ratio *rate, bool by_angle)
 {
     ttc_ratio others;
@@ -89,10 +106,11 @@ static void refute_kept(ttc_task *task, const ttc_symbol_entry *entry, const ttc
         ttc_evaluate(task->field, &others, task->apart);
         ttc_conditions_add(&task->domain, &others, TTC_IS_NONZERO);
     }
-    if (!task->is_thin)
+    if (!task->is_thin && ttc_task_search(task, rate, TTC_IS_NONZERO, NULL) == TTC_POINT_FOUND)
         ttc_task_require_zero(task, rate, by_angle ? "the set is left: rate of the angle of %s, which is fixed on it"
                                                    : "the set is left: rate of %s - rate of what it stands for", entry->name);
     ttc_conditions_rewind(&task->domain, mark, contradictory);
+    refute_along_orbit(task);
     ttc_task_unsettle(task, "the flow is not tangent to the set, by the rate of %s; that it leaves its real points was not shown",
                       entry->name);
     ttc_ratio_clear(task->ring, &others);
@@ -132,11 +150,6 @@ static void require_symbol_kept(ttc_task *task, uint32_t symbol, const ttc_ratio
 void ttc_task_require_kept(ttc_task *task, const char *hint)
 {
     const ttc_model *model = task->model;
-    if (task->is_hidden) {
-        ttc_task_unsettle(task, task->has_point ? "real points of the level lie where a component of it has no others"
-                                                : "real points of the level may lie where a component of it has no others");
-        return;
-    }
     ttc_ratio *slopes = slopes_of(task);
     for (uint32_t i = 0; slopes != NULL && i < model->symbol_count && ttc_task_open(task); i++) {
         if (ttc_valuation_is_bound(task->field, i)) require_symbol_kept(task, i, slopes, hint);

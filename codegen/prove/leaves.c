@@ -6,7 +6,6 @@
 #include "prove/divided.h"
 #include "prove/domain.h"
 
-#include <flint/fmpz_mpoly_factor.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -71,7 +70,6 @@ static bool look_for_point(cover *c, const ttc_subcase *b)
 static void place_leaf(ttc_task *task, const ttc_subcase *b)
 {
     task->is_thin = is_invariant(task) && b->is_degenerate;
-    task->is_hidden = is_invariant(task) && b->is_orphan;
     task->apart = is_invariant(task) ? b->apart : TTC_NONE;
 }
 
@@ -192,16 +190,13 @@ static void follow(cover *c, const ttc_subcase *b, const fmpz_mpoly_t factor, bo
     descend_apart(c, &degenerate);
 }
 
-/* The product of all factors but number `one`, as an expression; TTC_NONE if there are no others. */
-static ttc_id others_of(ttc_task *task, const fmpz_mpoly_factor_t factors, slong one)
+/* Descend to the points of a component at which all terms of a sum are zero, if the sum is zero nowhere else. */
+static bool follow_terms(cover *c, ttc_subcase *b, ttc_id sum)
 {
-    ttc_id product = TTC_NONE;
-    for (slong i = 0; i < factors->num; i++) {
-        if (i == one) continue;
-        ttc_id other = ttc_subcase_expression(task, factors->poly + i);
-        product = product == TTC_NONE ? other : ttc_multiply(task->model->graph, product, other);
-    }
-    return product;
+    if (!ttc_subcase_split(b, c->task, sum)) return false;
+    c->skipped++; /* the component has no leaf of its own */
+    descend_apart(c, b);
+    return true;
 }
 
 static void follow_factors(cover *c, const ttc_subcase *b, const fmpz_mpoly_t norm)
@@ -213,8 +208,9 @@ static void follow_factors(cover *c, const ttc_subcase *b, const fmpz_mpoly_t no
     for (slong i = 0; i < factors->num && task->status != TTC_REFUTED; i++) {
         if (!(ttc_conditions_signs(&task->domain, factors->poly + i) & TTC_CAN_BE_ZERO)) continue;
         ttc_subcase one = *b;
-        if (is_invariant(task) && b->goal_count == 1 && !b->own_solved) one.apart = others_of(task, factors, i);
-        follow(c, &one, factors->poly + i, factors->num == 1);
+        if (is_invariant(task) && b->goal_count == 1 && !b->own_solved) one.apart = ttc_subcase_others(task, factors, i);
+        if (!follow_terms(c, &one, ttc_subcase_expression(task, factors->poly + i)))
+            follow(c, &one, factors->poly + i, factors->num == 1);
     }
     fmpz_mpoly_factor_clear(factors, task->ring->context);
 }
@@ -247,7 +243,8 @@ static void meet(cover *c, const ttc_subcase *b)
         else ttc_task_unsettle(task, "the zero level falls into too many cases");
         descend_apart(c, &next);
     } else {
-        follow_factors(c, b, norm);
+        ttc_subcase terms = *b;
+        if (!follow_terms(c, &terms, terms.goals[--terms.goal_count])) follow_factors(c, b, norm);
     }
     fmpz_mpoly_clear(norm, task->ring->context);
     ttc_ratio_clear(task->ring, &value);
@@ -320,15 +317,13 @@ static void draw_verdict(cover *c)
 }
 
 /* Where what must not be zero is zero, a claim is false. Such points are often no rational numbers, and are not found as points of
- * a larger set; so what is not settled is looked at once more with this as a level of its own, or as levels of its terms. */
+ * a larger set; so what is not settled is looked at once more with this as a level of its own. */
 static void look_at_zeros(cover *c, ttc_subcase *start)
 {
-    const ttc_graph *graph = c->task->model->graph;
     const ttc_id zero = c->task->unexcluded;
     if (c->task->status != TTC_UNSETTLED || zero == TTC_NONE) return;
-    const size_t terms = c->task->has_terms_of_one_sign ? ttc_part_count(graph, zero) : 1;
-    if (start->goal_count + terms > sizeof start->goals / sizeof *start->goals) return;
-    for (size_t i = 0; i < terms; i++) start->goals[start->goal_count++] = terms == 1 ? zero : ttc_part_at(graph, zero, i).id;
+    if (start->goal_count == sizeof start->goals / sizeof *start->goals) return;
+    start->goals[start->goal_count++] = zero;
     c->task->is_at_zeros = c->task->is_lower = true;
     descend(c, start);
 }

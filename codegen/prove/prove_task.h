@@ -49,7 +49,6 @@ struct ttc_task {
     bool has_left_out; /* `domain` lacks conditions that use symbols in question: a point found may violate them */
     bool has_point; /* a real point of the leaf is known */
     bool is_thin;   /* the leaf may not be a component of the level on which it lies */
-    bool is_hidden; /* the leaf may lie in a component of the level that has no other real points */
     ttc_id apart;   /* an expression that is zero on all other components, or TTC_NONE */
     ttc_valuation *maps[2]; /* maps in use, whose roots are positive as well */
     size_t map_count;
@@ -57,7 +56,6 @@ struct ttc_task {
     char why_empty[160]; /* why the last leaf without points has none; "" if that is not evident */
     bool is_integral;  /* an invariant whose level is kept as one of an integral: what is left to show is that it has a point */
     ttc_id unexcluded; /* an expression that must not be zero, and may be for all that is known; TTC_NONE: none */
-    bool has_terms_of_one_sign; /* `unexcluded` is a sum that is zero only where all its terms are */
     ttc_id aside[8];   /* expressions that normal forms divide by: where those from aside_first on are zero, the claim is still to
                           be proved */
     size_t aside_first, aside_count;

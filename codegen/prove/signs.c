@@ -157,8 +157,7 @@ bool ttc_signs_tell(ttc_task *task, ttc_valuation *valuation, ttc_id id, ttc_rel
     return follows(task, valuation, id, relation, false) || follows(task, valuation, id, relation, true);
 }
 
-/* Returns true for a sum of terms of one sign, which is zero only where all its terms are. */
-static bool adds_one_sign(ttc_task *task, ttc_id id)
+bool ttc_signs_are_one(ttc_task *task, ttc_id id)
 {
     const ttc_graph *graph = task->model->graph;
     signs_of_parts s = { task, task->field, calloc(ttc_graph_size(graph) + 1, 1), id, false };
@@ -184,10 +183,7 @@ static void require(ttc_task *task, ttc_valuation *valuation, ttc_id id, ttc_rel
     ttc_evaluate(valuation, &value, id);
     const bool is_first = task->unexcluded == TTC_NONE;
     ttc_task_require(task, &value, relation, "%s", what);
-    if (is_first && task->unexcluded != TTC_NONE && valuation == task->field && adds_one_sign(task, id)) {
-        task->unexcluded = id;
-        task->has_terms_of_one_sign = true;
-    }
+    if (is_first && task->unexcluded != TTC_NONE && valuation == task->field && ttc_signs_are_one(task, id)) task->unexcluded = id;
     ttc_ratio_clear(task->ring, &value);
 }
 

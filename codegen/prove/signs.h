@@ -13,4 +13,7 @@ void ttc_signs_require(ttc_task *task, ttc_valuation *valuation, ttc_id id, ttc_
 /* Returns true if the signs of its parts tell that an expression stands in a relation to zero at every point of the leaf. */
 bool ttc_signs_tell(ttc_task *task, ttc_valuation *valuation, ttc_id id, ttc_relation relation);
 
+/* Returns true for a sum of terms of one sign in the task's field: it is zero only where all its terms are. */
+bool ttc_signs_are_one(ttc_task *task, ttc_id id);
+
 #endif

@@ -5,7 +5,7 @@
 
 #include "prove/prove_task.h"
 
-#include <flint/fmpz_mpoly.h>
+#include <flint/fmpz_mpoly_factor.h>
 
 enum { TTC_SUBCASE_RELATIONS_MAX = 16 };
 
@@ -22,7 +22,7 @@ typedef struct {
     size_t solution_count, spares;                 /* spares: number of spare symbols in use */
     size_t relation_count;                         /* number of levels solved so far */
     bool own_solved;                               /* the invariant's own level is among these */
-    bool is_degenerate;                            /* a goal is that the leading coefficient of another level vanishes */
+    bool is_degenerate;                            /* a goal is that a leading coefficient, or a term, of another level vanishes */
     bool is_orphan;                                /* moreover, it may vanish at all real points of a component */
     ttc_id apart;                                  /* zero on the other factors of the own level; TTC_NONE: there are none */
     ttc_id leads[TTC_SUBCASE_RELATIONS_MAX];        /* leading coefficients by which solutions divide, not zero here */
@@ -36,10 +36,17 @@ typedef struct {
 /* A polynomial of the task's ring as an expression; TTC_NONE if it uses roots that have no symbol. */
 ttc_id ttc_subcase_expression(ttc_task *task, const fmpz_mpoly_t polynomial);
 
+/* The product of all factors but number `one`, as an expression; TTC_NONE if there are no others. */
+ttc_id ttc_subcase_others(ttc_task *task, const fmpz_mpoly_factor_t factors, slong one);
+
 /** Add the solution of factor = 0, in the ring of the task's field, for a symbol in which it is linear or quadratic: a state, else
  *  a parameter, level or cosine. lead: the leading coefficient as an expression; a number if it cannot vanish. Returns false if
  *  there is no solution or no room for it; the subcase is then invalid. */
 bool ttc_subcase_solve(ttc_subcase *subcase, ttc_id *lead, ttc_task *task, const fmpz_mpoly_t factor);
+
+/** Add as goals the terms of a sum that is zero only where all of them are, for claims in which the dimensions of leaves do not
+ *  count. Returns false, with nothing done, if it is no such sum, or TTC_NONE. */
+bool ttc_subcase_split(ttc_subcase *subcase, ttc_task *task, ttc_id sum);
 
 /** Make the field of a subcase, without conditions, the task's field and ring until it is closed. choices: signs of roots whose
  *  radicand is a square, see ttc_ring. Returns false when memory is out. */
