@@ -1,7 +1,5 @@
 #include "prove/subcase.h"
 
-#include "prove/signs.h"
-
 static ttc_id term_node(ttc_task *task, const fmpz_mpoly_t polynomial, slong index)
 {
     ttc_graph *graph = task->model->graph;
@@ -146,20 +144,5 @@ bool ttc_subcase_solve(ttc_subcase *b, ttc_id *lead_out, ttc_task *task, const f
     fmpz_mpoly_get_coeff_vars_ui(leading, factor, &variable, &degree, 1, task->ring->context);
     *lead_out = ttc_conditions_signs(&task->domain, leading) & TTC_CAN_BE_ZERO ? lead : ttc_integer(graph, 1);
     fmpz_mpoly_clear(leading, task->ring->context);
-    return true;
-}
-
-/* The real points of the level may be too few for their component: its leaves are shown to be kept one by one. */
-bool ttc_subcase_split(ttc_subcase *b, ttc_task *task, ttc_id sum)
-{
-    const ttc_graph *graph = task->model->graph;
-    const ttc_claim_kind kind = task->claim->kind;
-    const bool counts_points = task->is_lower || kind == TTC_CLAIM_EQUAL || kind == TTC_CLAIM_POSITIVE || kind == TTC_CLAIM_RATE ||
-                               kind == TTC_CLAIM_INVARIANT;
-    if (sum == TTC_NONE || !counts_points || !ttc_signs_are_one(task, sum)) return false;
-    const size_t terms = ttc_part_count(graph, sum);
-    if (b->goal_count + terms > sizeof b->goals / sizeof *b->goals) return false;
-    for (size_t i = 0; i < terms; i++) b->goals[b->goal_count++] = ttc_part_at(graph, sum, i).id;
-    b->is_degenerate = b->is_orphan = true;
     return true;
 }
