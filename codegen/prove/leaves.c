@@ -69,7 +69,7 @@ static bool look_for_point(cover *c, const ttc_subcase *b)
 
 static void place_leaf(ttc_task *task, const ttc_subcase *b)
 {
-    task->is_thin = is_invariant(task) && b->is_degenerate;
+    task->is_thin = is_invariant(task) && (b->is_degenerate || b->is_orphan);
     task->apart = is_invariant(task) ? b->apart : TTC_NONE;
 }
 
@@ -232,7 +232,7 @@ static void meet(cover *c, const ttc_subcase *b)
             c->is_partial = ttc_divided_by_zero(task, b, &c->undefined_at);
     } else if (status != TTC_RING_OK) {
         ttc_task_unsettle(task, "on the zero level, %s", ttc_ring_status_text(status));
-    } else if (is_invariant(task) && b->goal_count == 1 && !b->own_solved && !b->is_degenerate
+    } else if (is_invariant(task) && b->goal_count == 1 && !b->own_solved && !b->is_degenerate && !b->is_orphan
                && !ttc_task_moves(task, &value) && look_for_point(c, b)) {
         ttc_task_unsettle(task, "%s does not depend on the states, or is zero wherever its conditions hold: that says nothing",
                           task->claim->name);

@@ -2,7 +2,8 @@
 #include "prove/signs.h"
 #include "prove/subcase.h"
 
-/* The real points of the level may be too few for their component: its leaves are shown to be kept one by one. */
+/* The real points of the level may be too few for their component: its leaves are shown to be kept one by one. They are parts of the
+ * level like any other, on which a claim may not divide by zero. */
 bool ttc_subcase_split(ttc_subcase *b, ttc_task *task, ttc_id sum)
 {
     const ttc_graph *graph = task->model->graph;
@@ -13,6 +14,6 @@ bool ttc_subcase_split(ttc_subcase *b, ttc_task *task, ttc_id sum)
     const size_t terms = ttc_part_count(graph, sum);
     if (b->goal_count + terms > sizeof b->goals / sizeof *b->goals) return false;
     for (size_t i = 0; i < terms; i++) b->goals[b->goal_count++] = ttc_part_at(graph, sum, i).id;
-    b->is_degenerate = b->is_orphan = true;
+    b->is_orphan = true;
     return true;
 }
