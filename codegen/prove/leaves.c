@@ -207,7 +207,8 @@ static void follow_factors(cover *c, const ttc_subcase *b, const fmpz_mpoly_t no
     if (!fmpz_mpoly_factor(factors, norm, task->ring->context)) ttc_task_unsettle(task, "the zero level could not be factored");
     for (slong i = 0; i < factors->num && task->status != TTC_REFUTED; i++) {
         if (!(ttc_conditions_signs(&task->domain, factors->poly + i) & TTC_CAN_BE_ZERO)) continue;
-        ttc_subcase one = *b;
+        ttc_subcase one = *b, written = *b;
+        if (factors->num == 1 && follow_terms(c, &written, written.goals[--written.goal_count])) break;
         if (is_invariant(task) && b->goal_count == 1 && !b->own_solved) one.apart = ttc_subcase_others(task, factors, i);
         if (!follow_terms(c, &one, ttc_subcase_expression(task, factors->poly + i)))
             follow(c, &one, factors->poly + i, factors->num == 1);
@@ -243,8 +244,8 @@ static void meet(cover *c, const ttc_subcase *b)
         else ttc_task_unsettle(task, "the zero level falls into too many cases");
         descend_apart(c, &next);
     } else {
-        ttc_subcase terms = *b;
-        if (!follow_terms(c, &terms, terms.goals[--terms.goal_count])) follow_factors(c, b, norm);
+        ttc_subcase terms = *b; /* of an invariant, they would be leaves within other components, which the flow may leave */
+        if (is_invariant(task) || !follow_terms(c, &terms, terms.goals[--terms.goal_count])) follow_factors(c, b, norm);
     }
     fmpz_mpoly_clear(norm, task->ring->context);
     ttc_ratio_clear(task->ring, &value);
