@@ -2,8 +2,8 @@
 #include "prove/signs.h"
 #include "prove/subcase.h"
 
-/* The real points of the level may be too few for their component: its leaves are shown to be kept one by one. They are parts of the
- * level like any other, on which a claim may not divide by zero. */
+/* The real points of the level may be too few for their component: its leaves are shown to be kept one by one. They are parts of
+ * the level like any other, on which a claim may not divide by zero. */
 bool ttc_subcase_split(ttc_subcase *b, ttc_task *task, ttc_id sum)
 {
     const ttc_graph *graph = task->model->graph;
