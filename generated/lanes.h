@@ -130,4 +130,34 @@ static inline jlt_lanes jlt_lanes_select(jlt_lane_mask mask, jlt_lanes yes, jlt_
     return (jlt_lanes)((mask & (jlt_lane_mask)yes) | (~mask & (jlt_lane_mask)no));
 }
 
+/* The larger of a and b in each lane; b where either is NaN. */
+static inline jlt_lanes jlt_lanes_larger(jlt_lanes a, jlt_lanes b)
+{
+#if JLT_LANES == 8 && defined(__AVX512F__)
+    return (jlt_lanes)_mm512_max_pd((__m512d)a, (__m512d)b);
+#elif JLT_LANES == 4 && defined(__AVX__)
+    return (jlt_lanes)_mm256_max_pd((__m256d)a, (__m256d)b);
+#elif JLT_LANES == 2 && defined(__SSE2__)
+    return (jlt_lanes)_mm_max_pd((__m128d)a, (__m128d)b);
+#else
+    return jlt_lanes_select(a > b, a, b);
+#endif
+}
+
+/* The smaller of a and b in each lane; b where either is NaN. */
+static inline jlt_lanes jlt_lanes_smaller(jlt_lanes a, jlt_lanes b)
+{
+#if JLT_LANES == 8 && defined(__AVX512F__)
+    return (jlt_lanes)_mm512_min_pd((__m512d)a, (__m512d)b);
+#elif JLT_LANES == 4 && defined(__AVX__)
+    return (jlt_lanes)_mm256_min_pd((__m256d)a, (__m256d)b);
+#elif JLT_LANES == 2 && defined(__SSE2__)
+    return (jlt_lanes)_mm_min_pd((__m128d)a, (__m128d)b);
+#else
+    return jlt_lanes_select(a < b, a, b);
+#endif
+}
+
+static inline jlt_lanes jlt_lanes_size(jlt_lanes a) { return (jlt_lanes)((jlt_lane_mask)a & INT64_MAX); }
+
 #endif
