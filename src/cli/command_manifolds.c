@@ -272,10 +272,10 @@ static jlt_exit run(int argc, char **argv)
                                 o.motion.starts[0], names[0], saddle.points[0], names[1], saddle.points[1],
                                 jlt_periodic_type_name(saddle.type));
     jlt_interrupt_spare(o.motion.threads);
-    st = jlt_separatrices_grow(&p, map, &saddle, o.seed, &o.growth, (unsigned)o.motion.threads);
+    const jlt_kernel_batch *kernels = o.motion.common.lanes ? jlt_batch_isa_best(system->instance->descriptor, 0) : NULL;
+    st = jlt_separatrices_grow(&p, map, &saddle, o.seed, &o.growth, kernels, (unsigned)o.motion.threads);
     if (st == JLT_OK && !o.no_crossings && !jlt_motion_interrupted(&o.motion)) {
-        const jlt_kernel_batch *kernels = o.motion.common.lanes ? jlt_batch_isa_best(system->instance->descriptor, 0) : NULL;
-        st = jlt_separatrices_cross(&p, kernels, (unsigned)o.motion.threads);
+        st = jlt_separatrices_cross(&p);
         if (st == JLT_ERR_NO_CONVERGENCE && jlt_motion_interrupted(&o.motion)) st = JLT_OK; /* the branches are complete */
     }
     const size_t touching = p.touching[0][0] + p.touching[0][1] + p.touching[1][0] + p.touching[1][1];

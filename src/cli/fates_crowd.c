@@ -69,7 +69,7 @@ static jlt_exit follow_block(jlt_fates_crowd *self, bool is_complete)
 
     if (self->count > 0) {
         for (size_t i = 0; i < self->count; i++) self->flow_of[i] = self->places[self->place_of[i]].flow;
-        const jlt_status st = jlt_section_batch_run_each(self->batch, self->q, self->flow_of, self->count, self->returns);
+        const jlt_status st = jlt_section_batch_run_each(self->batch, self->q, self->flow_of, NULL, self->count, self->returns);
         if (st != JLT_OK) return jlt_motion_fail(st, last_of(self)->system, "section");
     }
     for (size_t i = 0; code == JLT_EXIT_DONE && i < self->count; i++) code = count_start(self, i);

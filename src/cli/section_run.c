@@ -230,7 +230,7 @@ static jlt_status follow_group(jlt_section_run *const *runs, size_t count)
         if (own > 0) memcpy(q + at * dim, runs[i]->joined, own * dim * sizeof *q);
         for (size_t k = 0; k < own; k++) each[at++] = flow_of[i];
     }
-    JLT_PASS(jlt_section_batch_run_each(runs[0]->batch, q, each, starts, runs[0]->returns));
+    JLT_PASS(jlt_section_batch_run_each(runs[0]->batch, q, each, NULL, starts, runs[0]->returns));
     return share_batch(runs, flow_of, count);
 }
 

@@ -6,6 +6,7 @@
 
 #include "core/memory.h"
 #include "dynamics/linear.h"
+#include "dynamics/section_batch.h"
 
 /* F takes r v to lambda r v and something of second order, bend (lambda^2 - the multiplier of its part) r^2. */
 static void set_bend(jlt_branch *self, const jlt_chart *chart, const double v[2], const double w[2], double other)
@@ -80,21 +81,48 @@ static size_t begin(const jlt_branch *self, double start[2], double rate[2], dou
     return (size_t)ceil(sigma);
 }
 
+jlt_status jlt_branch_curve(const jlt_branch *self, jlt_status *status, double *q, const double *sigma, size_t count)
+{
+    const bool backwards = self->time_direction < 0;
+    const jlt_section_batch_options options = { .threads = self->threads, .backwards = backwards, .last_only = true };
+    const jlt_chart *chart = jlt_map_flow(self->map)->chart;
+    JLT_OWNED(jlt_section_batch) *batch = NULL;
+    JLT_FREED size_t *moving = calloc(count + 1, sizeof *moving), *returns = calloc(count + 1, sizeof *returns);
+    JLT_FREED double *starts = calloc(2 * count + 1, sizeof *starts);
+    double rate[2];
+    jlt_return row;
+    size_t n = 0, most = 0;
+
+    if (moving == NULL || returns == NULL || starts == NULL) return JLT_ERR_NOMEM;
+    for (size_t i = 0; i < count; i++) {
+        status[i] = is_parameter(sigma[i]) ? JLT_OK : JLT_ERR_ARG;
+        if (status[i] != JLT_OK) continue;
+        returns[n] = begin(self, q + 2 * i, rate, sigma[i]) * self->returns;
+        if (returns[n] == 0) continue;
+        if (returns[n] > most) most = returns[n];
+        memcpy(starts + 2 * n, q + 2 * i, 2 * sizeof *q);
+        moving[n++] = i;
+    }
+    if (n == 0) return JLT_OK;
+    JLT_PASS(jlt_section_batch_create(&batch, jlt_map_flow(self->map), self->kernels, &options));
+    JLT_PASS(jlt_section_batch_run_each(batch, starts, NULL, returns, n, most));
+    for (size_t k = 0; k < n; k++) {
+        const size_t i = moving[k];
+        status[i] = jlt_section_batch_last(batch, &row, k);
+        if (status[i] == JLT_OK && row.interrupted) status[i] = JLT_ERR_NO_CONVERGENCE;
+        if (status[i] == JLT_OK) status[i] = jlt_section_fate_status(row.fate);
+        if (status[i] == JLT_OK && !jlt_chart_follows(chart, row.x)) status[i] = JLT_ERR_DOMAIN;
+        if (status[i] == JLT_OK) memcpy(q + 2 * i, row.q, 2 * sizeof *q);
+    }
+    return JLT_OK;
+}
+
 jlt_status jlt_branch_point(const jlt_branch *self, double q[2], double sigma)
 {
-    double start[2], rate[2];
-    jlt_image image;
+    jlt_status status = JLT_OK;
 
-    if (!is_parameter(sigma)) return JLT_ERR_ARG;
-    const size_t n = begin(self, start, rate, sigma);
-    if (n == 0) {
-        memcpy(q, start, sizeof start);
-        return JLT_OK;
-    }
-    JLT_PASS(jlt_map_point(self->map, &image, start, n * self->returns, self->time_direction));
-    if (!jlt_chart_follows(jlt_map_flow(self->map)->chart, image.x)) return JLT_ERR_DOMAIN;
-    memcpy(q, image.q, sizeof start);
-    return JLT_OK;
+    JLT_PASS(jlt_branch_curve(self, &status, q, &sigma, 1));
+    return status;
 }
 
 jlt_status jlt_branch_points(const jlt_branch *const *branches, jlt_map_batch *maps, jlt_status *status, double *q, double *tangent,

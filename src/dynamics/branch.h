@@ -20,6 +20,8 @@
 
 typedef struct {
     jlt_map *map;
+    const jlt_kernel_batch *kernels; /* for points of a curve in lanes, see jlt_batch_isa_best; NULL: each goes alone */
+    unsigned threads;   /* for points of a curve; 0 and 1 are the caller's alone */
     double q[2],        /* the saddle's point */
         v[2],           /* the unit eigenvector, times side */
         w[2],           /* the other unit eigenvector */
@@ -33,8 +35,8 @@ typedef struct {
 
 /** Take the stable or the unstable branch at the orbit's first point (jlt_periodic_rotate makes another point the first). In: side,
  *  +1 along the eigenvector whose larger component is positive, -1 against it; seed, the distance of the branch's first point, in
- *  [JLT_BRANCH_SEED_LEAST, JLT_BRANCH_SEED_MOST]. Out: a branch that is not bent. Errors: ARG, the orbit is no saddle of a
- *  two-dimensional map; side or seed out of range. Cost: one F. */
+ *  [JLT_BRANCH_SEED_LEAST, JLT_BRANCH_SEED_MOST]. Out: a branch that is not bent, without kernels. Errors: ARG, the orbit is no
+ *  saddle of a two-dimensional map; side or seed out of range. Cost: one F. */
 JLT_CHECKED jlt_status jlt_branch_init(jlt_branch *out, jlt_map *map, const jlt_periodic *saddle, bool stable, int side,
                                        double seed);
 
@@ -43,6 +45,10 @@ JLT_CHECKED jlt_status jlt_branch_init(jlt_branch *out, jlt_map *map, const jlt_
  *  chart that solves for states.
  *  Cost: ceil(sigma)*returns returns. */
 JLT_CHECKED jlt_status jlt_branch_point(const jlt_branch *self, double q[2], double sigma);
+
+/** Compute many points at once, q, shape (count, 2), at sigma, shape (count,). Out: status, shape (count,), what jlt_branch_point
+ *  would return; where that is not OK q is undefined. Errors: as jlt_section_batch_run. */
+JLT_CHECKED jlt_status jlt_branch_curve(const jlt_branch *self, jlt_status *status, double *q, const double *sigma, size_t count);
 
 /** About the parameter of gamma(sigma) on the bent branch; NaN if there is none. */
 double jlt_branch_bent_sigma(const jlt_branch *self, double sigma);

@@ -55,8 +55,10 @@ static joint *joints_of(size_t *joint_count, const jlt_manifold *curve, const do
     joint *list = calloc(count + curve->count + 2 * (size_t)(high - low) + 3, sizeof *list);
     if (list == NULL) return NULL;
     for (size_t i = 0; i < count; i++) add(list, &n, sigma[i], q + 2 * i, i);
-    for (size_t i = 0; i < curve->count; i++)
-        if (curve->sigma[i] > low && curve->sigma[i] < high) add(list, &n, curve->sigma[i], curve->points + 2 * i, SIZE_MAX);
+    for (size_t i = 0; i < curve->count; i++) {
+        const double at = curve->sigma[i];
+        if (at > low && at < high && at != floor(at)) add(list, &n, at, curve->points + 2 * i, SIZE_MAX);
+    }
     for (double whole = floor(low) + 1; whole < high; whole++) {
         add(list, &n, whole, (const double[]){ 0, 0 }, SIZE_MAX);
         list[n - 1].ends = true;
@@ -167,44 +169,6 @@ static bool interpolate(joint *list, size_t joint_count, size_t k, const jlt_cha
     return true;
 }
 
-/* Interpolate all pieces; where that fails, add a corner in the middle, up to REFINEMENTS times. Pieces that still fail stay open.
- * A point without its tangent costs a fifth of one with it. */
-static jlt_status refine(joint **list, size_t *count, const jlt_branch *branch)
-{
-    const jlt_chart *chart = jlt_map_flow(branch->map)->chart;
-
-    for (size_t k = 0; k + 1 < *count; k++) (*list)[k].is_open = !(*list)[k].ends && (*list)[k].sigma < (*list)[k + 1].sigma;
-    for (int round = 0; round <= REFINEMENTS; round++) {
-        size_t left = 0, n = 0;
-        for (size_t k = 0; k + 1 < *count; k++)
-            if ((*list)[k].is_open) left += (*list)[k].is_open = !interpolate(*list, *count, k, chart);
-        if (left == 0 || round == REFINEMENTS) return JLT_OK;
-        joint *finer = calloc(*count + left, sizeof *finer);
-        if (finer == NULL) return JLT_ERR_NOMEM;
-        for (size_t k = 0; k < *count; k++) {
-            const joint *at = &(*list)[k];
-            finer[n++] = *at;
-            if (!at->is_open) continue;
-            joint *middle = &finer[n++];
-            *middle = (joint){ .sigma = at->sigma + (at[1].sigma - at->sigma) / 2, .index = SIZE_MAX, .is_open = true };
-            const jlt_status st = jlt_branch_point(branch, middle->q, middle->sigma);
-            if (st != JLT_OK) middle->area = NAN;
-        }
-        free(*list);
-        *list = finer;
-        *count = n;
-    }
-    return JLT_OK;
-}
-
-/* A part of a joint's piece, to be integrated with tangents. */
-typedef struct {
-    double sigma[2], q[2][2];
-    double gap; /* of the part that this is half of: distance between its end and where its integrated tangents lead; INFINITY if
-                   that is too large to tell the order of convergence */
-    size_t joint;
-} part;
-
 /* Arguments of jlt_branch_points for count points of one branch. */
 typedef struct {
     double *sigma, *q, *tangent;
@@ -235,6 +199,52 @@ static jlt_status make_samples(samples *self, size_t count, const jlt_branch *br
     for (size_t i = 0; i < count; i++) self->branches[i] = branch;
     return JLT_OK;
 }
+
+/* Interpolate all pieces; where that fails, add a corner in the middle, up to REFINEMENTS times. Pieces that still fail stay open.
+ * A point without its tangent costs a fifth of one with it. */
+static jlt_status refine(joint **list, size_t *count, const jlt_branch *branch)
+{
+    const jlt_chart *chart = jlt_map_flow(branch->map)->chart;
+
+    for (size_t k = 0; k + 1 < *count; k++) (*list)[k].is_open = !(*list)[k].ends && (*list)[k].sigma < (*list)[k + 1].sigma;
+    for (int round = 0; round <= REFINEMENTS; round++) {
+        size_t left = 0, n = 0;
+        for (size_t k = 0; k + 1 < *count; k++)
+            if ((*list)[k].is_open) left += (*list)[k].is_open = !interpolate(*list, *count, k, chart);
+        if (left == 0 || round == REFINEMENTS) return JLT_OK;
+        joint *finer = calloc(*count + left, sizeof *finer);
+        samples middles;
+        if (finer == NULL || make_samples(&middles, left, branch) != JLT_OK) {
+            free(finer);
+            return JLT_ERR_NOMEM;
+        }
+        for (size_t k = 0, of = 0; k + 1 < *count; k++)
+            if ((*list)[k].is_open) middles.sigma[of++] = (*list)[k].sigma + ((*list)[k + 1].sigma - (*list)[k].sigma) / 2;
+        const jlt_status st = jlt_branch_curve(branch, middles.status, middles.q, middles.sigma, left);
+        for (size_t k = 0, of = 0; k < *count; k++) {
+            finer[n++] = (*list)[k];
+            if (!(*list)[k].is_open) continue;
+            joint *middle = &finer[n++];
+            *middle = (joint){ .sigma = middles.sigma[of], .index = SIZE_MAX, .is_open = true };
+            memcpy(middle->q, middles.q + 2 * of, sizeof middle->q);
+            if (middles.status[of++] != JLT_OK) middle->area = NAN;
+        }
+        clear_samples(&middles);
+        free(*list);
+        *list = finer;
+        *count = n;
+        JLT_PASS(st);
+    }
+    return JLT_OK;
+}
+
+/* A part of a joint's piece, to be integrated with tangents. */
+typedef struct {
+    double sigma[2], q[2][2];
+    double gap; /* of the part that this is half of: distance between its end and where its integrated tangents lead; INFINITY if
+                   that is too large to tell the order of convergence */
+    size_t joint;
+} part;
 
 static jlt_status take_samples(samples *self, jlt_map_batch *maps)
 {

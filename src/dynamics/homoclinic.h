@@ -21,7 +21,7 @@ typedef struct {
                            unstable branch, > 0 where it lies to the left of the unstable branch; NaN until it is measured, for the
                            last crossing, where the two branches wind around an angle a different number of times, and where a
                            branch has no points in between */
-    double lobe_error;  /* by interpolation; jlt_separatrices_cross adds twice the change of the lobe for the points `again` */
+    double lobe_error;  /* by interpolation; jlt_separatrices_cross adds four times the change of the lobe for the points `again` */
 } jlt_homoclinic;
 
 /** Find all crossings of two polygons and refine each by Newton's method on the branches, with tangents from the variational

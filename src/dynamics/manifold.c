@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/memory.h"
+
 /* Parameter steps are not halved below this: the branch ends there. */
 static const double smallest_step = 1e-9;
 
@@ -33,17 +35,161 @@ static void append(jlt_manifold *self, const jlt_chart *chart, const double *q, 
     self->count++;
 }
 
-/* Angle by which the polygon turns at its last point when q comes next. */
-static double turn_at(const jlt_manifold *self, const jlt_chart *chart, const double *q)
+typedef struct {
+    double sigma, q[2];
+    bool is_known;
+    jlt_status status; /* of a known point */
+} corner;
+
+/* The stretch of the branch that is being grown: some whole fundamental domains beyond the polygon. */
+typedef struct {
+    const jlt_branch *branch;
+    const jlt_chart *chart;
+    jlt_manifold_options options;
+    jlt_manifold *curve;
+    corner *list; /* owned */
+    size_t count;
+    double returns; /* made for all points so far */
+    bool is_last;   /* the branch ends with it, */
+    bool is_over;   /* or before it */
+} stretch;
+
+/* Point k of the polygon's last point, k = 0, and the stretch. */
+static const double *point_at(const stretch *self, size_t k)
 {
+    return k > 0 ? self->list[k - 1].q : self->curve->points + 2 * (self->curve->count - 1);
+}
+
+static double sigma_at(const stretch *self, size_t k)
+{
+    return k > 0 ? self->list[k - 1].sigma : self->curve->sigma[self->curve->count - 1];
+}
+
+/* Angle by which the polygon turns at point k. */
+static double turn_at(const stretch *self, size_t k)
+{
+    const double *here = point_at(self, k);
     double before[2], after[2];
 
-    if (self->count < 2) return 0;
-    jlt_chart_difference(chart, before, self->points + 2 * (self->count - 1), self->points + 2 * (self->count - 2));
-    jlt_chart_difference(chart, after, q, self->points + 2 * (self->count - 1));
-    jlt_chart_scaled(chart, before, before);
-    jlt_chart_scaled(chart, after, after);
+    if ((k == 0 && self->curve->count < 2) || k == self->count || self->list[k].status != JLT_OK) return 0;
+    jlt_chart_difference(self->chart, before, here, k > 0 ? point_at(self, k - 1) : here - 2);
+    jlt_chart_difference(self->chart, after, point_at(self, k + 1), here);
+    jlt_chart_scaled(self->chart, before, before);
+    jlt_chart_scaled(self->chart, after, after);
     return fabs(atan2(before[0] * after[1] - before[1] * after[0], before[0] * after[0] + before[1] * after[1]));
+}
+
+/* Leave the stretch out, and end the branch before it. */
+static jlt_status stop(stretch *self, jlt_manifold_end end)
+{
+    self->curve->end = end;
+    self->is_over = true;
+    return JLT_OK;
+}
+
+/* End the branch with the first `count` points of the stretch. */
+static void cut(stretch *self, size_t count, jlt_manifold_end end)
+{
+    self->curve->end = end;
+    self->is_last = true;
+    self->count = count;
+}
+
+/* Cut the stretch behind a point that has none, behind the length asked for, and to the number of points asked for. */
+static jlt_status cut_at_end(stretch *self)
+{
+    const size_t room = self->options.points_max - self->curve->count;
+    double length = self->curve->length[self->curve->count - 1];
+
+    for (size_t k = 0; k < self->count; k++) {
+        const jlt_status st = self->list[k].status;
+        if (st == JLT_ERR_DOMAIN || st == JLT_ERR_EMPTY || st == JLT_ERR_BUDGET) cut(self, k + 1, JLT_MANIFOLD_POLE);
+        else if (st != JLT_OK) return st;
+        else length += jlt_chart_distance(self->chart, self->list[k].q, point_at(self, k));
+        if (length >= self->options.length_max) cut(self, k + 1, JLT_MANIFOLD_LENGTH);
+    }
+    if (self->count > room) cut(self, room, JLT_MANIFOLD_POINTS);
+    return JLT_OK;
+}
+
+/* Compute the points that are not known yet. */
+static jlt_status compute(stretch *self)
+{
+    const volatile sig_atomic_t *interrupt = jlt_map_flow(self->branch->map)->interrupt;
+    JLT_FREED double *sigma = calloc(3 * self->count + 1, sizeof *sigma); /* (count,), then q, (count, 2) */
+    JLT_FREED jlt_status *status = calloc(self->count + 1, sizeof *status);
+    double *q = sigma + self->count;
+    size_t n = 0;
+
+    if (sigma == NULL || status == NULL) return JLT_ERR_NOMEM;
+    for (size_t k = 0; k < self->count; k++) {
+        if (self->list[k].is_known) continue;
+        sigma[n++] = self->list[k].sigma;
+        self->returns += ceil(self->list[k].sigma) * (double)self->branch->returns;
+    }
+    if (self->returns > (double)self->options.points_max * JLT_MANIFOLD_RETURNS_A_POINT) return stop(self, JLT_MANIFOLD_RETURNS);
+    JLT_PASS(jlt_branch_curve(self->branch, status, q, sigma, n));
+    if (interrupt != NULL && *interrupt) return stop(self, JLT_MANIFOLD_INTERRUPT);
+    for (size_t k = 0, of = 0; k < self->count; k++) {
+        corner *at = &self->list[k];
+        if (at->is_known) continue;
+        *at = (corner){ .sigma = at->sigma, .q = { q[2 * of], q[2 * of + 1] }, .is_known = true, .status = status[of] };
+        of++;
+    }
+    return cut_at_end(self);
+}
+
+/* Whether a point is to be added before corner k. */
+static bool is_coarse(const stretch *self, size_t k)
+{
+    const double distance = jlt_chart_distance(self->chart, point_at(self, k + 1), point_at(self, k));
+
+    if (self->list[k].sigma - sigma_at(self, k) < smallest_step) return false;
+    if (self->list[k].status != JLT_OK) return true; /* the branch ends on the way there */
+    if (!(distance > self->options.finest)) return false;
+    return distance > self->options.spacing || turn_at(self, k) > self->options.turn || turn_at(self, k + 1) > self->options.turn;
+}
+
+/* Add points halfway where the stretch is coarse. Out: how many. */
+static jlt_status refine(stretch *self, size_t *added)
+{
+    corner *finer = calloc(2 * self->count + 1, sizeof *finer);
+    size_t n = 0;
+
+    if (finer == NULL) return JLT_ERR_NOMEM;
+    for (size_t k = 0; k < self->count; k++) {
+        if (is_coarse(self, k)) finer[n++].sigma = sigma_at(self, k) + (self->list[k].sigma - sigma_at(self, k)) / 2;
+        finer[n++] = self->list[k];
+    }
+    *added = n - self->count;
+    free(self->list);
+    self->list = finer;
+    self->count = n;
+    return JLT_OK;
+}
+
+/* Add the stretch to the polygon, and go on to the next one, which begins at the images of as few points as the spacing allows:
+ * steps in sigma stay below `longest`. */
+static void advance(stretch *self, double width, double longest)
+{
+    const double from[] = { point_at(self, 0)[0], point_at(self, 0)[1] }, *last = from;
+    double sigma = sigma_at(self, 0);
+    size_t n = 0;
+
+    for (size_t k = 0; k < self->count; k++) {
+        const corner *next = &self->list[k + 1 < self->count ? k + 1 : k];
+        self->list[k].is_known = k + 1 < self->count && next->sigma - sigma <= longest
+                                 && turn_at(self, k + 1) < self->options.turn / 2
+                                 && jlt_chart_distance(self->chart, next->q, last) < self->options.spacing / 2;
+        if (self->list[k].is_known) continue; /* not needed in the next stretch */
+        last = self->list[k].q;
+        sigma = self->list[k].sigma;
+    }
+    for (size_t k = 0; k < self->count; k++) {
+        if (self->list[k].status == JLT_OK) append(self->curve, self->chart, self->list[k].q, self->list[k].sigma);
+        if (!self->list[k].is_known) self->list[n++] = (corner){ .sigma = self->list[k].sigma + width };
+    }
+    self->count = n;
 }
 
 static jlt_manifold_options with_defaults(const jlt_manifold_options *asked)
@@ -60,58 +206,35 @@ static jlt_manifold_options with_defaults(const jlt_manifold_options *asked)
 
 jlt_status jlt_manifold_grow(jlt_manifold *out, const jlt_branch *branch, const jlt_manifold_options *asked)
 {
-    const jlt_flow *flow = jlt_map_flow(branch->map);
     const jlt_manifold_options options = with_defaults(asked);
-    jlt_manifold self = { .end = JLT_MANIFOLD_POINTS };
     /* several fundamental domains where each stretches the branch by less than a tenth */
-    const double longest = 0.25 * fmax(1, 0.1 / log(branch->lambda));
-    double q[2], sigma = 0, step = 1. / 16, returns = 0;
+    const double longest = 0.25 * fmax(1, 0.1 / log(branch->lambda)), width = ceil(4 * longest);
+    jlt_manifold curve = { .end = JLT_MANIFOLD_POINTS };
+    stretch self = { .branch = branch, .chart = jlt_map_flow(branch->map)->chart, .options = options, .curve = &curve };
+    double q[2];
     jlt_status st = JLT_OK;
 
     if (!(options.spacing > options.finest) || !(options.turn > 0) || options.points_max < 2) return JLT_ERR_ARG;
-    JLT_TRY(reserve(&self, options.points_max));
+    JLT_TRY(reserve(&curve, options.points_max));
     JLT_TRY(jlt_branch_point(branch, q, 0));
-    append(&self, flow->chart, q, 0);
-    while (self.count < options.points_max) {
-        double distance, turn;
-        returns += ceil(sigma + step) * (double)branch->returns;
-        if (returns > (double)options.points_max * JLT_MANIFOLD_RETURNS_A_POINT) {
-            self.end = JLT_MANIFOLD_RETURNS;
-            break;
+    append(&curve, self.chart, q, 0);
+    self.count = (size_t)ceil(width / longest);
+    self.list = calloc(self.count, sizeof *self.list);
+    if (self.list == NULL) st = JLT_ERR_NOMEM;
+    for (size_t k = 0; st == JLT_OK && k < self.count; k++) self.list[k].sigma = width * ((double)k + 0.5) / (double)self.count;
+    while (st == JLT_OK && !self.is_last && curve.count < options.points_max) {
+        for (size_t added = 1; added > 0;) {
+            JLT_TRY(compute(&self));
+            if (self.is_over) break;
+            JLT_TRY(refine(&self, &added));
         }
-        st = jlt_branch_point(branch, q, sigma + step);
-        if (flow->interrupt != NULL && *flow->interrupt) {
-            st = JLT_OK;
-            self.end = JLT_MANIFOLD_INTERRUPT;
-            break;
-        }
-        if (st == JLT_ERR_DOMAIN || st == JLT_ERR_EMPTY || st == JLT_ERR_BUDGET) {
-            st = JLT_OK;
-            self.end = JLT_MANIFOLD_POLE;
-            if (step < smallest_step) break;
-            step /= 2;
-            continue;
-        }
-        if (st != JLT_OK) goto done;
-        self.end = JLT_MANIFOLD_POINTS;
-        distance = jlt_chart_distance(flow->chart, q, self.points + 2 * (self.count - 1));
-        turn = turn_at(&self, flow->chart, q);
-        if (distance > options.finest && (distance > options.spacing || turn > options.turn) && step >= smallest_step) {
-            step /= 2;
-            continue;
-        }
-        sigma += step;
-        append(&self, flow->chart, q, sigma);
-        if (self.length[self.count - 1] >= options.length_max) {
-            self.end = JLT_MANIFOLD_LENGTH;
-            break;
-        }
-        if (distance < options.spacing / 2 && turn < options.turn / 2 && step < longest) step *= 1.5;
+        if (self.is_over) break;
+        advance(&self, width, longest);
     }
-    *out = self;
-    self = (jlt_manifold){ .count = 0 };
+    if (st == JLT_OK) *out = curve, curve = (jlt_manifold){ .count = 0 };
 done:
-    jlt_manifold_clear(&self);
+    free(self.list);
+    jlt_manifold_clear(&curve);
     return st;
 }
 

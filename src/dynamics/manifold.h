@@ -1,8 +1,8 @@
-/** Grows a branch of a manifold as a polygon, point after point; arc length and curvature set the spacing.
+/** Grows a branch of a manifold as a polygon; arc length and curvature set the spacing.
  *
- *  Every point is computed from the seed itself (jlt_branch), so nothing is interpolated and errors do not pile up. A point
- *  is accepted when its distance to the last one is under `spacing` and the polygon turns there by less than `turn`, or when
- *  it is closer than `finest`; otherwise the parameter's step is halved.
+ *  Every point is computed from the seed itself (jlt_branch), so nothing is interpolated and errors do not pile up. The branch
+ *  grows by fundamental domains. Between points further apart than `finest` one is added halfway in sigma, in all places at once,
+ *  until their distance is under `spacing` and the polygon turns there by less than `turn`.
  *  Source: D. Hobson, J. Comput. Phys. 104 (1993); B. Krauskopf, H. Osinga, J. Comput. Phys. 146 (1998), the criteria. */
 #ifndef JLT_DYNAMICS_MANIFOLD_H
 #define JLT_DYNAMICS_MANIFOLD_H

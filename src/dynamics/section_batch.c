@@ -35,7 +35,8 @@ struct jlt_section_batch {
     jlt_status *lifted; /* (count,): status of each start's lift */
     size_t *lane;       /* (count,): of each start that has a state */
     double *starts;     /* (lanes, columns) */
-    size_t *flow_of;    /* (lanes,) */
+    size_t *flow_of;    /* (lanes,); behind them, in the same memory, */
+    size_t *returns_of; /* (lanes,): how many each orbit makes; at most `returns` */
     course *courses;    /* (lanes,) */
     double *last, *end; /* (lanes, width): the last row; where the lane or the orbit ended */
     size_t count, lanes, returns;
@@ -94,11 +95,8 @@ jlt_status jlt_section_batch_create(jlt_section_batch **out, const jlt_flow *flo
         self->map.watch = &self->watch;
     }
     st = jlt_section_flows_open(&self->flows, flow, options->project, self->threads);
-    if (st == JLT_OK) {
-        *out = self;
-        self = NULL; /* ownership moved to the caller */
-    }
-    jlt_section_batch_destroy(self);
+    if (st == JLT_OK) *out = self;
+    else jlt_section_batch_destroy(self);
     return st;
 }
 
@@ -118,10 +116,8 @@ static void forget(jlt_section_batch *self)
     free(self->courses);
     free(self->last);
     free(self->end);
-    self->rows = NULL;
-    self->lifted = NULL;
-    self->lane = self->flow_of = NULL;
-    self->courses = NULL;
+    self->rows = NULL, self->lifted = NULL, self->courses = NULL;
+    self->lane = self->flow_of = self->returns_of = NULL;
     self->starts = self->last = self->end = NULL;
     self->count = self->lanes = self->made = 0;
     self->failure = JLT_OK;
@@ -219,6 +215,9 @@ static void resume(const jlt_section_batch *self, jlt_section *section, size_t l
     jlt_section_resume(section, at->rows, from[self->columns - 1], from);
 }
 
+/* Whether the orbit's lane has made all its returns. */
+static bool is_done(const course *at) { return at->has_lane_end && at->lane_end == JLT_LANE_DONE && !at->is_slow; }
+
 /* Make the returns of an orbit that its lane has not made, by the flow's own method. */
 static jlt_status finish(jlt_section_batch *self, unsigned thread, size_t lane)
 {
@@ -227,12 +226,12 @@ static jlt_status finish(jlt_section_batch *self, unsigned thread, size_t lane)
     jlt_section *section;
     jlt_return row;
 
-    if (at->has_lane_end && at->lane_end == JLT_LANE_DONE && !at->is_slow) return JLT_OK;
+    if (is_done(at)) return JLT_OK;
     JLT_PASS(jlt_section_flows_section(&self->flows, &section, thread, self->flow_of[lane]));
     JLT_PASS(begin(self, section, &row, lane));
     if (row.fate != JLT_FATE_ALIVE) return JLT_OK; /* readers see that it has ended at its start */
     resume(self, section, lane);
-    while (row.fate == JLT_FATE_ALIVE && !row.interrupted && at->rows < self->returns) {
+    while (row.fate == JLT_FATE_ALIVE && !row.interrupted && at->rows < self->returns_of[lane]) {
         JLT_PASS(jlt_section_next(section, &row));
         from_section(self, kept, &row, lane);
         if (row.fate == JLT_FATE_ALIVE && !row.interrupted) JLT_PASS(keep(self, lane, kept));
@@ -248,9 +247,11 @@ static jlt_status finish(jlt_section_batch *self, unsigned thread, size_t lane)
 
 static jlt_status finish_all(jlt_section_batch *self)
 {
-    const unsigned threads = self->lanes < self->threads ? (unsigned)self->lanes : self->threads;
-    size_t next = 0;
+    size_t left = 0, next = 0;
     int failure = JLT_OK;
+
+    for (size_t lane = 0; lane < self->lanes; lane++) left += !is_done(&self->courses[lane]);
+    const unsigned threads = left < self->threads ? (unsigned)left : self->threads;
 
 #if defined(_OPENMP)
 #pragma omp parallel for num_threads(threads > 1 ? (int)threads : 1) schedule(static, 1) reduction(max : failure)
@@ -277,15 +278,17 @@ static size_t rows_in_memory(const jlt_section_batch *self, size_t count, size_t
 }
 
 /* Lift the starts, a lane for each that has a state, and allocate what the run fills. */
-static jlt_status lift_starts(jlt_section_batch *self, const double *q, const size_t *flows, size_t count)
+static jlt_status lift_starts(jlt_section_batch *self, const double *q, const size_t *flows, const size_t *each, size_t count)
 {
     self->lifted = calloc(count, sizeof *self->lifted);
     self->lane = calloc(count, sizeof *self->lane);
     self->starts = calloc(count, self->columns * sizeof *self->starts);
-    self->flow_of = calloc(count, sizeof *self->flow_of);
+    self->flow_of = calloc(2 * count, sizeof *self->flow_of);
     if (self->lifted == NULL || self->lane == NULL || self->starts == NULL || self->flow_of == NULL) return JLT_ERR_NOMEM;
+    self->returns_of = self->flow_of + count;
     for (size_t i = 0; i < count; i++) {
         self->flow_of[self->lanes] = flows != NULL ? flows[i] : 0;
+        self->returns_of[self->lanes] = each != NULL ? each[i] : self->returns;
         const jlt_chart *chart = flow_of(self, self->lanes)->chart;
         self->lifted[i] = chart->lift(chart, self->starts + self->lanes * self->columns, NULL, q + i * chart->dim);
         if (self->lifted[i] == JLT_OK) self->lane[i] = self->lanes++;
@@ -304,26 +307,26 @@ static jlt_status follow_in_lanes(jlt_section_batch *self)
 {
     jlt_batch_map map = self->map;
     JLT_FREED jlt_batch_case *cases = jlt_section_flows_cases(&self->flows, map.kernels, map.watch != NULL);
-    jlt_status st = JLT_ERR_NOMEM;
 
-    map.cases = cases, map.case_of = self->flow_of;
-    if (cases != NULL) st = jlt_batch_section(&map, self->starts, self->lanes, self->returns, keep_row, keep_end, self, NULL);
-    return st;
+    if (cases == NULL) return JLT_ERR_NOMEM;
+    map.cases = cases, map.case_of = self->flow_of, map.returns_of = self->returns_of;
+    return jlt_batch_section(&map, self->starts, self->lanes, self->returns, keep_row, keep_end, self, NULL);
 }
 
 jlt_status jlt_section_batch_run(jlt_section_batch *self, const double *q, size_t count, size_t returns)
 {
-    return jlt_section_batch_run_each(self, q, NULL, count, returns);
+    return jlt_section_batch_run_each(self, q, NULL, NULL, count, returns);
 }
 
-jlt_status jlt_section_batch_run_each(jlt_section_batch *self, const double *q, const size_t *flows, size_t count, size_t returns)
+jlt_status jlt_section_batch_run_each(jlt_section_batch *self, const double *q, const size_t *flow_of, const size_t *each,
+                                      size_t count, size_t returns)
 {
     jlt_status st = JLT_OK;
 
     if (count == 0 || returns == 0) return JLT_ERR_ARG;
     forget(self);
     self->returns = returns;
-    JLT_TRY(lift_starts(self, q, flows, count));
+    JLT_TRY(lift_starts(self, q, flow_of, each, count));
     if (self->lanes > 0 && self->map.kernels != NULL) JLT_TRY(follow_in_lanes(self));
     st = (jlt_status)self->failure;
     if (st == JLT_OK) st = finish_all(self);

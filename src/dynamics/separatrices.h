@@ -17,16 +17,17 @@ typedef struct {
     size_t count[2][2], touching[2][2]; /* as by jlt_homoclinic_find */
 } jlt_separatrices;
 
-/** Grow all four, side by side on `threads` threads; a stable branch that is the mirror image of an unstable one is reflected.
- *  In/out: *self, zeroed before; the map must outlive it. Give it to jlt_separatrices_clear whatever is returned. Errors: those of
- *  jlt_branch_init and jlt_manifold_grow. */
+/** Grow all four; a stable branch that is the mirror image of an unstable one is reflected. In/out: *self, zeroed before; the map
+ *  must outlive it. kernels, threads: as for jlt_map_batch_create. Give *self to jlt_separatrices_clear whatever is returned.
+ *  Errors: those of jlt_branch_init and jlt_manifold_grow. */
 JLT_CHECKED jlt_status jlt_separatrices_grow(jlt_separatrices *self, jlt_map *map, const jlt_periodic *saddle, double seed,
-                                             const jlt_manifold_options *options, unsigned threads);
+                                             const jlt_manifold_options *options, const jlt_kernel_batch *kernels,
+                                             unsigned threads);
 
-/** Find where the grown branches cross, and the lobes: fills crossings, count and touching. kernels, threads: as for
- *  jlt_map_batch_create. Of crossings that are mirror images of each other one is refined. For the errors of lobes all branches are
- *  grown once more. Errors: those of jlt_homoclinic_find and jlt_manifold_grow. */
-JLT_CHECKED jlt_status jlt_separatrices_cross(jlt_separatrices *self, const jlt_kernel_batch *kernels, unsigned threads);
+/** Find where the grown branches cross, and the lobes: fills crossings, count and touching. Of crossings that are mirror images of
+ *  each other one is refined. For the errors of lobes all branches are grown once more. Errors: those of jlt_homoclinic_find and
+ *  jlt_manifold_grow. */
+JLT_CHECKED jlt_status jlt_separatrices_cross(jlt_separatrices *self);
 void jlt_separatrices_clear(jlt_separatrices *self); /* legal when zeroed */
 
 #endif

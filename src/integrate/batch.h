@@ -51,6 +51,7 @@ typedef struct {
     const jlt_kernel_batch *kernels; /* of one instruction set, see jlt_batch_isa_best */
     const jlt_batch_case *cases;     /* parameters and levels of orbits */
     const size_t *case_of;           /* index of each orbit's case, shape (count,); NULL: all have the first */
+    const size_t *returns_of;        /* how many each orbit makes, 1 or more, shape (count,); NULL: all make `returns` */
     unsigned dim;                    /* states */
     bool clock;                      /* physical time is carried as the last column, in starts, rows and ends */
     unsigned tangents;               /* tangent vectors carried by the variational equations, column by column after the states, and

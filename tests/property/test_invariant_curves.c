@@ -140,8 +140,8 @@ static void images_of_crossings_are_crossings(void **unused)
     assert_ok(jlt_map_batch_create(&fine, &system->flow, system->field.batch, NULL, 2));
     assert_ok(jlt_map_batch_create(&coarse, &rough->flow, rough->field.batch, NULL, 2));
     const jlt_periodic saddle = saddle_of(map);
-    assert_ok(jlt_separatrices_grow(&all, map, &saddle, 1e-4, &options, 2));
-    assert_ok(jlt_separatrices_cross(&all, system->field.batch, 2));
+    assert_ok(jlt_separatrices_grow(&all, map, &saddle, 1e-4, &options, system->field.batch, 2));
+    assert_ok(jlt_separatrices_cross(&all));
     for (int u = 0; u < 2; u++)
         for (int s = 0; s < 2; s++) {
             jlt_homoclinic *points;
@@ -174,7 +174,7 @@ static void images_of_crossings_are_crossings(void **unused)
  * themselves. */
 static void areas_of_lobes_do_not_depend_on_the_polygon(void **unused)
 {
-    const jlt_manifold_options options[] = { { .length_max = 0.4 }, { .length_max = 0.4, .spacing = 0.04, .turn = 1 } };
+    const jlt_manifold_options options[] = { { .length_max = 0.403 }, { .length_max = 0.403, .spacing = 0.04, .turn = 1 } };
     jlt_system *system = top_51(1e-13);
     jlt_separatrices all[2] = { { .chart = NULL }, { .chart = NULL } };
     jlt_homoclinic own[64];
@@ -187,8 +187,8 @@ static void areas_of_lobes_do_not_depend_on_the_polygon(void **unused)
     assert_ok(jlt_map_batch_create(&maps, &system->flow, system->field.batch, NULL, 2));
     const jlt_periodic saddle = saddle_of(map);
     for (int k = 0; k < 2; k++) {
-        assert_ok(jlt_separatrices_grow(&all[k], map, &saddle, 1e-4, &options[k], 2));
-        assert_ok(jlt_separatrices_cross(&all[k], system->field.batch, 2));
+        assert_ok(jlt_separatrices_grow(&all[k], map, &saddle, 1e-4, &options[k], system->field.batch, 2));
+        assert_ok(jlt_separatrices_cross(&all[k]));
     }
     const size_t count = all[0].count[0][0];
     jlt_homoclinic *fine = all[0].crossings[0][0], *coarse = all[1].crossings[0][0];
@@ -239,8 +239,8 @@ static void the_default_tolerance_has_the_error_bars_of_its_value(void **unused)
         flow.tolerance = k == 0 ? 1e-12 : 0;
         assert_ok(jlt_map_create(&maps[k], &flow));
         const jlt_periodic saddle = saddle_of(maps[k]);
-        assert_ok(jlt_separatrices_grow(&all[k], maps[k], &saddle, 1e-4, &options, 2));
-        assert_ok(jlt_separatrices_cross(&all[k], system->field.batch, 2));
+        assert_ok(jlt_separatrices_grow(&all[k], maps[k], &saddle, 1e-4, &options, system->field.batch, 2));
+        assert_ok(jlt_separatrices_cross(&all[k]));
     }
     for (int u = 0; u < 2; u++)
         for (int s = 0; s < 2; s++) {
