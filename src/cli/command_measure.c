@@ -306,7 +306,7 @@ static jlt_exit run(int argc, char **argv)
     code = jlt_common_open(&r.common, &general, &params);
     if (code == JLT_EXIT_DONE && r.common.plan) code = jlt_common_still();
     if (code != JLT_EXIT_DONE) goto done;
-    if (jlt_oracle_create(&oracle, general) != JLT_OK
+    if (jlt_oracle_create(&oracle, general, NULL) != JLT_OK
         || (exact = jlt_common_exact(&r.common, general, oracle->defaults)) == NULL) {
         code = jlt_command_no_memory();
         goto done;

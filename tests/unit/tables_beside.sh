@@ -115,4 +115,12 @@ anew
 sed 's/^model spherical_top$/model my_top/' spherical_top.tt > my.tt
 expect 3 "another table, spherical_top, not for this one; a record 'reduction NAME : onto FILE with" \
     jellett simulate ./my.tt --track --start $start --times 1
+
+# A claim is about the table of the file's name, whatever model that calls itself.
+printf '%s\n' 'model left' 'state x' 'eq x = -x' 'lift up : into both.tt with X = x, Y = 0' > right.tt
+printf '%s\n' 'model both' 'state X' 'state Y' 'eq X = -X' 'eq Y = -Y' 'reduction other : onto left.tt with x = 2*X' \
+    'reduction back : onto right.tt with x = X' > both.tt
+expect 0 '1 of 1 proved' jellett verify ./right.tt
+sed -i 's/other : onto left/other : onto right/; s/back : onto right/back : onto left/' both.tt
+expect 1 'right.tt:4: where the way leads is elsewhere' jellett verify ./right.tt
 exit $status
