@@ -231,6 +231,15 @@ expect 0 '' jellett simulate ./swing.tt --start x=1,v=0 --times 1 --set c=1
 printf '%s\n' 'model level' 'state x' 'state v' 'eq x = v' 'eq v = -v' 'invariant rest = v' 'integral X = x modulo rest' > level.tt
 expect 0 "X is an integral on zero levels of other claims alone" jellett simulate ./level.tt --start x=1,v=0 --times 1
 
+# Every integral has its column, as those of a body with all of its attitude, which has ten. Gauss's method keeps squares to rounding.
+{
+    printf '%s\n' 'model ten' 'state x' 'state y' 'eq x = y' 'eq y = -x'
+    for i in {1..10}; do echo "integral I$i = $i*(x^2 + y^2)"; done
+} > ten.tt
+expect 0 '^t,x,y(,drift_I[0-9]+){10},fate$' jellett simulate ./ten.tt --start x=1,y=0 --times 1
+awk -F, '/^1,/ { for (i = 4; i <= 13; i++) bad += !($i != "" && $i < 1e-14) } END { exit !(NF == 14 && !bad) }' out ||
+    fail "ten integrals drift: $(tail -1 out)"
+
 # A table is read once, and its warnings come once.
 sed -e 's/^param c .*/&\nparam unused/' -e 's/^default .*/&, unused = 0/' swing.tt > warned.tt
 expect 0 alive jellett simulate ./warned.tt --start x=1,v=0 --times 1
