@@ -231,7 +231,7 @@ expect 0 '' jellett simulate ./swing.tt --start x=1,v=0 --times 1 --set c=1
 printf '%s\n' 'model level' 'state x' 'state v' 'eq x = v' 'eq v = -v' 'invariant rest = v' 'integral X = x modulo rest' > level.tt
 expect 0 "X is an integral on zero levels of other claims alone" jellett simulate ./level.tt --start x=1,v=0 --times 1
 
-# Every integral has its column, as those of a body with all of its attitude, which has ten. Gauss's method keeps squares to rounding.
+# Every integral has its column, as those of a body with its attitude, which has ten. Gauss's method keeps squares to rounding.
 {
     printf '%s\n' 'model ten' 'state x' 'state y' 'eq x = y' 'eq y = -x'
     for i in {1..10}; do echo "integral I$i = $i*(x^2 + y^2)"; done
