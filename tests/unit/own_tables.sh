@@ -249,10 +249,16 @@ expect 0 '^0,1,6.28318530717' jellett section ./names.tt --section y=0 --directi
 expect 0 '^1,0,1,6.28318530717' \
     jellett section ./names.tt --section y=0 --direction down --grid $name=1:2:1 --sweep $stiff=1:4:2 --returns 1
 
-# More states than densities are looked for in.
+# More states than densities are looked for in, and more densities than are compared: none of them is said to hold.
 { echo 'model long'; for i in {1..65}; do echo "state x$i"; done; for i in {1..65}; do echo "eq x$i = -x$i"; done; } > long.tt
 expect 3 "long has 65 states; measure serves up to 64" jellett measure ./long.tt
-expect 0 "densities are computed of up to 64 states" jellett verify ./long.tt
+expect 0 "not computed: densities are compared in tables of up to 64 states" jellett verify ./long.tt
+{
+    printf '%s\n' 'model many' 'state x' 'state y' 'eq x = y' 'eq y = -x'
+    for i in {1..65}; do echo "measure m$i = $i + x^2"; done
+} > many.tt
+expect 3 "many has 65 densities; measure serves up to 64" jellett measure ./many.tt
+expect 1 "not computed: densities are compared in tables of up to 64 states" jellett verify ./many.tt
 
 # A table is read once, and its warnings come once.
 sed -e 's/^param c .*/&\nparam unused/' -e 's/^default .*/&, unused = 0/' swing.tt > warned.tt
