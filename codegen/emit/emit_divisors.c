@@ -1,6 +1,6 @@
 /* Writes the divisors of the equations as the table has them, before anything cancels; they are nonzero in the domain. A kernel in
  * which a divisor cancels shows nothing of its zeros, so starts are checked against these values. Also the divisors of integrals
- * and densities in parameters alone: where they vanish, no kernel can be prepared. */
+ * and densities in parameters alone, and parameters with which they vanish: where these do, no kernel can be prepared. */
 #include "emit/emit.h"
 
 #include <stdlib.h>
@@ -51,7 +51,11 @@ static void add_factor(factor_list *list, const ttc_claim *claim, ttc_id written
     const ttc_id id = ttc_field_specialise(list->field, written);
     list->failed |= id == TTC_NONE;
     if (list->failed || (ttc_field_extent(list->field, id).signs & TTC_SIGN_ZERO) == 0) return;
-    if (claim != NULL && !ttc_field_is_constant(list->field, id)) return;
+    if (claim != NULL && !ttc_field_is_constant(list->field, id)) {
+        const ttc_symbol_entry *param = ttc_model_zero_divisor(list->field->model, written);
+        if (param != NULL) add_factor(list, claim, param->node);
+        return;
+    }
     for (size_t i = 0; i < list->count; i++)
         if (list->factors[i].outputs[0] == id) return;
     const ttc_id sum = squares(graph, id);

@@ -336,6 +336,10 @@ unsigned char *ttc_model_uses(const ttc_model *model);
 /* Returns true if claim number `claim` is an integral or density without conditions that divides by `divisor`, itself or in a
  * definition. Kernels of such a claim share their values prepared from parameters with all other kernels of the model. */
 bool ttc_model_prepares(const ttc_model *model, uint32_t claim, const ttc_divisor *divisor);
+/* Whether an expression is 0 wherever the parameter is, as its factors and terms show. */
+bool ttc_model_vanishes_with(const ttc_model *model, ttc_id expression, const ttc_symbol_entry *param);
+/* A parameter that may be 0, and the divisor with it, as its factors and terms show; NULL if there is none. */
+const ttc_symbol_entry *ttc_model_zero_divisor(const ttc_model *model, ttc_id divisor);
 /* Add to the flags `used`, shape (symbol_count,), recursively the symbols that definitions of flagged symbols name. */
 void ttc_model_close_uses(const ttc_model *model, unsigned char *used);
 

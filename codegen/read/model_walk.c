@@ -149,3 +149,32 @@ bool ttc_model_prepares(const ttc_model *model, uint32_t claim, const ttc_diviso
     if (divisor->role == TTC_DIVIDES_SYMBOL) return ttc_model_depends(model, of->expression, divisor->owner);
     return divisor->role == TTC_DIVIDES_CLAIM && divisor->owner == claim;
 }
+
+bool ttc_model_vanishes_with(const ttc_model *model, ttc_id expression, const ttc_symbol_entry *param)
+{
+    const ttc_graph *graph = model->graph;
+    if (expression == param->node) return true;
+    if (ttc_kind_of(graph, expression) == TTC_SYMBOL) {
+        const ttc_symbol_entry *entry = model->symbols + ttc_symbol_of(graph, expression);
+        return entry->kind == TTC_LET && ttc_model_vanishes_with(model, entry->definition, param);
+    }
+    const bool is_sum = ttc_kind_of(graph, expression) == TTC_SUM;
+    const size_t count = ttc_part_count(graph, expression);
+    if (is_sum && !fmpq_is_zero(ttc_coefficient(graph, expression))) return false;
+    /* A sum vanishes with all its terms, a product with one factor. */
+    for (size_t i = 0; i < count; i++) {
+        const ttc_part part = ttc_part_at(graph, expression, i);
+        if ((part.exponent > 0 && ttc_model_vanishes_with(model, part.id, param)) != is_sum) return !is_sum;
+    }
+    return is_sum;
+}
+
+const ttc_symbol_entry *ttc_model_zero_divisor(const ttc_model *model, ttc_id divisor)
+{
+    for (size_t i = 0; i < model->param_count; i++) {
+        const ttc_symbol_entry *entry = model->symbols + model->params[i];
+        const bool may_vanish = entry->sign == TTC_ANY_SIGN || entry->sign == TTC_NONNEGATIVE;
+        if (may_vanish && ttc_model_vanishes_with(model, divisor, entry)) return entry;
+    }
+    return NULL;
+}

@@ -208,36 +208,27 @@ static void check_integrals(ttc_parser *parser)
     }
 }
 
-/* A parameter that may be 0 and is a factor of the divisor; NULL if there is none. */
-static const ttc_symbol_entry *zero_divisor(const ttc_model *model, ttc_id divisor)
+/* A parameter that may be 0 and is a factor of the divisor as written; NULL if there is none. */
+static const ttc_symbol_entry *zero_factor(const ttc_model *model, ttc_id divisor)
 {
     const ttc_graph *graph = model->graph;
     for (size_t i = 0; ttc_kind_of(graph, divisor) == TTC_PRODUCT && i < ttc_part_count(graph, divisor); i++) {
-        const ttc_symbol_entry *found = zero_divisor(model, ttc_part_at(graph, divisor, i).id);
+        const ttc_symbol_entry *found = zero_factor(model, ttc_part_at(graph, divisor, i).id);
         if (found != NULL) return found;
     }
-    if (ttc_kind_of(graph, divisor) != TTC_SYMBOL) return NULL;
-    const ttc_symbol_entry *entry = model->symbols + ttc_symbol_of(graph, divisor);
-    const bool may_vanish = entry->kind == TTC_PARAM && (entry->sign == TTC_ANY_SIGN || entry->sign == TTC_NONNEGATIVE);
-    return may_vanish ? entry : NULL;
-}
-
-static bool is_factor(const ttc_graph *graph, ttc_id product, ttc_id of)
-{
-    bool found = product == of;
-    for (size_t i = 0; !found && ttc_kind_of(graph, product) == TTC_PRODUCT && i < ttc_part_count(graph, product); i++)
-        found = ttc_part_at(graph, product, i).id == of;
-    return found;
+    const bool is_symbol = ttc_kind_of(graph, divisor) == TTC_SYMBOL;
+    const bool is_param = is_symbol && model->symbols[ttc_symbol_of(graph, divisor)].kind == TTC_PARAM;
+    return is_param ? ttc_model_zero_divisor(model, divisor) : NULL;
 }
 
 /* Returns true if the equations divide by the parameter, so that it is not 0 on the domain. used: as of ttc_model_uses. */
-static bool field_divides_by(const ttc_model *model, const unsigned char *used, ttc_id param)
+static bool field_divides_by(const ttc_model *model, const unsigned char *used, const ttc_symbol_entry *param)
 {
     bool divides = false;
     for (size_t i = 0; i < model->divisor_count && !divides; i++) {
         const ttc_divisor *d = model->divisors + i;
         const bool of_field = d->role == TTC_DIVIDES_FIELD || (d->role == TTC_DIVIDES_SYMBOL && used[d->owner]);
-        divides = of_field && is_factor(model->graph, d->divisor, param);
+        divides = of_field && ttc_model_vanishes_with(model, d->divisor, param);
     }
     return divides;
 }
@@ -254,12 +245,12 @@ static bool domain_speaks_of(const ttc_model *model, ttc_id param)
     return speaks;
 }
 
-/* Report a divisor with a parameter as a factor that neither equations nor domain records keep from 0. Returns true if it did. */
-static bool tell_divisor(ttc_parser *parser, const unsigned char *used, const ttc_divisor *d, ttc_severity severity,
+/* Report that a divisor is 0 with a parameter (NULL: none), unless equations or domain records keep that from 0. Returns true if it
+ * did. */
+static bool tell_divisor(ttc_parser *parser, const unsigned char *used, const ttc_symbol_entry *param, ttc_severity severity,
                          const char *kind, const char *name, ttc_place place)
 {
-    const ttc_symbol_entry *param = zero_divisor(parser->model, d->divisor);
-    if (param == NULL || field_divides_by(parser->model, used, param->node) || domain_speaks_of(parser->model, param->node))
+    if (param == NULL || field_divides_by(parser->model, used, param) || domain_speaks_of(parser->model, param->node))
         return false;
     ttc_report(parser->diagnostics, severity, place.line, place.column,
                "the %s '%s' divides by the parameter '%s', which may be 0, where no kernel could be prepared "
@@ -278,12 +269,13 @@ static void check_observed(ttc_parser *parser)
     for (size_t i = 0; used != NULL && i < model->divisor_count; i++) {
         const ttc_divisor *d = model->divisors + i;
         if (d->role == TTC_DIVIDES_VALID)
-            tell_divisor(parser, used, d, TTC_ERROR, "condition", model->validities[d->owner].name,
+            tell_divisor(parser, used, zero_factor(model, d->divisor), TTC_ERROR, "condition", model->validities[d->owner].name,
                          model->validities[d->owner].place);
         for (size_t k = 0; d->role == TTC_DIVIDES_SYMBOL && !used[d->owner] && k < model->observed_count; k++) {
             const ttc_symbol_entry *observed = model->symbols + model->observed[k];
             if (ttc_model_depends(model, observed->node, d->owner) || model->observed[k] == d->owner)
-                tell_divisor(parser, used, d, TTC_ERROR, "observed quantity", observed->name, observed->place);
+                tell_divisor(parser, used, zero_factor(model, d->divisor), TTC_ERROR, "observed quantity", observed->name,
+                             observed->place);
         }
     }
     free(used);
@@ -300,8 +292,8 @@ static void warn_of_divisors(ttc_parser *parser)
         bool told = false;
         for (size_t i = 0; i < model->divisor_count && !told; i++)
             told = ttc_model_prepares(model, k, model->divisors + i) &&
-                   tell_divisor(parser, used, model->divisors + i, TTC_WARNING, ttc_claim_kind_name(claim->kind), claim->name,
-                                claim->place);
+                   tell_divisor(parser, used, ttc_model_zero_divisor(model, model->divisors[i].divisor), TTC_WARNING,
+                                ttc_claim_kind_name(claim->kind), claim->name, claim->place);
     }
     free(used);
 }

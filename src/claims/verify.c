@@ -61,7 +61,7 @@ static ttc_model *resolve(void *context, const ttc_model *model, const char *tar
 
 jlt_status jlt_verify_prove(jlt_verify_run *run)
 {
-    JLT_PASS(jlt_oracle_create(&run->oracle, run->descriptor));
+    JLT_PASS(jlt_oracle_create(&run->oracle, run->descriptor, run->file));
     jlt_random_seed(&run->random, run->seed);
     if (!ttc_prove(run->oracle->model, resolve, run, TTC_PROVE_ALL, &run->proofs)) return JLT_ERR_NOMEM;
     run->held += run->proofs->proved;

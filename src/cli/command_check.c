@@ -45,6 +45,17 @@ static const struct argp parser = {
     NULL, NULL, NULL,
 };
 
+/* Say it if a certificate is not about the table of --model, but about one that is built in. */
+static void tell_other(const char *path, const json_t *certificate, const jlt_descriptor *own)
+{
+    const json_t *table = json_object_get(json_object_get(certificate, "given"), "table");
+    const char *const name = json_string_value(json_object_get(table, "name"));
+
+    if (own != NULL && strcmp(own->sha256, json_string_value(json_object_get(table, "sha256"))) != 0)
+        fprintf(stderr, "jellett: %s is about %s as it is built in, not about the table of --model, %s\n", path, name,
+                own->model);
+}
+
 static jlt_exit check(const char *path, const jlt_descriptor *own)
 {
     json_error_t error;
@@ -68,6 +79,7 @@ static jlt_exit check(const char *path, const jlt_descriptor *own)
         const json_t *words = json_object_get(certificate, "theorem");
         printf("%s: proved\n", path);
         for (size_t i = 0; i < json_array_size(words); i++) printf("  %s\n", json_string_value(json_array_get(words, i)));
+        tell_other(path, certificate, own);
     }
     switch (report.verdict) {
     case JLT_CERTIFICATE_GOOD: return JLT_EXIT_DONE;

@@ -95,6 +95,7 @@ typedef struct {
     bool is_watched, is_told; /* the branch has had a point with all multipliers clear of the unit circle; a bifurcation after it */
     unsigned outside;         /* at the last such point, multipliers outside the circle, */
     double clear_at;          /* and the value that runs */
+    double defect, blurred_at; /* of the branch: the worst defect of det DP, if it is above `blurred`; where it first was */
     unsigned kinds, lines; /* in the picture: bit k, bifurcations of kind k; bit 0, unstable orbits, bit 1, stable ones */
 } table;
 
@@ -137,11 +138,23 @@ static void watch_stability(table *self, size_t branch, const jlt_continuation_p
     self->clear_at = point->value;
 }
 
+/* Types of orbits, and bifurcations, are told by multipliers to this distance from the unit circle. */
+static const double blurred = 1e-7;
+
+static void watch_defect(table *self, size_t branch, const jlt_continuation_point *point)
+{
+    if (self->rows == 0 || branch != self->branch) self->defect = 0;
+    if (!(fabs(point->orbit.defect) > fmax(self->defect, blurred))) return;
+    if (self->defect == 0) self->blurred_at = point->value;
+    self->defect = fabs(point->orbit.defect);
+}
+
 static jlt_status take(void *context, size_t branch, const jlt_continuation_point *point)
 {
     table *self = context;
 
     watch_stability(self, branch, point);
+    watch_defect(self, branch, point);
     write_point(self, branch, point);
     if (self->points != NULL) {
         const bool stable = point->orbit.type == JLT_ORBIT_CENTRE || point->orbit.type == JLT_ORBIT_ATTRACTING;
@@ -164,9 +177,9 @@ static const char *const ends[] = {
     "interrupted", "it closes", "it ends at a period doubling"
 };
 
-static void tell_end(void *unused, const jlt_tree_end *e)
+static void tell_end(void *context, const jlt_tree_end *e)
 {
-    (void)unused;
+    const table *self = context;
     if (!e->found) {
         fprintf(stderr, "jellett: no other branch found at the %s at %.10g, side %+d\n",
                 jlt_continuation_bifurcation_name(e->origin->kind), e->origin->value, e->side);
@@ -177,6 +190,10 @@ static void tell_end(void *unused, const jlt_tree_end *e)
         fprintf(stderr, ", from the %s at %.10g", jlt_continuation_bifurcation_name(e->origin->kind), e->origin->value);
     if (e->is_known) fprintf(stderr, ": the rest is branch %zu\n", e->known);
     else fprintf(stderr, ": %s\n", e->status == JLT_OK ? ends[e->end] : jlt_status_text(e->status));
+    if (self->branch == e->branch && self->defect > 0)
+        fprintf(stderr, "jellett: branch %zu: from %.10g on det DP differs from what flux and divergence make it by up to %.2g of "
+                "its terms: multipliers are known no better there (a stiff motion, or a pass close to a singularity)\n",
+                e->branch, self->blurred_at, self->defect);
 }
 
 static void tell_left(const jlt_tree_left *left, size_t generations)

@@ -81,7 +81,8 @@ static const struct argp parser = {
     "                    or rounding of 0\n\n"
     "Rows are at powers of two and at the end. Comment lines at the end have the slopes: the powers of the number of returns "
     "with which the drifts grow, fitted over the last four doublings. Where the orbit ends before all returns, they have its "
-    "fate instead: pole+, pole- or equilibrium, as in `jellett section --help`, with its time and the returns until then.\n\n"
+    "fate instead: pole+, pole- or equilibrium, as in `jellett section --help`, with its time and the returns until then. Where "
+    "no method returns at all, the status is 3.\n\n"
     "Examples:\n"
     "  jellett drift --returns 1000000 --method gauss --tol 1e-13\n"
     "  jellett drift toda --section q1=0 \\\n"
@@ -355,6 +356,9 @@ static jlt_exit run(int argc, char **argv)
     if (saved != JLT_EXIT_DONE) code = saved;
     else if (jlt_motion_interrupted(&o.motion))
         fprintf(stderr, "jellett: interrupted; whole rows are saved in %s\n", common->table.path);
+    else if (drawn == 0)
+        return jlt_command_fail(JLT_EXIT_INPUT, "%s: the orbit ends before it returns, and nothing drifts: take another start",
+                                o.motion.starts[0]);
     return code == JLT_EXIT_DONE && drawn != 0 && common->plot != NULL ? draw(&r, &o, drawn) : code;
 }
 

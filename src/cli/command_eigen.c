@@ -166,7 +166,7 @@ static jlt_exit prepare(jlt_eigen_request *r)
         if (!target->is_state && !jlt_descriptor_param(d, r->axes[i].name, &target->index))
             return jlt_command_fail(JLT_EXIT_INPUT, "--sweep: %s has no state or parameter '%s'", d->model, r->axes[i].name);
     }
-    if (jlt_oracle_create(&q->oracle, d) != JLT_OK)
+    if (jlt_oracle_create(&q->oracle, d, NULL) != JLT_OK)
         return jlt_command_fail(JLT_EXIT_NUMERICAL, "cannot read the table of %s back: %s", d->model,
                                 jlt_status_text(JLT_ERR_NOMEM));
     JLT_PASS(take_exact(r));

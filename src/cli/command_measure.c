@@ -304,9 +304,15 @@ static jlt_exit run(int argc, char **argv)
         goto done;
     }
     code = jlt_common_open(&r.common, &general, &params);
+    if (code == JLT_EXIT_DONE && general->state_count > JLT_MEASURE_STATES_MAX)
+        code = jlt_command_fail(JLT_EXIT_INPUT, "%s has %u states; measure serves up to %d", general->model, general->state_count,
+                                JLT_MEASURE_STATES_MAX);
+    if (code == JLT_EXIT_DONE && general->measure_count > JLT_MEASURE_CLAIMS_MAX)
+        code = jlt_command_fail(JLT_EXIT_INPUT, "%s has %u densities; measure serves up to %d", general->model,
+                                general->measure_count, JLT_MEASURE_CLAIMS_MAX);
     if (code == JLT_EXIT_DONE && r.common.plan) code = jlt_common_still();
     if (code != JLT_EXIT_DONE) goto done;
-    if (jlt_oracle_create(&oracle, general) != JLT_OK
+    if (jlt_oracle_create(&oracle, general, NULL) != JLT_OK
         || (exact = jlt_common_exact(&r.common, general, oracle->defaults)) == NULL) {
         code = jlt_command_no_memory();
         goto done;

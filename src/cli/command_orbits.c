@@ -188,6 +188,9 @@ static jlt_exit from_start(jlt_orbits *list, jlt_map *map, const jlt_symmetric_l
     if (o->line == NULL) {
         st = jlt_periodic_find(map, &orbit, line->base, o->period_max, held);
         if (st == JLT_ERR_NO_CONVERGENCE) st = find_attracting(&orbit, map, o, line->base);
+        if (st == JLT_OK && orbit.type == JLT_ORBIT_DEGENERATE && o->hold == NULL)
+            fputs("jellett: a multiplier is 1 or -1: if orbits come in a family, this is any one of it; --hold keeps coordinates "
+                  "of --start, and --level chooses one\n", stderr);
         if (st == JLT_OK) st = jlt_orbits_add(list, system->flow.chart, &orbit);
         return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_no_orbit(st, system, o->motion.starts[0]);
     }

@@ -286,7 +286,7 @@ static void write_fate(FILE *file, const jlt_course_row *row, jlt_status st)
 
 static void write_row(FILE *file, jlt_simulate_request *r, const jlt_course_row *row, jlt_status st)
 {
-    double values[JLT_PLAN_STATES_MAX + 64];
+    double values[1 + 2 * JLT_PLAN_STATES_MAX];
     size_t count = 0;
 
     values[count++] = row->t;

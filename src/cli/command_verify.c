@@ -128,6 +128,9 @@ static void report_text(FILE *stream, const jlt_verify_run *run)
     else fprintf(stream, "\n  no family is claimed to exclude an invariant measure, and no certificate is sought\n");
     for (size_t i = 0; i < run->certificate_count; i++) write_certificate(stream, &run->certificates[i]);
     fprintf(stream, "\n(c) Invariant density from the generated divergence\n\n");
+    if (run->density_count == 0)
+        fprintf(stream, "    not computed: densities are compared in tables of up to %d states, with up to %d records 'measure'\n",
+                JLT_MEASURE_STATES_MAX, JLT_MEASURE_CLAIMS_MAX);
     for (size_t i = 0; i < run->density_count; i++) write_density(stream, &run->densities[i]);
     fprintf(stream, "\n(d) %s: %zu checks hold, %zu fail\n", d->model, run->held, run->failed);
 }

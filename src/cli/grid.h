@@ -9,7 +9,7 @@
 enum { JLT_GRID_PLACE_MAX = 512 };
 
 typedef struct {
-    char name[32];
+    char name[64]; /* a table's names have up to 63 characters */
     double low, high;
     size_t count; /* >= 1 */
     const char *low_text, *high_text; /* as typed, pointing into the option's text; NULL: the end was not typed */

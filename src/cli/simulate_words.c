@@ -41,6 +41,21 @@ static void tell_untracked(const jlt_descriptor *d)
     }
 }
 
+/* Name the integrals that come out as no number where the states are numbers. Kernels share divisions, so that one integral that
+ * divides by zero may take others with it. */
+static void tell_unvalued(const jlt_simulate_request *r)
+{
+    const jlt_course_row *row = &r->last;
+
+    if (row->x == NULL) return; /* there is no row */
+    for (unsigned i = 0; i < r->session.descriptor->state_count; i++)
+        if (!isfinite(row->x[i])) return;
+    for (unsigned i = 0; i < jlt_course_integrals(r->courses[0]); i++)
+        if (isnan(row->drift[i]))
+            fprintf(stderr, "jellett: %s has no value by t = %.10g, as it, or an integral that shares a division with it, divides "
+                    "by zero: its drift is empty\n", jlt_course_integral(r->courses[0], i), row->t);
+}
+
 void jlt_simulate_closing_words(const jlt_simulate_request *r)
 {
     const jlt_course_row *row = &r->last;
@@ -63,5 +78,6 @@ void jlt_simulate_closing_words(const jlt_simulate_request *r)
     if (row->unknown != NULL)
         fprintf(stderr, "jellett: %s has no value by t = %.10g (it is not a number): whether the model holds there is not known\n",
                 row->unknown, row->unknown_at);
+    tell_unvalued(r);
     tell_untracked(r->session.descriptor);
 }

@@ -140,6 +140,11 @@ static const char *find_loaded(const jlt_descriptor **descriptor, const char *ta
     return sha256;
 }
 
+static jlt_exit was_edited(const char *table)
+{
+    return jlt_command_fail(JLT_EXIT_IO, "%s was edited after this computation had begun with it: begin again", table);
+}
+
 static jlt_exit load(const jlt_descriptor **descriptor, bool *has_said, const char *table, bool lanes)
 {
     const char *sha256 = find_loaded(descriptor, table, lanes);
@@ -152,8 +157,7 @@ static jlt_exit load(const jlt_descriptor **descriptor, bool *has_said, const ch
     if (st != JLT_OK)
         return jlt_command_fail(JLT_EXIT_IO, "the kernels of %s cannot be loaded from %s: %s", table, path,
                                 st == JLT_ERR_UNSUPPORTED ? "ttc is of another version than this program" : "remove this file");
-    if (sha256 != NULL && strcmp((*descriptor)->sha256, sha256) != 0)
-        return jlt_command_fail(JLT_EXIT_IO, "%s was edited after this computation had begun with it: begin again", table);
+    if (sha256 != NULL && strcmp((*descriptor)->sha256, sha256) != 0) return was_edited(table);
     char *name = loaded_count < LOADED_MAX ? strdup(table) : NULL;
     if (name != NULL) {
         loaded[loaded_count].table = name;
@@ -232,7 +236,7 @@ jlt_exit jlt_table_others(jlt_way_tables *others, const jlt_descriptor *of, cons
             if (!beside(path, sizeof path, model, way->file))
                 return jlt_command_fail(JLT_EXIT_IO, "%s: the path is too long", way->file);
             JLT_PASS(load(&others->tables[others->count], &(bool){ false }, path, lanes));
-            others->count++;
+            if (strcmp(others->tables[others->count++]->sha256, way->sha256) != 0) return was_edited(path);
         }
     return JLT_EXIT_DONE;
 }

@@ -2,18 +2,12 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "core/memory.h"
-#include "scene/plan.h"
 
 static void integrals(const jlt_course_drift *self, double *values, const double *x)
 {
-    double all[JLT_PLAN_STATES_MAX];
-
-    if (self->count == 0) return;
-    self->watch->descriptor->integral_values.call(x, self->watch->prepared, all);
-    memcpy(values, all, self->count * sizeof *values);
+    if (self->count > 0) self->watch->descriptor->integral_values.call(x, self->watch->prepared, values);
 }
 
 static double largest(const double *x, unsigned count)
@@ -27,11 +21,11 @@ static double largest(const double *x, unsigned count)
 jlt_status jlt_course_drift_begin(jlt_course_drift *out, const jlt_instance *watch, const double *x)
 {
     const jlt_descriptor *d = watch->descriptor;
-    const unsigned all = d->integral_values.call == NULL ? 0 : (unsigned)d->integral_count, states = (unsigned)d->state_count;
-    JLT_FREED double *slopes = jlt_memory_array(all + 1, states * sizeof *slopes); /* rows of unwatched integrals too */
+    const unsigned count = d->integral_values.call == NULL ? 0 : (unsigned)d->integral_count, states = (unsigned)d->state_count;
+    JLT_FREED double *slopes = jlt_memory_array(count + 1, states * sizeof *slopes);
 
     if (slopes == NULL) return JLT_ERR_NOMEM;
-    *out = (jlt_course_drift){ .watch = watch, .count = all < JLT_COURSE_DRIFT_MAX ? all : JLT_COURSE_DRIFT_MAX };
+    *out = (jlt_course_drift){ .watch = watch, .count = count };
     integrals(out, out->first, x);
     const bool known = d->integral_gradients.call != NULL && jlt_instance_gradients(watch, slopes, x) == JLT_OK;
     for (unsigned i = 0; i < out->count; i++) {
@@ -45,7 +39,7 @@ jlt_status jlt_course_drift_begin(jlt_course_drift *out, const jlt_instance *wat
 
 void jlt_course_drift_note(jlt_course_drift *self, const double *x)
 {
-    double now[JLT_COURSE_DRIFT_MAX];
+    double now[JLT_PLAN_STATES_MAX];
 
     integrals(self, now, x);
     for (unsigned i = 0; i < self->count; i++) self->value[i] = fabs(now[i] - self->first[i]) / self->size[i];

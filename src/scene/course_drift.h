@@ -3,18 +3,18 @@
 #define JLT_SCENE_COURSE_DRIFT_H
 
 #include "kernel/instance.h"
-
-#define JLT_COURSE_DRIFT_MAX 8
+#include "scene/plan.h"
 
 typedef struct {
     const jlt_instance *watch; /* the kernel whose integrals are watched; borrowed */
-    unsigned count;            /* its first integrals, at most JLT_COURSE_DRIFT_MAX; 0: it has no kernel for integrals */
-    double first[JLT_COURSE_DRIFT_MAX], size[JLT_COURSE_DRIFT_MAX]; /* F(start) and the size of F */
-    double value[JLT_COURSE_DRIFT_MAX]; /* |F - F(start)|/size at the last noted state */
+    unsigned count;            /* its integrals; 0: it has no kernel for them */
+    double first[JLT_PLAN_STATES_MAX], size[JLT_PLAN_STATES_MAX]; /* F(start) and the size of F */
+    double value[JLT_PLAN_STATES_MAX]; /* |F - F(start)|/size at the last noted state */
 } jlt_course_drift;
 
-/** Begin at x, shape (states of the instance,), in its units. The size of an integral is max(|F(x)|, min(1, s)), where
- *  s = (sum_j |dF/dx_j|) max_j |x_j|, so that the drift of a small motion is not measured against 1. Errors: NOMEM. */
+/** Begin at x, shape (states of the instance,), in its units; it has at most JLT_PLAN_STATES_MAX integrals. The size of an integral
+ *  is max(|F(x)|, min(1, s)), where s = (sum_j |dF/dx_j|) max_j |x_j|, so that the drift of a small motion is not measured against
+ *  1. Errors: NOMEM. */
 JLT_CHECKED jlt_status jlt_course_drift_begin(jlt_course_drift *out, const jlt_instance *watch, const double *x);
 
 /** Set `value` from the integrals at x. */

@@ -54,16 +54,16 @@ static jlt_status read_defaults(jlt_oracle *o)
     return JLT_OK;
 }
 
-jlt_status jlt_oracle_create(jlt_oracle **oracle, const jlt_descriptor *descriptor)
+jlt_status jlt_oracle_create(jlt_oracle **oracle, const jlt_descriptor *descriptor, const char *file)
 {
     JLT_OWNED(jlt_oracle) *self = calloc(1, sizeof *self);
-    char file[256];
+    char built_in[256];
 
     *oracle = NULL;
     if (self == NULL) return JLT_ERR_NOMEM;
     self->descriptor = descriptor;
-    snprintf(file, sizeof file, "%s.tt", descriptor->model); /* the name by which other tables refer to it */
-    self->model = ttc_model_again(descriptor->table, file);
+    snprintf(built_in, sizeof built_in, "%s.tt", descriptor->model);
+    self->model = ttc_model_again(descriptor->table, file != NULL ? file : built_in);
     if (self->model == NULL || self->model->state_count != descriptor->state_count) return JLT_ERR_UNSUPPORTED;
     self->ball = ttc_ball_create(self->model);
     self->states = symbols_of(self->model, descriptor->states, descriptor->state_count);

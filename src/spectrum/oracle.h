@@ -19,8 +19,9 @@ typedef struct {
     ttc_id *charpoly;                 /* (claims, n + 1): claimed characteristic polynomials, likewise */
 } jlt_oracle;
 
-/** Errors: NOMEM; UNSUPPORTED if the embedded table cannot be parsed, which means that the build is broken. */
-JLT_CHECKED jlt_status jlt_oracle_create(jlt_oracle **oracle, const jlt_descriptor *descriptor);
+/** file: the path of the table, by whose last part other tables refer to it; NULL: MODEL.tt. Errors: NOMEM; UNSUPPORTED if the
+ *  embedded table cannot be parsed, which means that the build is broken. */
+JLT_CHECKED jlt_status jlt_oracle_create(jlt_oracle **oracle, const jlt_descriptor *descriptor, const char *file);
 void jlt_oracle_destroy(jlt_oracle *oracle); /* legal on NULL */
 JLT_OWNED_TYPE(jlt_oracle)
 

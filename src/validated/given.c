@@ -112,7 +112,10 @@ static bool read_levels(jlt_given *self, const json_t *given, slong bits, char *
     json_object_foreach((json_t *)(uintptr_t)levels, name, value) {
         const jlt_claim *claim = jlt_descriptor_claim(d, "integral", name);
         if (claim == NULL || claim->verdict != JLT_PROVED || !is_listed(d, name))
-            return jlt_refuse(problem, "levels: %s is no integral of %s that is proved without a condition", name, d->model);
+            return jlt_refuse(problem, "levels: %s is no integral of %s that is proved without a condition%s%s%s", name, d->model,
+                              claim != NULL && claim->condition[0] != '\0' ? ": write a table in which it is one, with " : "",
+                              claim != NULL ? claim->condition : "",
+                              claim != NULL && claim->condition[0] != '\0' ? " put into its equations" : "");
         arb_ptr out = self->level_values + self->question.level_count;
         if (!jlt_given_read_value(out, value, bits))
             return jlt_refuse(problem, "levels: %s has no value", name);

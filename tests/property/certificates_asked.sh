@@ -160,4 +160,11 @@ orbit=(./wall.tt --section y=0 --direction down --start x=2.0086198608748)
 expect_text 0 "" jellett certify sink "${orbit[@]}" -o wall.json
 expect_text 0 proved jellett check -m ./wall.tt wall.json
 expect_text 1 "is not shown, with 20 digits, to stay in the domain" jellett certify sink "${orbit[@]}" --spread edge=1e-8
+
+# Levels of an integral that is one under a condition alone: what to do is said.
+printf '%s\n' 'model damped' 'param k >= 0' 'default k = 0' 'state x' 'state v' 'state y' 'eq x = v' \
+    'eq v = - x - k*v' 'eq y = x - y' \
+    'integral E = x^2 + v^2 when k = 0' 'variant free : k = 0' > damped.tt
+expect_text 3 "proved without a condition: write a table in which it is one, with k = 0 put into its equations" \
+    jellett certify cycle ./damped.tt --section v=0 --direction down --level E=1 --solve x=1 --start y=0.5
 exit $status

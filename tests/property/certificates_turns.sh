@@ -64,6 +64,9 @@ expect 3 ", and --model names forced with " jellett check one.json --model ./edi
 # Nor does a table that is built in answer for an edited copy of it.
 sed 's/^    - x\*z$/&\n    + x\/1000/' "$JLT_SOURCE_DIR/codegen/models/lorenz.tt" > lorenz.tt
 expect 3 ", and --model names lorenz with " jellett check "$JLT_SOURCE_DIR/tools/certificates/lorenz_ab.json" --model ./lorenz.tt
+# What is proved of another table that is built in is not taken for the table of --model.
+expect 0 "is about lorenz as it is built in, not about the table of --model, forced" \
+    jellett check "$JLT_SOURCE_DIR/tools/certificates/lorenz_ab.json" --model ./forced.tt
 for kind in symmetric elliptic; do
     expect 3 "up to periods" jellett certify $kind ./forced.tt --section phi=0 --start x=0.8,v=0.4
 done

@@ -74,6 +74,13 @@ for command in "simulate --start x=1,y=0 --times 1" "section --section y=0 --sta
     refuses "parameters: outside the domain of shared: the measure rho needs a != 0, and it is 0 here" \
         ${command%% *} ./shared.tt --set a=0 ${command#* }
 done
+# Also where factors and terms show that they vanish with a parameter. What has no value for another reason is said to have none.
+printf '%s\n' 'model sums' 'param a' 'param b' 'param c' 'default a = 2, b = 0, c = 0' 'state x' 'state y' 'let d = a*x^2 + a' \
+    'eq x = y' 'eq y = - x' 'integral F = (x^2 + y^2)*(1 + x^2)/d' 'integral G = 1/(b*(x^2 + y^2) + c)' > sums.tt
+refuses "parameters: outside the domain of sums: the integral F needs a != 0, and it is 0 here" \
+    simulate ./sums.tt --set a=0 --start x=1,y=0 --times 1
+jellett simulate ./sums.tt --start x=1,y=0 --times 0,1 > rows.csv 2> err || fail "sums: $(cat err)"
+grep -q 'G has no value by t = 1,.*: its drift is empty' err || fail "sums: $(cat err)"
 jellett simulate ./shared.tt --start x=0,y=1 --times 1 > rows.csv 2> err && grep -qF "'rho' divides by the parameter 'a'" err ||
     fail "shared: $(cat err)"
 # That a parameter may be 0 is not said where a domain record speaks of it; whether it may is then what the claim says.

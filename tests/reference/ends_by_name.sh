@@ -173,6 +173,9 @@ run 0 rod --set g=0,I3=0 --start gamma3=0.2,v_nu=0.6,omega_tau=0.4,omega_n=1,ome
 run 0 lyapunov --set g=0 --grid 4x3 --returns 3
 run 3 lyapunov --set g=0 --returns 3
 grep -q 'the orbit ends before it returns' "$scratch/err" || fail "lyapunov, an orbit without a return: $(cat "$scratch/err")"
+run 3 drift --returns 9 --start eta=0.1,gamma3=-0.97
+grep -q 'the orbit ends before it returns' "$scratch/err" && grep -q '^# taylor: ends by pole+' "$scratch/out" ||
+    fail "drift, an orbit without a return: $(cat "$scratch/err")"
 for tier in level five track full; do
     run 0 simulate --set g=0 --tier $tier --start gamma3=0.2,v_nu=0.1,omega_tau=0.2,omega_n=0.1,omega3=0.3 --until 2 --every 1
 done

@@ -16,8 +16,9 @@ awk -F, '/^0,0,/ { for (i = 4; i <= 14; i++) q[i] = $i }
     /^0,1,/ { bad = ($3 - 6.283185307179586)^2 > 1e-22; for (i = 4; i <= 14;
     i++) bad += ($i - q[i])^2 > 1e-22 } END { exit bad != 0 }' out ||
     fail "a return is not the identity: $(tail -1 out)"
-# Every point is one: the search stays where it begins.
+# Every point is one: the search stays where it begins, and says what chooses one.
 expect 0 '^1,1,0.1,0.2,.*degenerate' jellett orbits ./oscillators.tt --section q1=0 --start p1=1,$others --period 1
+grep -q -- 'this is any one of it; --hold keeps' err || fail "nobody says that orbits come in a family: $(cat err)"
 
 # A coordinate that is not named is no number.
 expect 3 "p6 has no range: add p6=LOW:HIGH:COUNT, or p6=VALUE" \

@@ -89,7 +89,7 @@ static void exact_values_give_exact_verdicts(void **unused)
 
     (void)unused;
     assert_non_null(file);
-    assert_ok(jlt_oracle_create(&oracle, d));
+    assert_ok(jlt_oracle_create(&oracle, d, NULL));
     while (read_reference(&r, file)) {
         jlt_exact_matrix *matrix;
         double params[PARAMS] = { 0 }, x[N] = { 0 };

@@ -231,6 +231,35 @@ expect 0 '' jellett simulate ./swing.tt --start x=1,v=0 --times 1 --set c=1
 printf '%s\n' 'model level' 'state x' 'state v' 'eq x = v' 'eq v = -v' 'invariant rest = v' 'integral X = x modulo rest' > level.tt
 expect 0 "X is an integral on zero levels of other claims alone" jellett simulate ./level.tt --start x=1,v=0 --times 1
 
+# Every integral has its column, as those of a body with its attitude, which has ten. Gauss's method keeps squares to rounding.
+{
+    printf '%s\n' 'model ten' 'state x' 'state y' 'eq x = y' 'eq y = -x'
+    for i in {1..10}; do echo "integral I$i = $i*(x^2 + y^2)"; done
+} > ten.tt
+expect 0 '^t,x,y(,drift_I[0-9]+){10},fate$' jellett simulate ./ten.tt --start x=1,y=0 --times 1
+awk -F, '/^1,/ { for (i = 4; i <= 13; i++) bad += !($i != "" && $i < 1e-14) } END { exit !(NF == 14 && !bad) }' out ||
+    fail "ten integrals drift: $(tail -1 out)"
+
+# Names of 63 characters run along axes, as the language has them.
+name=angular_velocity_about_the_axis_of_the_largest_moment_of_inerti
+stiff=stiffness_${name#??????????}
+printf '%s\n' 'model names' "param $stiff" "default $stiff = 1" "state $name" 'state y' "eq $name = y" \
+    "eq y = -$stiff*$name" > names.tt
+expect 0 '^0,1,6.28318530717' jellett section ./names.tt --section y=0 --direction down --start $name=1 --returns 1
+expect 0 '^1,0,1,6.28318530717' \
+    jellett section ./names.tt --section y=0 --direction down --grid $name=1:2:1 --sweep $stiff=1:4:2 --returns 1
+
+# More states than densities are looked for in, and more densities than are compared: none of them is said to hold.
+{ echo 'model long'; for i in {1..65}; do echo "state x$i"; done; for i in {1..65}; do echo "eq x$i = -x$i"; done; } > long.tt
+expect 3 "long has 65 states; measure serves up to 64" jellett measure ./long.tt
+expect 0 "not computed: densities are compared in tables of up to 64 states" jellett verify ./long.tt
+{
+    printf '%s\n' 'model many' 'state x' 'state y' 'eq x = y' 'eq y = -x'
+    for i in {1..65}; do echo "measure m$i = $i + x^2"; done
+} > many.tt
+expect 3 "many has 65 densities; measure serves up to 64" jellett measure ./many.tt
+expect 1 "not computed: densities are compared in tables of up to 64 states" jellett verify ./many.tt
+
 # A table is read once, and its warnings come once.
 sed -e 's/^param c .*/&\nparam unused/' -e 's/^default .*/&, unused = 0/' swing.tt > warned.tt
 expect 0 alive jellett simulate ./warned.tt --start x=1,v=0 --times 1

@@ -115,4 +115,21 @@ anew
 sed 's/^model spherical_top$/model my_top/' spherical_top.tt > my.tt
 expect 3 "another table, spherical_top, not for this one; a record 'reduction NAME : onto FILE with" \
     jellett simulate ./my.tt --track --start $start --times 1
+
+# A table beside that is edited once the first one was read, here while that is compiled, is neither taken nor done without.
+anew
+echo '# a comment' >> spherical_top.tt
+sed 's/^eq x =/&\n    + 1/' spherical_top_track.tt > edited
+printf '#!/bin/sh\ncp "%s/edited" "%s/spherical_top_track.tt"\nexec cc "$@" -O0\n' "$PWD" "$PWD" > editor
+chmod +x editor
+expect 5 'spherical_top_track.tt was edited after this computation had begun with it: begin again' \
+    env CC="$PWD/editor" jellett simulate ./spherical_top.tt --start $start --times 1 --track
+
+# A claim is about the table of the file's name, whatever model that calls itself.
+printf '%s\n' 'model left' 'state x' 'eq x = -x' 'lift up : into both.tt with X = x, Y = 0' > right.tt
+printf '%s\n' 'model both' 'state X' 'state Y' 'eq X = -X' 'eq Y = -Y' 'reduction other : onto left.tt with x = 2*X' \
+    'reduction back : onto right.tt with x = X' > both.tt
+expect 0 '1 of 1 proved' jellett verify ./right.tt
+sed -i 's/other : onto left/other : onto right/; s/back : onto right/back : onto left/' both.tt
+expect 1 'right.tt:4: where the way leads is elsewhere' jellett verify ./right.tt
 exit $status

@@ -112,6 +112,9 @@ static const mistake mistakes[] = {
     { HEAD "angle c s = cos(x) sin(x)\n", "7:7: warning: the angle 'c' is never used" },
     { HEAD "param b\nintegral F = x/b\n", "8:10: warning: the integral 'F' divides by the parameter 'b', which may be 0, "
                                              "where no kernel could be prepared (expected 'param b != 0', or '> 0')" },
+    { HEAD "param b\nlet c = y*b^2 - b*x\nintegral F = x/(b + 2*x*c)\n",
+      "9:10: warning: the integral 'F' divides by the parameter 'b', which may be 0, where no kernel could be prepared "
+      "(expected 'param b != 0', or '> 0')" },
 
     /* param, state, root, angle, default */
     { HEAD "param b < 0\n", "7:9: error: unexpected '<' (a condition is written with >: 1 - x > 0)" },

@@ -221,7 +221,7 @@ static jlt_exit run(FILE *table, const jlt_bench_options *options)
     jlt_random random;
     jlt_status st = run == NULL ? JLT_ERR_NOMEM : JLT_OK;
 
-    if (st == JLT_OK) st = jlt_oracle_create(&oracle, d);
+    if (st == JLT_OK) st = jlt_oracle_create(&oracle, d, NULL);
     jlt_random_seed(&random, 1);
     for (int kind = 0; kind < KINDS && st == JLT_OK; kind++) {
         run->family = &d->equilibria[0]; /* (4.4) */

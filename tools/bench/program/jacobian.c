@@ -214,7 +214,7 @@ static jlt_exit run(FILE *table, const jlt_bench_options *options)
     *w = (way){ .found = calloc(POINTS, sizeof *w->found), .lanes_out = aligned_alloc(64, sizeof(double[ENTRIES * POINTS])) };
     if (w->found == NULL || w->lanes_out == NULL) goto done;
     JLT_TRY(jlt_instance_create(&instance, d, params));
-    JLT_TRY(jlt_oracle_create(&oracle, d));
+    JLT_TRY(jlt_oracle_create(&oracle, d, NULL));
     w->instance = instance;
     jlt_random_seed(&random, 1);
     for (int near_pole = 0; near_pole < 2; near_pole++) {
