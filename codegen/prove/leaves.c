@@ -190,10 +190,10 @@ static void follow(cover *c, const ttc_subcase *b, const fmpz_mpoly_t factor, bo
     descend_apart(c, &degenerate);
 }
 
-/* Descend to the points of a component at which all terms of a sum are zero, if the sum is zero nowhere else. */
-static bool follow_terms(cover *c, ttc_subcase *b, ttc_id sum)
+/* Descend to the points of a component at which all terms of a sum are zero, if it was split as it is zero nowhere else. */
+static bool follow_terms(cover *c, const ttc_subcase *b, bool is_split)
 {
-    if (!ttc_subcase_split(b, c->task, sum)) return false;
+    if (!is_split) return false;
     c->skipped++; /* the component has no leaf of its own */
     descend_apart(c, b);
     return true;
@@ -207,11 +207,10 @@ static void follow_factors(cover *c, const ttc_subcase *b, const fmpz_mpoly_t no
     if (!fmpz_mpoly_factor(factors, norm, task->ring->context)) ttc_task_unsettle(task, "the zero level could not be factored");
     for (slong i = 0; i < factors->num && task->status != TTC_REFUTED; i++) {
         if (!(ttc_conditions_signs(&task->domain, factors->poly + i) & TTC_CAN_BE_ZERO)) continue;
-        ttc_subcase one = *b, written = *b;
-        if (factors->num == 1 && follow_terms(c, &written, written.goals[--written.goal_count])) break;
+        ttc_subcase one = *b;
         if (is_invariant(task) && b->goal_count == 1 && !b->own_solved) one.apart = ttc_subcase_others(task, factors, i);
-        if (!follow_terms(c, &one, ttc_subcase_expression(task, factors->poly + i)))
-            follow(c, &one, factors->poly + i, factors->num == 1);
+        const bool is_alone = factors->num == 1, is_split = ttc_subcase_split_factor(&one, task, factors->poly + i, is_alone);
+        if (!follow_terms(c, &one, is_split)) follow(c, &one, factors->poly + i, is_alone);
     }
     fmpz_mpoly_factor_clear(factors, task->ring->context);
 }
@@ -245,7 +244,8 @@ static void meet(cover *c, const ttc_subcase *b)
         descend_apart(c, &next);
     } else {
         ttc_subcase terms = *b; /* of an invariant, they would be leaves within other components, which the flow may leave */
-        if (is_invariant(task) || !follow_terms(c, &terms, terms.goals[--terms.goal_count])) follow_factors(c, b, norm);
+        const ttc_id goal = terms.goals[--terms.goal_count];
+        if (is_invariant(task) || !follow_terms(c, &terms, ttc_subcase_split(&terms, task, goal))) follow_factors(c, b, norm);
     }
     fmpz_mpoly_clear(norm, task->ring->context);
     ttc_ratio_clear(task->ring, &value);
