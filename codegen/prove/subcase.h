@@ -23,7 +23,8 @@ typedef struct {
     size_t relation_count;                         /* number of levels solved so far */
     bool own_solved;                               /* the invariant's own level is among these */
     bool is_degenerate;                            /* a goal is that a leading coefficient of another level vanishes */
-    bool is_orphan;                                /* it may hold all real points of a component, as where its terms vanish */
+    bool is_orphan;                                /* it may hold all real points of a component */
+    size_t terms_added;                            /* levels that there are more as some were split into their terms */
     ttc_id apart;                                  /* zero on the other factors of the own level; TTC_NONE: there are none */
     ttc_id leads[TTC_SUBCASE_RELATIONS_MAX];        /* leading coefficients by which solutions divide, not zero here */
     size_t lead_count;

@@ -6,7 +6,7 @@ static bool counts_points(const ttc_task *task)
 {
     const ttc_claim_kind kind = task->claim->kind;
     return task->is_lower || kind == TTC_CLAIM_EQUAL || kind == TTC_CLAIM_POSITIVE || kind == TTC_CLAIM_RATE ||
-           kind == TTC_CLAIM_INVARIANT;
+           kind == TTC_CLAIM_INTEGRAL || kind == TTC_CLAIM_INVARIANT;
 }
 
 /* The real points of the level may be too few for their component: its leaves are shown to be kept one by one. They are parts of
@@ -18,7 +18,7 @@ bool ttc_subcase_split(ttc_subcase *b, ttc_task *task, ttc_id sum)
     const size_t terms = ttc_part_count(graph, sum);
     if (b->goal_count + terms > sizeof b->goals / sizeof *b->goals) return false;
     for (size_t i = 0; i < terms; i++) b->goals[b->goal_count++] = ttc_part_at(graph, sum, i).id;
-    b->is_orphan = true;
+    b->terms_added += terms - 1;
     return true;
 }
 
@@ -111,7 +111,7 @@ static bool split_squares(ttc_subcase *b, ttc_task *task, const fmpz_mpoly_t fac
     splits = first != TTC_NONE && second != TTC_NONE;
     if (splits) b->goals[b->goal_count++] = first;
     if (splits) b->goals[b->goal_count++] = second;
-    b->is_orphan |= splits;
+    b->terms_added += splits;
     fmpz_mpoly_clear(rest, task->ring->context);
     fmpz_mpoly_clear(root, task->ring->context);
     return splits;
@@ -119,6 +119,8 @@ static bool split_squares(ttc_subcase *b, ttc_task *task, const fmpz_mpoly_t fac
 
 bool ttc_subcase_split_factor(ttc_subcase *b, ttc_task *task, const fmpz_mpoly_t factor, bool is_alone)
 {
+    /* That no component was skipped is told of solved levels, whose leaves have the dimensions of complex ones. */
+    if (b->is_degenerate && !b->is_orphan && task->claim->kind == TTC_CLAIM_INVARIANT) return false;
     return ttc_subcase_split(b, task, as_written(task, b->goals[b->goal_count - 1], factor, is_alone)) ||
            ttc_subcase_split(b, task, ttc_subcase_expression(task, factor)) || split_squares(b, task, factor);
 }
