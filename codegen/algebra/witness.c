@@ -220,8 +220,13 @@ static void enclose_function(ttc_witness *point, slong variable, ttc_symbol_kind
     else if (kind == TTC_EXP) arb_exp(balls->ball + variable, balls->ball + variable, precision);
     else if (kind == TTC_LOG) arb_log(balls->ball + variable, balls->ball + variable, precision);
     else arb_sin(balls->ball + variable, balls->ball + variable, precision);
+    /* At one rational argument the value is rational: exp(0), cos(0), sin(0), log(1). */
+    fmpq *value = balls->exact + variable;
+    const bool exact = exact_ratio(value, point, &argument) && (kind == TTC_LOG ? fmpq_is_one(value) : fmpq_is_zero(value));
+    if (exact) fmpq_set_si(value, kind == TTC_EXP || kind == TTC_COSINE, 1);
+    if (exact) arb_set_fmpq(balls->ball + variable, value, precision);
     ttc_ratio_clear(point->ring, &argument);
-    balls->state[variable] = ENCLOSED;
+    balls->state[variable] = exact ? EXACT : ENCLOSED;
 }
 
 /* Enclose a variable v that the angle k v + rest tells: v = (atan2(sine, cosine) - rest)/k, with turns. */

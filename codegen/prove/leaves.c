@@ -16,7 +16,7 @@ typedef struct {
     ttc_task *task;
     ttc_prover prover;
     size_t leaves, with_point, undecided; /* numbers of all; with a known point; that may have points, with none known */
-    size_t skipped; /* leaves without a known point, those without points included */
+    size_t skipped; /* leaves that may be components, without a known point, those without points included */
     const char *why_empty; /* why the last leaf without points has none */
     char *none, *none_at;  /* of a claim of existence: remainder and point of the first leaf that has no example */
     bool is_partial;       /* the claim divides by zero on a whole part of the domain, */
@@ -67,17 +67,19 @@ static bool look_for_point(cover *c, const ttc_subcase *b)
     return true;
 }
 
-static void place_leaf(ttc_task *task, const ttc_subcase *b)
-{
-    task->is_thin = is_invariant(task) && (b->is_degenerate || b->is_orphan);
-    task->apart = is_invariant(task) ? b->apart : TTC_NONE;
-}
-
-/* Returns true for a leaf of an invariant that is no component of the level. A component of a level of n relations has codimension
- * at most n; a leaf of more relations lies within components that other leaves show to be kept, and so are their real points. */
+/* Returns true for a leaf that is no component of the levels. A component of n levels has codimension at most n; a leaf of more
+ * relations lies within components that other leaves show to be kept, and so are their real points. */
 static bool is_no_component(const ttc_task *task, const ttc_subcase *b)
 {
-    return is_invariant(task) && !b->is_orphan && b->relation_count > task->claim->modulo_count + 1;
+    const size_t levels = task->claim->modulo_count + task->level_count + is_invariant(task) + b->terms_added;
+    return !b->is_orphan && b->relation_count > levels;
+}
+
+static void place_leaf(ttc_task *task, const ttc_subcase *b)
+{
+    const bool may_lie_within = is_invariant(task) ? b->is_degenerate || b->is_orphan : is_no_component(task, b);
+    task->is_thin = may_lie_within || b->terms_added > 0;
+    task->apart = is_invariant(task) ? b->apart : TTC_NONE;
 }
 
 /* Postpone the refutation of a claim of existence, which holds only if every leaf refutes it. */
@@ -118,11 +120,11 @@ static void visit(cover *c, const ttc_subcase *b)
             task->remainder = NULL;
         }
         bool is_here = is_in_subcase(task, b), has_points = is_here && look_for_point(c, b);
-        c->skipped += is_here && !(has_points && task->has_point);
+        c->skipped += is_here && !is_no_component(task, b) && !(has_points && task->has_point);
         if (has_points) {
             place_leaf(task, b);
             ttc_subcase_check_foundations(task);
-            if (ttc_task_open(task) && !is_no_component(task, b)) c->prover(task);
+            if (ttc_task_open(task)) c->prover(task);
             put_off(c);
             c->is_partial |= !task->has_point && ttc_divided_perhaps(task, b);
             if (ttc_ring_has_no_value(task->ring->status))
@@ -173,11 +175,10 @@ static void follow(cover *c, const ttc_subcase *b, const fmpz_mpoly_t factor, bo
     }
     if (lead != TTC_NONE && ttc_kind_of(c->task->model->graph, lead) != TTC_NUMBER) solved.leads[solved.lead_count++] = lead;
     solved.own_solved |= b->goal_count == 1 && c->task->claim->kind == TTC_CLAIM_INVARIANT;
-    size_t kept = c->task->kept, skipped = c->skipped;
+    const size_t skipped = c->skipped;
     descend_apart(c, &solved);
     degenerate.is_degenerate = true;
-    /* The degenerate part may hold all real points of a component, unless the solved part was kept and has known points. */
-    degenerate.is_orphan |= !is_no_component(c->task, &solved) && (c->task->kept == kept || c->skipped > skipped);
+    degenerate.is_orphan |= c->skipped > skipped; /* it may hold all real points of a component that was skipped */
     if (lead == TTC_NONE || ttc_kind_of(c->task->model->graph, lead) == TTC_NUMBER || c->task->status == TTC_REFUTED) return;
     ttc_id itself = ttc_subcase_expression(c->task, factor);
     if (degenerate.goal_count + 2 > sizeof degenerate.goals / sizeof *degenerate.goals) {
@@ -190,10 +191,10 @@ static void follow(cover *c, const ttc_subcase *b, const fmpz_mpoly_t factor, bo
     descend_apart(c, &degenerate);
 }
 
-/* Descend to the points of a component at which all terms of a sum are zero, if the sum is zero nowhere else. */
-static bool follow_terms(cover *c, ttc_subcase *b, ttc_id sum)
+/* Descend to the points of a component at which all terms of a sum are zero, if it was split as it is zero nowhere else. */
+static bool follow_terms(cover *c, const ttc_subcase *b, bool is_split)
 {
-    if (!ttc_subcase_split(b, c->task, sum)) return false;
+    if (!is_split) return false;
     c->skipped++; /* the component has no leaf of its own */
     descend_apart(c, b);
     return true;
@@ -207,11 +208,10 @@ static void follow_factors(cover *c, const ttc_subcase *b, const fmpz_mpoly_t no
     if (!fmpz_mpoly_factor(factors, norm, task->ring->context)) ttc_task_unsettle(task, "the zero level could not be factored");
     for (slong i = 0; i < factors->num && task->status != TTC_REFUTED; i++) {
         if (!(ttc_conditions_signs(&task->domain, factors->poly + i) & TTC_CAN_BE_ZERO)) continue;
-        ttc_subcase one = *b, written = *b;
-        if (factors->num == 1 && follow_terms(c, &written, written.goals[--written.goal_count])) break;
+        ttc_subcase one = *b;
         if (is_invariant(task) && b->goal_count == 1 && !b->own_solved) one.apart = ttc_subcase_others(task, factors, i);
-        if (!follow_terms(c, &one, ttc_subcase_expression(task, factors->poly + i)))
-            follow(c, &one, factors->poly + i, factors->num == 1);
+        const bool is_alone = factors->num == 1, is_split = ttc_subcase_split_factor(&one, task, factors->poly + i, is_alone);
+        if (!follow_terms(c, &one, is_split)) follow(c, &one, factors->poly + i, is_alone);
     }
     fmpz_mpoly_factor_clear(factors, task->ring->context);
 }
@@ -234,7 +234,7 @@ static void meet(cover *c, const ttc_subcase *b)
     } else if (status != TTC_RING_OK) {
         ttc_task_unsettle(task, "on the zero level, %s", ttc_ring_status_text(status));
     } else if (is_invariant(task) && b->goal_count == 1 && !b->own_solved && !b->is_degenerate && !b->is_orphan
-               && !ttc_task_moves(task, &value) && look_for_point(c, b)) {
+               && b->terms_added == 0 && !ttc_task_moves(task, &value) && look_for_point(c, b)) {
         ttc_task_unsettle(task, "%s does not depend on the states, or is zero wherever its conditions hold: that says nothing",
                           task->claim->name);
     } else if (ttc_ratio_is_zero(task->ring, &value)) {
@@ -245,7 +245,8 @@ static void meet(cover *c, const ttc_subcase *b)
         descend_apart(c, &next);
     } else {
         ttc_subcase terms = *b; /* of an invariant, they would be leaves within other components, which the flow may leave */
-        if (is_invariant(task) || !follow_terms(c, &terms, terms.goals[--terms.goal_count])) follow_factors(c, b, norm);
+        const ttc_id goal = terms.goals[--terms.goal_count];
+        if (is_invariant(task) || !follow_terms(c, &terms, ttc_subcase_split(&terms, task, goal))) follow_factors(c, b, norm);
     }
     fmpz_mpoly_clear(norm, task->ring->context);
     ttc_ratio_clear(task->ring, &value);
@@ -256,6 +257,7 @@ static void descend(cover *c, const ttc_subcase *b)
     ttc_task *task = c->task;
     bool again = true;
     unsigned most = 0;
+    if (is_invariant(task) && is_no_component(task, b)) return;
     if (task->is_integral && c->with_point > 0) return;
     if (b->goal_count == 0) {
         visit(c, b);

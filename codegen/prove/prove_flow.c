@@ -41,7 +41,8 @@ void ttc_prove_integral(ttc_task *task)
     ttc_id rate = ttc_derive_field(task->model, claim->expression);
     bool is_zero = ttc_task_open(task) && ttc_task_is_zero_for_any_roots(task, rate);
     ttc_evaluate(task->field, &value, claim->expression);
-    if (ttc_task_open(task) && !ttc_task_moves(task, &value) && ttc_task_open(task) && ttc_task_may_have_point(task))
+    const bool constant = ttc_task_open(task) && !task->is_thin && !ttc_task_moves(task, &value);
+    if (constant && ttc_task_open(task) && ttc_task_may_have_point(task))
         ttc_task_unsettle(task, "%s is constant%s, whatever the motion: being an integral says nothing", claim->name,
                           task->ring->choice_count > 0 ? " on a part of the domain" : "");
     if (!is_zero && !ttc_task_refute_at_point(task, rate, "the rate")) {
@@ -49,7 +50,7 @@ void ttc_prove_integral(ttc_task *task)
         ttc_task_require_zero(task, &value, "d(%s)/dt", claim->name);
     }
     ttc_evaluate(task->field, &value, claim->expression);
-    require_moving(task, &value);
+    if (!task->is_thin) require_moving(task, &value);
     ttc_ratio_clear(task->ring, &value);
 }
 

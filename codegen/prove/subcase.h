@@ -23,7 +23,8 @@ typedef struct {
     size_t relation_count;                         /* number of levels solved so far */
     bool own_solved;                               /* the invariant's own level is among these */
     bool is_degenerate;                            /* a goal is that a leading coefficient of another level vanishes */
-    bool is_orphan;                                /* it may hold all real points of a component, as where its terms vanish */
+    bool is_orphan;                                /* it may hold all real points of a component */
+    size_t terms_added;                            /* levels that there are more as some were split into their terms */
     ttc_id apart;                                  /* zero on the other factors of the own level; TTC_NONE: there are none */
     ttc_id leads[TTC_SUBCASE_RELATIONS_MAX];        /* leading coefficients by which solutions divide, not zero here */
     size_t lead_count;
@@ -47,6 +48,10 @@ bool ttc_subcase_solve(ttc_subcase *subcase, ttc_id *lead, ttc_task *task, const
 /** Add as goals the terms of a sum that is zero only where all of them are, for claims in which the dimensions of leaves do not
  *  count. Returns false, with nothing done, if it is no such sum, or TTC_NONE. */
 bool ttc_subcase_split(ttc_subcase *subcase, ttc_task *task, ttc_id sum);
+
+/** The same for a factor of the last goal: as the goal has it, as a polynomial, or as a square and a rest never of the other
+ *  sign. is_alone: the goal has no other factor. */
+bool ttc_subcase_split_factor(ttc_subcase *subcase, ttc_task *task, const fmpz_mpoly_t factor, bool is_alone);
 
 /** Make the field of a subcase, without conditions, the task's field and ring until it is closed. choices: signs of roots whose
  *  radicand is a square, see ttc_ring. Returns false when memory is out. */

@@ -1,19 +1,126 @@
-/* Levels that are zero only where all their terms are. */
+/* Levels that are zero only where all their terms, or squares of which they consist, are. */
 #include "prove/signs.h"
 #include "prove/subcase.h"
+
+static bool counts_points(const ttc_task *task)
+{
+    const ttc_claim_kind kind = task->claim->kind;
+    return task->is_lower || kind == TTC_CLAIM_EQUAL || kind == TTC_CLAIM_POSITIVE || kind == TTC_CLAIM_RATE ||
+           kind == TTC_CLAIM_INTEGRAL || kind == TTC_CLAIM_INVARIANT;
+}
 
 /* The real points of the level may be too few for their component: its leaves are shown to be kept one by one. They are parts of
  * the level like any other, on which a claim may not divide by zero. */
 bool ttc_subcase_split(ttc_subcase *b, ttc_task *task, ttc_id sum)
 {
     const ttc_graph *graph = task->model->graph;
-    const ttc_claim_kind kind = task->claim->kind;
-    const bool counts_points = task->is_lower || kind == TTC_CLAIM_EQUAL || kind == TTC_CLAIM_POSITIVE || kind == TTC_CLAIM_RATE ||
-                               kind == TTC_CLAIM_INVARIANT;
-    if (sum == TTC_NONE || !counts_points || !ttc_signs_are_one(task, sum)) return false;
+    if (sum == TTC_NONE || !counts_points(task) || !ttc_signs_are_one(task, sum)) return false;
     const size_t terms = ttc_part_count(graph, sum);
     if (b->goal_count + terms > sizeof b->goals / sizeof *b->goals) return false;
     for (size_t i = 0; i < terms; i++) b->goals[b->goal_count++] = ttc_part_at(graph, sum, i).id;
-    b->is_orphan = true;
+    b->terms_added += terms - 1;
     return true;
+}
+
+static ttc_id without_let(const ttc_task *task, ttc_id id)
+{
+    const ttc_model *model = task->model;
+    while (ttc_kind_of(model->graph, id) == TTC_SYMBOL && ttc_symbol_of(model->graph, id) < model->symbol_count &&
+           model->symbols[ttc_symbol_of(model->graph, id)].kind == TTC_LET)
+        id = model->symbols[ttc_symbol_of(model->graph, id)].definition;
+    return id;
+}
+
+/* The factor as the goal has it: the goal itself, if it has no other, or a part with the same zeros; TTC_NONE: as neither. */
+static ttc_id as_written(ttc_task *task, ttc_id goal, const fmpz_mpoly_t factor, bool is_alone)
+{
+    const ttc_graph *graph = task->model->graph;
+    ttc_id written = TTC_NONE;
+    ttc_ratio value;
+    fmpz_mpoly_t multiple;
+    goal = without_let(task, goal);
+    if (ttc_kind_of(graph, goal) != TTC_PRODUCT) return is_alone ? goal : TTC_NONE;
+    ttc_ratio_init(task->ring, &value);
+    fmpz_mpoly_init(multiple, task->ring->context);
+    for (size_t i = 0; i < ttc_part_count(graph, goal) && written == TTC_NONE; i++) {
+        const ttc_id part = without_let(task, ttc_part_at(graph, goal, i).id);
+        ttc_evaluate(task->field, &value, part);
+        if (fmpz_mpoly_divides(multiple, value.numerator, factor, task->ring->context) &&
+            fmpz_mpoly_is_fmpz(multiple, task->ring->context))
+            written = part;
+    }
+    fmpz_mpoly_clear(multiple, task->ring->context);
+    ttc_ratio_clear(task->ring, &value);
+    return written;
+}
+
+/* Complete a square: p = a v^2 + b v + c in a variable v, where a is of one sign and not zero, so that
+ * 4 a p = (2 a v + b)^2 - (b^2 - 4 a c). root = 2 a v + b, rest = b^2 - 4 a c. Returns the sign of a; 0: there is no such v. */
+static unsigned complete_square(const ttc_task *task, const fmpz_mpoly_t p, fmpz_mpoly_t root, fmpz_mpoly_t rest)
+{
+    const fmpz_mpoly_ctx_struct *context = task->ring->context;
+    unsigned sign = 0;
+    fmpz_mpoly_t lead;
+    fmpz_mpoly_init(lead, context);
+    for (slong v = 0; v < (slong)task->ring->variable_count && sign == 0; v++) {
+        ulong exponent = 2;
+        if (fmpz_mpoly_degree_si(p, v, context) != 2 || ttc_ring_is_generator(task->ring, v)) continue;
+        fmpz_mpoly_get_coeff_vars_ui(lead, p, &v, &exponent, 1, context);
+        const unsigned signs = ttc_conditions_signs(&task->domain, lead);
+        if (signs != TTC_CAN_BE_POSITIVE && signs != TTC_CAN_BE_NEGATIVE) continue;
+        sign = signs;
+        fmpz_mpoly_derivative(root, p, v, context);
+        fmpz_mpoly_mul(rest, root, root, context);
+        fmpz_mpoly_mul(lead, lead, p, context);
+        fmpz_mpoly_scalar_mul_si(lead, lead, 4, context);
+        fmpz_mpoly_sub(rest, rest, lead, context);
+    }
+    fmpz_mpoly_clear(lead, context);
+    return sign;
+}
+
+/* Returns true if a polynomial is nowhere of this sign, by the signs of its factors and by squares. */
+static bool is_never(const ttc_task *task, const fmpz_mpoly_t p, unsigned sign)
+{
+    ttc_ratio whole;
+    fmpz_mpoly_t root, rest;
+    ttc_ratio_init(task->ring, &whole);
+    ttc_ratio_set_polynomial(task->ring, &whole, p);
+    bool never = !(ttc_conditions_signs_of_ratio(&task->domain, &whole) & sign);
+    ttc_ratio_clear(task->ring, &whole);
+    if (never) return true;
+    fmpz_mpoly_init(root, task->ring->context);
+    fmpz_mpoly_init(rest, task->ring->context);
+    const unsigned other = complete_square(task, p, root, rest);
+    never = other != 0 && other != sign && is_never(task, rest, TTC_CAN_BE_POSITIVE);
+    fmpz_mpoly_clear(rest, task->ring->context);
+    fmpz_mpoly_clear(root, task->ring->context);
+    return never;
+}
+
+/* Add as goals a root and a rest that is never positive, where the square of the root less the rest is a multiple of the factor. */
+static bool split_squares(ttc_subcase *b, ttc_task *task, const fmpz_mpoly_t factor)
+{
+    fmpz_mpoly_t root, rest;
+    fmpz_mpoly_init(root, task->ring->context);
+    fmpz_mpoly_init(rest, task->ring->context);
+    bool splits = counts_points(task) && b->goal_count + 2 <= sizeof b->goals / sizeof *b->goals &&
+                  complete_square(task, factor, root, rest) != 0 && is_never(task, rest, TTC_CAN_BE_POSITIVE);
+    const ttc_id first = splits ? ttc_subcase_expression(task, root) : TTC_NONE;
+    const ttc_id second = splits ? ttc_subcase_expression(task, rest) : TTC_NONE;
+    splits = first != TTC_NONE && second != TTC_NONE;
+    if (splits) b->goals[b->goal_count++] = first;
+    if (splits) b->goals[b->goal_count++] = second;
+    b->terms_added += splits;
+    fmpz_mpoly_clear(rest, task->ring->context);
+    fmpz_mpoly_clear(root, task->ring->context);
+    return splits;
+}
+
+bool ttc_subcase_split_factor(ttc_subcase *b, ttc_task *task, const fmpz_mpoly_t factor, bool is_alone)
+{
+    /* That no component was skipped is told of solved levels, whose leaves have the dimensions of complex ones. */
+    if (b->is_degenerate && !b->is_orphan && task->claim->kind == TTC_CLAIM_INVARIANT) return false;
+    return ttc_subcase_split(b, task, as_written(task, b->goals[b->goal_count - 1], factor, is_alone)) ||
+           ttc_subcase_split(b, task, ttc_subcase_expression(task, factor)) || split_squares(b, task, factor);
 }
