@@ -141,8 +141,9 @@ static jlt_status step(jlt_stepper *stepper, double limit)
     stepper->evaluations++;
     const double longest = longest_step(self, stepper);
     if (isnan(longest)) return JLT_ERR_NONFINITE;
-    double size = jlt_smaller(longest, jlt_smaller(stepper->max_step, limit));
-    if (size == INFINITY) size = 1; /* nothing moves */
+    /* At rest, and where the motion is a polynomial in time, any step is right: those that grow show what happens meanwhile. */
+    const double any = stepper->h_next < INFINITY ? 4 * stepper->h_next : 1;
+    double size = jlt_smaller(longest < INFINITY ? longest : any, jlt_smaller(stepper->max_step, limit));
     double h = stepper->direction * size;
     if (jlt_step_vanishes(stepper->tau, h)) return JLT_ERR_NO_PROGRESS;
 
