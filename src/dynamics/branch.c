@@ -59,15 +59,21 @@ jlt_status jlt_branch_init(jlt_branch *out, jlt_map *map, const jlt_periodic *sa
 
 static bool is_parameter(double sigma) { return sigma >= 0 && isfinite(sigma); }
 
-/* Distance from the saddle from where F^n, n = ceil(sigma), leads to gamma(sigma). */
-static double distance(const jlt_branch *self, double sigma) { return self->seed * pow(self->lambda, sigma - ceil(sigma)); }
+/* n, the number of F that lead to gamma(sigma). */
+static double times(const jlt_branch *self, double sigma)
+{
+    return ceil(sigma) + (self->near ? ceil(log(2) / (2 * log(self->lambda))) : 0);
+}
+
+/* Distance from the saddle from where F^n leads to gamma(sigma). */
+static double distance(const jlt_branch *self, double sigma) { return self->seed * pow(self->lambda, sigma - times(self, sigma)); }
 
 double jlt_branch_bent_sigma(const jlt_branch *self, double sigma)
 {
     return sigma - log1p(self->bend[0] * distance(self, sigma)) / log(self->lambda);
 }
 
-/* Returns n = ceil(sigma). Out: start, from where F^n leads to gamma(sigma); rate, its derivative by sigma. */
+/* Returns n. Out: start, from where F^n leads to gamma(sigma); rate, its derivative by sigma. */
 static size_t begin(const jlt_branch *self, double start[2], double rate[2], double sigma)
 {
     const double r = distance(self, sigma);
@@ -78,7 +84,7 @@ static size_t begin(const jlt_branch *self, double start[2], double rate[2], dou
         rate[k] = r * log(self->lambda) * (self->v[k] + 2 * r * bend);
     }
     jlt_chart_wrap(jlt_map_flow(self->map)->chart, start);
-    return (size_t)ceil(sigma);
+    return (size_t)times(self, sigma);
 }
 
 jlt_status jlt_branch_curve(const jlt_branch *self, jlt_status *status, double *q, const double *sigma, size_t count)

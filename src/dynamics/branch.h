@@ -27,6 +27,8 @@ typedef struct {
         w[2],           /* the other unit eigenvector */
         bend[2];        /* of the parabola q + r v + r^2 (bend[0] v + bend[1] w); NaN where F does not lead back */
     bool bent;          /* start on the parabola, in place of the tangent line */
+    bool near;          /* start nearer by more F: what the beginning errs by, which falls as the square of the distance or faster,
+                           is half as large or less */
     double lambda;      /* > 1: the factor by which F, or its inverse, multiplies the distance from the saddle */
     size_t returns;     /* of P in one F */
     int time_direction; /* +1 unstable, -1 stable */

@@ -5,7 +5,7 @@
 
 #include "dynamics/continuation_step.h"
 
-enum { LOCATE = 120, FAILURES = 20, BRANCH_TEST = 2, TORUS_TEST = 3 };
+enum { LOCATE = 120, FAILURES = 20, EXTREMUM = 8, BRANCH_TEST = 2, TORUS_TEST = 3 };
 
 typedef jlt_continuation_runner runner;
 typedef jlt_continuation_place place;
@@ -45,20 +45,20 @@ static double look(int count, double a, double fa, double b, double fb)
     return s > fmin(a, b) && s < fmax(a, b) ? s : middle;
 }
 
-/* Locate the zero of test k between from and from + step. Where steps do not converge, or leave the branch, as may happen at a
- * branch point, the bracket stays as wide as it is. */
-static bracket locate(const runner *self, const place *from, const place *to, double step, unsigned k)
+/* Locate the zero of test k between two places, to which steps from `from` lead. Where steps do not converge, or leave the branch,
+ * as may happen at a branch point, the bracket stays as wide as it is. */
+static bracket locate(const runner *self, const place *from, const place *before, const place *after, unsigned k)
 {
     const double scale = self->options.scale;
     const unsigned d = self->d;
-    double a = 0, b = step, fa = from->test[k], fb = to->test[k];
-    bracket found = { fabs(fa) < fabs(fb) ? *from : *to, from->u[d] * scale, to->u[d] * scale };
+    double a = before->arc - from->arc, b = after->arc - from->arc, fa = before->test[k], fb = after->test[k];
+    bracket found = { fabs(fa) < fabs(fb) ? *before : *after, before->u[d] * scale, after->u[d] * scale };
     double failed = NAN; /* a step that did not arrive; the next trials are halfway from it to either end */
     place next;
 
     bool ends = false;
     for (int i = 0; i < LOCATE && !ends; i++) {
-        ends = fabs(b - a) <= 1e-10 * fmax(1, fabs(step)); /* the last trial is the secant's */
+        ends = fabs(b - a) <= 1e-10 * fmax(1, fabs(b)); /* the last trial is the secant's */
         const double s = isnan(failed) ? look(ends ? 0 : i, a, fa, b, fb) : (failed + (i % 2 == 0 ? a : b)) / 2;
         if (interrupted(self)) break;
         if (jlt_continuation_step_to(self, &next, from, s, NULL) != JLT_OK ||
@@ -117,32 +117,6 @@ static bool rotates(const place *at)
     return fabs(at->at.slope[0] + at->at.slope[3]) < 2;
 }
 
-/* Report the bifurcations between two places, then the new place. If the branch ends at a period doubling in between, report that
- * alone, and set *ends. */
-static jlt_status report(const runner *self, const place *from, const place *to, double step, jlt_continuation_point *last,
-                         bool *ends, jlt_continuation_sink sink, void *context)
-{
-    jlt_continuation_point point;
-
-    JLT_PASS(jlt_continuation_step_measure(self, &point, to->u, to->tangent, to->arc, JLT_BIFURCATION_NONE));
-    *ends = halves(self, last, &point);
-    if (*ends) {
-        const bracket tip = locate(self, from, to, step, 0); /* a fold */;
-        return deliver(self, &tip, from, JLT_BIFURCATION_DOUBLING, sink, context);
-    }
-    for (unsigned k = 0; k < JLT_CONTINUATION_TESTS; k++) {
-        if (isnan(from->test[k]) || isnan(to->test[k]) || (from->test[k] > 0) == (to->test[k] > 0)) continue;
-        if (k >= BRANCH_TEST && fmax(fabs(from->test[k]), fabs(to->test[k])) < noise_of_determinant) continue;
-        /* beside a torus they are a pair at least where both are inside the circle */
-        if (k == TORUS_TEST && !rotates(from) && !rotates(to)) continue;
-        const bracket b = locate(self, from, to, step, k);
-        if (k == TORUS_TEST && !rotates(&b.at)) continue; /* a saddle of determinant 1 */
-        JLT_PASS(deliver(self, &b, from, (jlt_bifurcation)(JLT_BIFURCATION_FOLD + k), sink, context));
-    }
-    *last = point;
-    return sink(context, &point);
-}
-
 /* Whether the step from one place to the other stays on the branch, as far as angles show. The bordered determinant changes sign at
  * branch points alone: where it does, the place halfway must lie on the way as well, or the tangent was reversed behind a fold. */
 static bool follows(const runner *self, const place *from, const place *to, double step)
@@ -154,6 +128,71 @@ static bool follows(const runner *self, const place *from, const place *to, doub
     return jlt_continuation_step_to(self, &middle, from, step / 2, NULL) == JLT_OK &&
            jlt_continuation_step_straight(from, &middle, turn_across, self->d) &&
            jlt_continuation_step_straight(&middle, to, turn_across, self->d);
+}
+
+/* Whether test k, of one sign at both ends of a step, has the other in between, at a place that becomes *within: where the parabola
+ * through its values has its extremum, also at `before`, the place before the step. */
+static bool changes_twice(const runner *self, place *within, const place *before, const place *from, const place *to, unsigned k)
+{
+    const double side = from->test[k] > 0 ? 1 : -1;
+    double s[3] = { before->arc - from->arc, 0, to->arc - from->arc };
+    double g[3] = { side * before->test[k], side * from->test[k], side * to->test[k] };
+
+    for (int i = 0; i < EXTREMUM; i++) {
+        const double left = (g[1] - g[0]) / (s[1] - s[0]), right = (g[2] - g[1]) / (s[2] - s[1]);
+        const double bend = (right - left) / (s[2] - s[0]), at = (s[0] + s[1]) / 2 - left / (2 * bend);
+        const double least = g[0] + (at - s[0]) * (left + (at - s[1]) * bend);
+        if (!(bend > 0 && at > 0 && at < to->arc - from->arc && least < fmin(g[1], g[2]) / 2)) return false;
+        if (jlt_continuation_step_to(self, within, from, at, NULL) != JLT_OK || !follows(self, from, within, at) ||
+            !jlt_continuation_step_straight(within, to, turn, self->d)) return false;
+        const double value = side * within->test[k];
+        if (value < -noise_of_determinant) return true;
+        const bool less = value < g[1];
+        const unsigned far = (at > s[1]) == less ? 0 : 2; /* from the least of the four */
+        s[far] = less ? s[1] : at, g[far] = less ? g[1] : value;
+        if (less) s[1] = at, g[1] = value;
+    }
+    return false;
+}
+
+/* Locate and report the zero of test k between two places, to which steps from `from` lead. */
+static jlt_status report_zero(const runner *self, const place *from, const place *before, const place *after, unsigned k,
+                              jlt_continuation_sink sink, void *context)
+{
+    const bracket b = locate(self, from, before, after, k);
+
+    if (k == TORUS_TEST && !rotates(&b.at)) return JLT_OK; /* a saddle of determinant 1 */
+    return deliver(self, &b, from, (jlt_bifurcation)(JLT_BIFURCATION_FOLD + k), sink, context);
+}
+
+/* Report the bifurcations between two places, then the new place; before: the place before the two, NULL if there is none. If the
+ * branch ends at a period doubling in between, report that alone, and set *ends. */
+static jlt_status report(const runner *self, const place *before, const place *from, const place *to, jlt_continuation_point *last,
+                         bool *ends, jlt_continuation_sink sink, void *context)
+{
+    jlt_continuation_point point;
+    place within;
+
+    JLT_PASS(jlt_continuation_step_measure(self, &point, to->u, to->tangent, to->arc, JLT_BIFURCATION_NONE));
+    *ends = halves(self, last, &point);
+    if (*ends) {
+        const bracket tip = locate(self, from, from, to, 0); /* a fold */;
+        return deliver(self, &tip, from, JLT_BIFURCATION_DOUBLING, sink, context);
+    }
+    for (unsigned k = 0; k < JLT_CONTINUATION_TESTS; k++) {
+        if (isnan(from->test[k]) || isnan(to->test[k])) continue;
+        if (k >= BRANCH_TEST && fmax(fabs(from->test[k]), fabs(to->test[k])) < noise_of_determinant) continue;
+        /* beside a torus they are a pair at least where both are inside the circle */
+        if (k == TORUS_TEST && !rotates(from) && !rotates(to)) continue;
+        if ((from->test[k] > 0) != (to->test[k] > 0)) {
+            JLT_PASS(report_zero(self, from, from, to, k, sink, context));
+        } else if (before != NULL && changes_twice(self, &within, before, from, to, k)) {
+            JLT_PASS(report_zero(self, from, from, &within, k, sink, context));
+            JLT_PASS(report_zero(self, from, &within, to, k, sink, context));
+        }
+    }
+    *last = point;
+    return sink(context, &point);
 }
 
 /* Whether the branch, within `step` of `from`, meets the orbit it began with, at any of its points. */
@@ -241,7 +280,7 @@ jlt_status jlt_continuation_run(jlt_continuation_end *end, const jlt_family *fam
 {
     runner self = { .family = family, .options = jlt_continuation_step_defaults(options), .period = start->orbit.period };
     jlt_continuation_point first, last;
-    place here, next;
+    place before, here, next;
     double step = self.options.step;
     bool ends = false, leaves;
     jlt_status st = JLT_OK;
@@ -271,11 +310,12 @@ jlt_status jlt_continuation_run(jlt_continuation_end *end, const jlt_family *fam
             *end = JLT_CONTINUATION_CLOSED;
             break;
         }
-        JLT_TRY(report(&self, &here, &next, step, &last, &ends, sink, context));
+        JLT_TRY(report(&self, count > 1 ? &before : NULL, &here, &next, &last, &ends, sink, context));
         if (ends || leaves) {
             *end = ends ? JLT_CONTINUATION_HALVED : JLT_CONTINUATION_RANGE;
             break;
         }
+        before = here;
         here = next;
         if (iterations < 6) step = fmin(1.4 * step, self.options.step_max);
     }

@@ -130,16 +130,17 @@ done:
     return st;
 }
 
-/* Find the crossings again by other maps, on bent branches if asked, and put them into `again`. angle_error becomes the
- * largest change of the angle so far, NaN where a crossing is not found. Newton's method ends at three times the residual that the
- * point has. */
+/* Find the crossings again by other maps, on branches that are bent or begin near the saddle if asked, and put them into `again`.
+ * angle_error becomes the largest change of the angle so far, NaN where a crossing is not found. Newton's method ends at three
+ * times the residual that the point has. */
 static jlt_status angles_again(jlt_homoclinic *points, size_t count, const jlt_branch *const branches[2], jlt_map_batch *maps,
-                               bool bent, refinement *room)
+                               bool bent, bool near, refinement *room)
 {
     jlt_branch u = *branches[0], s = *branches[1];
     const jlt_branch *const others[] = { &u, &s };
 
     u.bent = s.bent = bent;
+    u.near = s.near = near;
     for (size_t i = 0; i < count; i++) {
         begin_refinement(&room[i], &points[i]);
         for (unsigned k = 0; bent && k < 2; k++) room[i].sigma[k] = jlt_branch_bent_sigma(branches[k], room[i].sigma[k]);
@@ -156,8 +157,8 @@ static jlt_status angles_again(jlt_homoclinic *points, size_t count, const jlt_b
     return JLT_OK;
 }
 
-/* Set angle_error to twice the largest change of the angle by another tolerance, bent branches, and both: where only rounding is
- * left, one of them alone may happen to change little. */
+/* Set angle_error to twice the largest change of the angle by another tolerance, by a beginning nearer to the saddle, and by both
+ * another tolerance and bent branches: where only rounding is left, one of them alone may happen to change little. */
 static jlt_status angle_errors(jlt_homoclinic *points, size_t count, const jlt_branch *const branches[2], jlt_map_batch *fine,
                                jlt_map_batch *coarse)
 {
@@ -165,9 +166,9 @@ static jlt_status angle_errors(jlt_homoclinic *points, size_t count, const jlt_b
 
     if (room == NULL) return JLT_ERR_NOMEM;
     for (size_t i = 0; i < count; i++) points[i].angle_error = 0;
-    JLT_PASS(angles_again(points, count, branches, coarse, false, room));
-    JLT_PASS(angles_again(points, count, branches, fine, true, room));
-    JLT_PASS(angles_again(points, count, branches, coarse, true, room));
+    JLT_PASS(angles_again(points, count, branches, coarse, false, false, room));
+    JLT_PASS(angles_again(points, count, branches, fine, false, true, room));
+    JLT_PASS(angles_again(points, count, branches, coarse, true, false, room));
     for (size_t i = 0; i < count; i++) points[i].angle_error *= 2;
     return JLT_OK;
 }

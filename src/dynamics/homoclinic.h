@@ -11,7 +11,8 @@ typedef struct {
     double q[2];
     double sigma_unstable, sigma_stable; /* parameters on the two branches */
     double angle;       /* from the unstable to the stable tangent as lines, in (-pi/2, pi/2], in section coordinates */
-    double angle_error; /* twice the largest change of angle by a tolerance ten times larger, bent branches, or both */
+    double angle_error; /* twice the largest change of angle by a tolerance ten times larger, also on bent branches, or by branches
+                           that begin nearer to the saddle */
     double residual;    /* distance of the two branches' points after refinement */
     struct {
         double q[2], sigma[2];

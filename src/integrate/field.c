@@ -41,7 +41,7 @@ static unsigned conditions_of(const jlt_descriptor *descriptor)
 
 double jlt_field_size(double largest)
 {
-    static const double ordinary = 0x1p-6, least = 0x1p-100;
+    static const double ordinary = 0x1p-6, least = 0x1p-400;
 
     return largest > 0 && largest < ordinary ? ldexp(1, ilogb(fmax(largest, least))) : 1;
 }

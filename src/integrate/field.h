@@ -62,7 +62,8 @@ static inline double jlt_field_time_rate(const jlt_field *field, const double *x
 }
 
 /** The size of an orbit, below which its states count as small. largest: the largest |state| at its start, the root left out. The
- *  size is 1 where largest is 0 or at least 1/64; else the largest power of two that is at most `largest`, but at least 2^-100. */
+ *  size is 1 where largest is 0 or at least 1/64; else the largest power of two that is at most `largest`, but at least 2^-400, the
+ *  squares of whose errors are doubles. */
 double jlt_field_size(double largest);
 
 /** The size of an orbit of this field that starts at x, shape (dim,): of the first `sized` states those with scale 1 count. */

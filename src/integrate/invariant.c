@@ -14,27 +14,28 @@ void jlt_invariant_begin(jlt_invariant_watch *self, const jlt_invariants *of, co
     if (of->count > 0) of->values(x, of->p, self->level);
 }
 
-/* Solve the symmetric positive system in place by Gaussian elimination; false when it is singular. */
-static bool solve(double a[COUNT][COUNT], double *b, unsigned n)
+/* Solve the symmetric positive system in place by Gaussian elimination. Rows that depend on those before, to 1e-12, get zeros. */
+static void solve(double a[COUNT][COUNT], double *b, unsigned n)
 {
+    double inverse[COUNT], whole[COUNT];
+
+    for (unsigned k = 0; k < n; k++) whole[k] = a[k][k];
     for (unsigned k = 0; k < n; k++) {
-        if (!(a[k][k] > 0)) return false;
+        inverse[k] = a[k][k] > 1e-12 * whole[k] ? 1 / a[k][k] : 0;
         for (unsigned i = k + 1; i < n; i++) {
-            const double factor = a[i][k] / a[k][k], before = a[i][i];
+            const double factor = a[i][k] * inverse[k];
             for (unsigned j = k; j < n; j++) a[i][j] -= factor * a[k][j];
             b[i] -= factor * b[k];
-            if (!(a[i][i] > 1e-12 * before)) return false;
         }
     }
     for (unsigned k = n; k-- > 0;) {
         for (unsigned j = k + 1; j < n; j++) b[k] -= a[k][j] * b[j];
-        b[k] /= a[k][k];
+        b[k] *= inverse[k];
     }
-    return true;
 }
 
-/* Make one Gauss-Newton step on x. Returns false where it cannot be made. */
-static bool approach(double *x, const jlt_invariants *of, const double *level, const double *size, unsigned dim)
+/* Make one Gauss-Newton step on x. */
+static void approach(double *x, const jlt_invariants *of, const double *level, const double *size, unsigned dim)
 {
     const unsigned n = of->count;
     double gradient[COUNT * JLT_FIELD_DIM_MAX], gram[COUNT][COUNT], off[COUNT];
@@ -49,21 +50,19 @@ static bool approach(double *x, const jlt_invariants *of, const double *level, c
                 gram[i][j] += gradient[i * dim + k] * size[k] * size[k] * gradient[j * dim + k];
         }
     }
-    if (!solve(gram, off, n)) return false;
+    solve(gram, off, n);
     for (unsigned k = 0; k < dim; k++)
         for (unsigned i = 0; i < n; i++) x[k] -= size[k] * size[k] * gradient[i * dim + k] * off[i];
-    return true;
 }
 
-bool jlt_invariant_restore(double *x, const jlt_invariants *of, const double *level, const double *size, unsigned dim)
+void jlt_invariant_restore(double *x, const jlt_invariants *of, const double *level, const double *size, unsigned dim)
 {
-    double near[JLT_FIELD_DIM_MAX];
+    double near[JLT_FIELD_DIM_MAX], defect = 0;
 
     memcpy(near, x, dim * sizeof *x);
-    for (unsigned round = 0; round < 2; round++)
-        if (!approach(near, of, level, size, dim)) return false;
-    memcpy(x, near, dim * sizeof *x);
-    return true;
+    for (unsigned round = 0; round < 2; round++) approach(near, of, level, size, dim);
+    for (unsigned k = 0; k < dim; k++) defect += 0 * near[k];
+    if (defect == 0) memcpy(x, near, dim * sizeof *x);
 }
 
 jlt_status jlt_invariant_watch_step(jlt_invariant_watch *self, const jlt_invariants *of, jlt_stepper *stepper, bool project)
@@ -74,12 +73,13 @@ jlt_status jlt_invariant_watch_step(jlt_invariant_watch *self, const jlt_invaria
 
     of->values(stepper->x, of->p, now);
     for (unsigned i = 0; i < of->count; i++) {
-        const double unit = jlt_larger(fabs(self->level[i]), 1), drift = fabs(now[i] - self->level[i]) / unit;
-        self->drift[i] = jlt_larger(drift, self->drift[i]);
-        off = off || drift > 4 * DBL_EPSILON;
+        const double level = fabs(self->level[i]), drift = fabs(now[i] - self->level[i]);
+        self->drift[i] = jlt_larger(drift / jlt_larger(level, 1), self->drift[i]);
+        off = off || drift > 4 * DBL_EPSILON * (stepper->size < 1 ? level : jlt_larger(level, 1));
     }
     if (!project || !off) return JLT_OK;
     memcpy(x, stepper->x, dim * sizeof *x);
     for (unsigned k = 0; k < dim; k++) size[k] = isfinite(stepper->scale[k]) ? fmax(fabs(x[k]), stepper->scale[k]) : 0;
-    return jlt_invariant_restore(x, of, self->level, size, dim) ? jlt_stepper_replace(stepper, x) : JLT_OK;
+    jlt_invariant_restore(x, of, self->level, size, dim);
+    return jlt_stepper_replace(stepper, x);
 }

@@ -24,12 +24,13 @@ void jlt_invariant_begin(jlt_invariant_watch *self, const jlt_invariants *of, co
 
 /** Put x, shape (dim,), back onto the levels, shape (count,), by two Gauss-Newton steps x <- x - W A^T (A W A^T)^-1 (F -
  *  level), where A holds the gradients and W the squares of the sizes of the states, `size`, shape (dim,). dim <=
- *  JLT_FIELD_DIM_MAX. Returns false, and leaves x as it was, where the gradients are linearly dependent.
+ *  JLT_FIELD_DIM_MAX. An invariant whose gradient depends on those before it follows from these, and asks for nothing.
+ *  x stays as it was where that gives no numbers.
  *  Cost: two evaluations of F and of the gradients. */
-bool jlt_invariant_restore(double *x, const jlt_invariants *of, const double *level, const double *size, unsigned dim);
+void jlt_invariant_restore(double *x, const jlt_invariants *of, const double *level, const double *size, unsigned dim);
 
 /** Call after an accepted step: it records the drift and, with `project`, puts the stepper's point back onto the levels. A
- *  drift at the rounding level is left alone, and so is a point where the gradients are dependent.
+ *  drift at the rounding level, of 1 or, for an orbit far below 1 (jlt_field_size), of the level, is left alone.
  *  Errors: NONFINITE. Cost: one evaluation of F; with `project` those of jlt_invariant_restore and one of the field as well. */
 JLT_CHECKED jlt_status jlt_invariant_watch_step(jlt_invariant_watch *self, const jlt_invariants *of, jlt_stepper *stepper,
                                                 bool project);

@@ -105,13 +105,36 @@ static bool expand(taylor *self, jlt_stepper *stepper, double h)
     return true;
 }
 
+static double along(const double *gradient, const double *slope, unsigned count)
+{
+    double sum = 0;
+    for (unsigned i = 0; i < count; i++) sum += gradient[i] * slope[i];
+    return sum;
+}
+
+/* Whether a condition that the step's slope makes rise at its end falls by the field there, to zero within such a step. */
+static bool turned_at_edge(const jlt_stepper *stepper, const double *end, const double *slope, const double *f, double h)
+{
+    const jlt_domain *domain = &stepper->field->domain;
+    double value[JLT_REGION_CONDITIONS_MAX];
+
+    if (domain->conditions == 0) return false;
+    domain->values(end, domain->p, value);
+    domain->gradients(end, domain->p, stepper->gradients);
+    for (unsigned k = 0; k < domain->conditions; k++) {
+        const double *gradient = stepper->gradients + (size_t)k * domain->states;
+        if (along(gradient, slope, domain->states) > 0 && value[k] < -h * along(gradient, f, domain->states)) return true;
+    }
+    return false;
+}
+
 /* Whether the polynomial still obeys the field where it ends. A series runs smoothly through a pole, where the field's root would
  * change its sign, and comes out as a motion that does not obey the field. The slope's truncation error is the order times that of
  * the state; a hundred times as much is none. As near as that to the bound, where both are small, the signs decide: a step whose
  * slope is opposite to the field's went through, and is halved until it ends before. */
 static bool follows_field(const taylor *self, const jlt_stepper *stepper, double h)
 {
-    double end[JLT_FIELD_DIM_MAX], f[JLT_FIELD_DIM_MAX];
+    double end[JLT_FIELD_DIM_MAX], f[JLT_FIELD_DIM_MAX], slopes[JLT_FIELD_DIM_MAX];
     const unsigned dim = stepper->field->dim;
     const jlt_domain *domain = &stepper->field->domain;
     const double allowed = 100 * self->order * jlt_larger(stepper->tolerance, 1e-15);
@@ -123,12 +146,13 @@ static bool follows_field(const taylor *self, const jlt_stepper *stepper, double
         double slope = 0;
         for (unsigned k = self->order; k >= 1; k--) slope += k * stepper->dense[k * (size_t)stepper->stride + i];
         const double size = jlt_larger(jlt_larger(fabs(stepper->x[i]), fabs(end[i])), stepper->scale[i]);
+        slopes[i] = slope;
         if (!(fabs(slope - h * f[i]) <= allowed * size)) return false;
         if (domain->intervals == NULL || i >= domain->states) continue;
         const double left = jlt_smaller(end[i] - domain->intervals[i].low, domain->intervals[i].high - end[i]);
         if (slope * (h * f[i]) < 0 && left < allowed * size) return false;
     }
-    return true;
+    return !turned_at_edge(stepper, end, slopes, f, h);
 }
 
 static jlt_status step(jlt_stepper *stepper, double limit)
@@ -141,8 +165,9 @@ static jlt_status step(jlt_stepper *stepper, double limit)
     stepper->evaluations++;
     const double longest = longest_step(self, stepper);
     if (isnan(longest)) return JLT_ERR_NONFINITE;
-    double size = jlt_smaller(longest, jlt_smaller(stepper->max_step, limit));
-    if (size == INFINITY) size = 1; /* nothing moves */
+    /* At rest, and where the motion is a polynomial in time, any step is right: those that grow show what happens meanwhile. */
+    const double any = stepper->h_next < INFINITY ? 4 * stepper->h_next : 1;
+    double size = jlt_smaller(longest < INFINITY ? longest : any, jlt_smaller(stepper->max_step, limit));
     double h = stepper->direction * size;
     if (jlt_step_vanishes(stepper->tau, h)) return JLT_ERR_NO_PROGRESS;
 

@@ -36,13 +36,13 @@ static void column_polynomial(double *b, unsigned *degree, const jlt_event *even
     for (unsigned j = 0; j <= *degree; j++) b[j] -= event->level;
 }
 
-/* Least and largest of the coefficients, between which g lies. */
+/* Least and largest of the coefficients, between which g lies; the latter INFINITY where one is not finite. */
 static void bounds(double *least, double *most, const double *b, unsigned degree)
 {
     *least = *most = b[0];
     for (unsigned j = 1; j <= degree; j++) {
         *least = jlt_smaller(b[j], *least);
-        *most = jlt_larger(b[j], *most);
+        *most = isfinite(b[j]) ? jlt_larger(b[j], *most) : INFINITY;
     }
 }
 
@@ -304,6 +304,7 @@ jlt_status jlt_watch_step(jlt_watch *self, jlt_stepper *stepper, jlt_crossing *l
     b[0] = before;
     b[degree] = after;
     bounds(&least, &most, b, degree);
+    if (self->event.value == NULL && !(most < INFINITY)) return JLT_ERR_NONFINITE;
     const double size = jlt_larger(most, -least), terms = size + fabs(self->event.value == NULL ? self->event.level : 0);
     const double doubt = stepper->dense_error * jlt_larger(terms, 1);
     if ((self->side > 0 && least > doubt) || (self->side < 0 && most < -doubt) || size <= noise) return JLT_OK;

@@ -22,7 +22,7 @@ typedef struct {
 void jlt_watch_begin(jlt_watch *self, const jlt_event *event, const jlt_stepper *stepper);
 
 /** Find all crossings of the last step: list (JLT_CROSSINGS_MAX,), ascending in theta, on the polynomial and not yet refined.
- *  Directions not asked for are left out. Errors: those of partial steps. */
+ *  Directions not asked for are left out. Errors: NONFINITE, the polynomial of a state; those of partial steps. */
 JLT_CHECKED jlt_status jlt_watch_step(jlt_watch *self, jlt_stepper *stepper, jlt_crossing *list, unsigned *count);
 
 /** jlt_locate_refine for a crossing of the watch's last step. A crossing at theta 0 is placed at the stored zero, if there is one,

@@ -57,6 +57,45 @@ for step in 0.05 0.02; do
     tail -1 log | grep -q 'not followed: what begins at 1 .* --generations 4$' || fail "cascade: $(tail -1 log)"
 done
 
+# Two bifurcations within one step: the edges of the second and the third gap of Mathieu's equation, at its characteristic values
+# b2, a2, b3 and a3 for q = 1 (SciPy), where the orbit x = 0 has trace 2, and -2; and the folds of p = x^3 - e x.
+cat > mathieu.tt <<'TABLE'
+model mathieu
+param a
+param q
+default a = -1, q = 1
+state x
+state v
+state phi
+angle C S = cos(phi) sin(phi)
+periodic phi = 2*pi
+eq x = v
+eq v = -(a + 2*q*C)*x - x^3
+eq phi = 2
+TABLE
+cat > cusp.tt <<'TABLE'
+model cusp
+param p
+param e
+default p = -1, e = 0
+state x
+state phi
+periodic phi = 2*pi
+eq x = p - x^3 + e*x
+eq phi = 1
+TABLE
+for step in 0.01 0.006; do
+    jellett continue ./mathieu.tt --section phi=0 --start x=0,v=0 --along a=-1:12 --step $step -o rows.csv 2> log
+    awk -F, '/^0,/ && $17 != "" { printf "%s %.8f;", $17, $2 }' rows.csv > found
+    [ "$(cat found)" = "branch point -0.45513860;period doubling -0.11024882;period doubling 1.85910807;branch point 3.91702477;$(
+        )branch point 4.37130098;period doubling 9.04773926;period doubling 9.07836885;" ] || fail "Mathieu, $step: $(cat found)"
+    for e in 1e-3 1e-4 1e-5; do
+        jellett continue ./cusp.tt --section phi=0 --start x=-1 --set e=$e --along p=-1:1 --step $step -o rows.csv 2> log
+        awk -F, -v e=$e '/^0,/ && $14 == "fold" { n++; x = sqrt(e/3)*(n == 1 ? -1 : 1); if (($5 - x)^2 > 1e-20) bad = 1 }
+            END { exit n != 2 || bad }' rows.csv || fail "cusp, e = $e, $step: $(grep fold rows.csv)"
+    done
+done
+
 # Orbits that lie on a closed curve, (r - 2)^2 + p^2 = 1, are listed once around, with its two folds.
 cat > circle.tt << 'TABLE'
 model circle

@@ -97,7 +97,7 @@ TABLE
 spring() { jellett simulate ./spring.tt --set L="$1" --start x="$1",v=0 --times 20 --method "$2" 2> err | tail -1; }
 of_one=$(spring 1 gauss)
 for method in gauss dop853 taylor msadams; do
-    for L in 1e-3 1e-9 1e-20; do
+    for L in 1e-3 1e-9 1e-20 1e-60; do
         row=$(spring "$L" "$method")
         echo "$of_one,$row" | awk -F, -v L="$L" '
             function far(a, b) { return (a - b)^2 > 1e-18 }
@@ -109,7 +109,7 @@ done
 returned() { jellett section ./spring.tt --set L="$1" --section v=0 --start "x=-$1" --returns 10 "${@:2}" 2> err | tail -1; }
 period=$(returned 1 | cut -d, -f3)
 for how in '--tol=1e-12' '--method=dop853' '--check' '--project' '--backward'; do
-    for L in 1e-3 1e-9 1e-20; do
+    for L in 1e-3 1e-9 1e-20 1e-60; do
         row=$(returned "$L" "$how")
         echo "$row" | awk -F, -v L="$L" -v period="$period" '
             function far(a, b) { return (a/b - 1)^2 > 1e-22 }
