@@ -16,7 +16,7 @@ typedef struct {
     ttc_task *task;
     ttc_prover prover;
     size_t leaves, with_point, undecided; /* numbers of all; with a known point; that may have points, with none known */
-    size_t skipped; /* leaves that may be components, without a known point, those without points included */
+    size_t skipped; /* leaves that may be components, without a known point, those without points or values included */
     const char *why_empty; /* why the last leaf without points has none */
     char *none, *none_at;  /* of a claim of existence: remainder and point of the first leaf that has no example */
     bool is_partial;       /* the claim divides by zero on a whole part of the domain, */
@@ -79,7 +79,7 @@ static void place_leaf(ttc_task *task, const ttc_subcase *b)
 {
     const bool may_lie_within = is_invariant(task) ? b->is_degenerate || b->is_orphan : is_no_component(task, b);
     task->is_thin = may_lie_within || b->terms_added > 0;
-    task->apart = is_invariant(task) ? b->apart : TTC_NONE;
+    task->apart = b->apart;
 }
 
 /* Postpone the refutation of a claim of existence, which holds only if every leaf refutes it. */
@@ -120,7 +120,8 @@ static void visit(cover *c, const ttc_subcase *b)
             task->remainder = NULL;
         }
         bool is_here = is_in_subcase(task, b), has_points = is_here && look_for_point(c, b);
-        c->skipped += is_here && !is_no_component(task, b) && !(has_points && task->has_point);
+        const bool is_known = !is_here || is_no_component(task, b) || (has_points && task->has_point);
+        c->skipped += !is_known || task->ring->has_sign_of_quotient;
         if (has_points) {
             place_leaf(task, b);
             ttc_subcase_check_foundations(task);
@@ -229,6 +230,7 @@ static void meet(cover *c, const ttc_subcase *b)
     ttc_ring_status status = task->ring->status;
     if (ttc_ring_has_no_value(status)) {
         c->why_empty = ttc_ring_status_text(status);
+        c->skipped++; /* where a denominator of the leaf vanishes there may be one */
         if (is_invariant(task) && b->goal_count == 1 && !c->is_partial)
             c->is_partial = ttc_divided_by_zero(task, b, &c->undefined_at);
     } else if (status != TTC_RING_OK) {
@@ -269,6 +271,7 @@ static void descend(cover *c, const ttc_subcase *b)
             return;
         }
         if (is_in_subcase(task, b)) meet(c, b);
+        c->skipped += task->ring->has_sign_of_quotient;
         if (task->ring->choice_count > most) most = task->ring->choice_count;
         again = choices + 1 < 1u << most && !task->exhibited;
         ttc_subcase_close(task);
@@ -279,8 +282,7 @@ static void descend(cover *c, const ttc_subcase *b)
  * lie within others are not tested for it one by one. */
 static bool lacks_dimension(const ttc_task *task)
 {
-    const ttc_claim_kind kind = task->claim->kind;
-    const bool is_asked = kind == TTC_CLAIM_REDUCTION || kind == TTC_CLAIM_EMBEDDING;
+    const bool is_asked = task->claim->kind == TTC_CLAIM_REDUCTION || task->claim->kind == TTC_CLAIM_EMBEDDING;
     return is_asked && task->claim->modulo_count > 0 && task->kept == 0;
 }
 
