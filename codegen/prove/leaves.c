@@ -77,8 +77,7 @@ static bool is_no_component(const ttc_task *task, const ttc_subcase *b)
 
 static void place_leaf(ttc_task *task, const ttc_subcase *b)
 {
-    const bool may_lie_within = is_invariant(task) ? b->is_degenerate || b->is_orphan : is_no_component(task, b);
-    task->is_thin = may_lie_within || b->terms_added > 0;
+    task->is_thin = b->terms_added > 0 || (is_invariant(task) ? b->is_degenerate || b->is_orphan : is_no_component(task, b));
     task->apart = b->apart;
 }
 
@@ -207,6 +206,8 @@ static void follow_factors(cover *c, const ttc_subcase *b, const fmpz_mpoly_t no
     fmpz_mpoly_factor_t factors;
     fmpz_mpoly_factor_init(factors, task->ring->context);
     if (!fmpz_mpoly_factor(factors, norm, task->ring->context)) ttc_task_unsettle(task, "the zero level could not be factored");
+    const bool is_whole = b->goal_count + b->relation_count + task->claim->modulo_count + task->ring->choice_count == 1;
+    if (is_whole && is_invariant(task)) task->radical = ttc_subcase_others(task, factors, -1);
     for (slong i = 0; i < factors->num && task->status != TTC_REFUTED; i++) {
         if (!(ttc_conditions_signs(&task->domain, factors->poly + i) & TTC_CAN_BE_ZERO)) continue;
         ttc_subcase one = *b;
@@ -259,8 +260,7 @@ static void descend(cover *c, const ttc_subcase *b)
     ttc_task *task = c->task;
     bool again = true;
     unsigned most = 0;
-    if (is_invariant(task) && is_no_component(task, b)) return;
-    if (task->is_integral && c->with_point > 0) return;
+    if ((is_invariant(task) && is_no_component(task, b)) || (task->is_integral && c->with_point > 0)) return;
     if (b->goal_count == 0) {
         visit(c, b);
         return;
@@ -306,8 +306,8 @@ static void draw_verdict(cover *c)
     } else if (task->status == TTC_PROVED && c->with_point == 0 && c->undecided > 0) {
         ttc_task_unsettle(task, "no point of the domain was found that meets its conditions, nor was it shown that there is none");
     } else if (task->status == TTC_PROVED && c->with_point == 0) {
-        ttc_task_unsettle(task, "it says nothing: %s",
-                          c->why_empty != NULL ? c->why_empty : "the zero level it is restricted to is empty");
+        const char *why = c->why_empty != NULL ? c->why_empty : "the zero level it is restricted to is empty";
+        ttc_task_unsettle(task, "it says nothing: %s", why);
     } else if (task->status == TTC_PROVED && lacks_dimension(task)) {
         ttc_task_unsettle(task, "no point of the level is known at which its image has the dimension that it should have");
     }
