@@ -68,6 +68,7 @@ typedef struct {
     /* A root whose radicand is a square q^2 in the field is q or -q. If the sign is not evident, bit number choice_count
      * of `choices` determines it, and the count is incremented: a proof must cover every value of these bits. */
     unsigned choices, choice_count;
+    bool has_sign_of_quotient; /* one sign was evident of a quotient: where its denominator vanishes it may be the other */
     ttc_ring_status status;
     fmpq_t minus_one;
 } ttc_ring;

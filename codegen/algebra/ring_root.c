@@ -205,6 +205,7 @@ static int evident_sign(ttc_ring *ring, const ttc_ratio *a)
                 ttc_ratio_multiply(ring, &product, &product, &generator);
             }
         if (positive) sign = ttc_ratio_sign(ring, &product);
+        ring->has_sign_of_quotient |= sign != 0 && !fmpz_mpoly_is_fmpz(product.denominator, ring->context);
     }
     ttc_ratio_clear(ring, &generator);
     ttc_ratio_clear(ring, &product);

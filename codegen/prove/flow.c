@@ -77,19 +77,18 @@ bool ttc_task_moves(ttc_task *task, const ttc_ratio *ratio)
     return false;
 }
 
-/* Refute the claim at a real point of the leaf at which the first or second derivative of its expression by time is not zero: the
- * expression is zero on the leaf, and not along the orbit of this point. */
-static void refute_along_orbit(ttc_task *task)
+/* Refute the claim at a real point of the leaf at which the first or second derivative by time of an expression is not zero that is
+ * zero on the level: it is zero on the leaf, and not along the orbit of this point. */
+static void refute_along_orbit(ttc_task *task, ttc_id derivative, const char *part)
 {
-    ttc_id derivative = task->claim->expression;
     ttc_ratio value;
     ttc_ratio_init(task->ring, &value);
-    for (int order = 1; order <= 2 && ttc_task_open(task); order++) {
+    for (int order = 1; order <= 2 && derivative != TTC_NONE && ttc_task_open(task); order++) {
         derivative = ttc_derive_field(task->model, derivative);
         ttc_evaluate(task->field, &value, derivative);
         if (ttc_task_open(task) && ttc_task_search(task, &value, TTC_IS_NONZERO, NULL) == TTC_POINT_FOUND)
-            ttc_task_require_zero(task, &value, "the set is left: %s by time of %s",
-                                  order == 1 ? "derivative" : "second derivative", task->claim->name);
+            ttc_task_require_zero(task, &value, "the set is left: %s by time of %s%s",
+                                  order == 1 ? "derivative" : "second derivative", part, task->claim->name);
     }
     ttc_ratio_clear(task->ring, &value);
 }
@@ -110,7 +109,8 @@ static void refute_kept(ttc_task *task, const ttc_symbol_entry *entry, const ttc
         ttc_task_require_zero(task, rate, by_angle ? "the set is left: rate of the angle of %s, which is fixed on it"
                                                    : "the set is left: rate of %s - rate of what it stands for", entry->name);
     ttc_conditions_rewind(&task->domain, mark, contradictory);
-    refute_along_orbit(task);
+    refute_along_orbit(task, task->claim->expression, "");
+    refute_along_orbit(task, task->radical, "the factors, each once, of ");
     ttc_task_unsettle(task, "the flow is not tangent to the set, by the rate of %s; that it leaves its real points was not shown",
                       entry->name);
     ttc_ratio_clear(task->ring, &others);

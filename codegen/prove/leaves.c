@@ -16,7 +16,7 @@ typedef struct {
     ttc_task *task;
     ttc_prover prover;
     size_t leaves, with_point, undecided; /* numbers of all; with a known point; that may have points, with none known */
-    size_t skipped; /* leaves that may be components, without a known point, those without points included */
+    size_t skipped; /* leaves that may be components, without a known point, those without points or values included */
     const char *why_empty; /* why the last leaf without points has none */
     char *none, *none_at;  /* of a claim of existence: remainder and point of the first leaf that has no example */
     bool is_partial;       /* the claim divides by zero on a whole part of the domain, */
@@ -77,9 +77,8 @@ static bool is_no_component(const ttc_task *task, const ttc_subcase *b)
 
 static void place_leaf(ttc_task *task, const ttc_subcase *b)
 {
-    const bool may_lie_within = is_invariant(task) ? b->is_degenerate || b->is_orphan : is_no_component(task, b);
-    task->is_thin = may_lie_within || b->terms_added > 0;
-    task->apart = is_invariant(task) ? b->apart : TTC_NONE;
+    task->is_thin = b->terms_added > 0 || (is_invariant(task) ? b->is_degenerate || b->is_orphan : is_no_component(task, b));
+    task->apart = b->apart;
 }
 
 /* Postpone the refutation of a claim of existence, which holds only if every leaf refutes it. */
@@ -120,7 +119,8 @@ static void visit(cover *c, const ttc_subcase *b)
             task->remainder = NULL;
         }
         bool is_here = is_in_subcase(task, b), has_points = is_here && look_for_point(c, b);
-        c->skipped += is_here && !is_no_component(task, b) && !(has_points && task->has_point);
+        const bool is_known = !is_here || is_no_component(task, b) || (has_points && task->has_point);
+        c->skipped += !is_known || task->ring->has_sign_of_quotient;
         if (has_points) {
             place_leaf(task, b);
             ttc_subcase_check_foundations(task);
@@ -206,6 +206,8 @@ static void follow_factors(cover *c, const ttc_subcase *b, const fmpz_mpoly_t no
     fmpz_mpoly_factor_t factors;
     fmpz_mpoly_factor_init(factors, task->ring->context);
     if (!fmpz_mpoly_factor(factors, norm, task->ring->context)) ttc_task_unsettle(task, "the zero level could not be factored");
+    const bool is_whole = b->goal_count + b->relation_count + task->claim->modulo_count + task->ring->choice_count == 1;
+    if (is_whole && is_invariant(task)) task->radical = ttc_subcase_others(task, factors, -1);
     for (slong i = 0; i < factors->num && task->status != TTC_REFUTED; i++) {
         if (!(ttc_conditions_signs(&task->domain, factors->poly + i) & TTC_CAN_BE_ZERO)) continue;
         ttc_subcase one = *b;
@@ -229,6 +231,7 @@ static void meet(cover *c, const ttc_subcase *b)
     ttc_ring_status status = task->ring->status;
     if (ttc_ring_has_no_value(status)) {
         c->why_empty = ttc_ring_status_text(status);
+        c->skipped++; /* where a denominator of the leaf vanishes there may be one */
         if (is_invariant(task) && b->goal_count == 1 && !c->is_partial)
             c->is_partial = ttc_divided_by_zero(task, b, &c->undefined_at);
     } else if (status != TTC_RING_OK) {
@@ -257,8 +260,7 @@ static void descend(cover *c, const ttc_subcase *b)
     ttc_task *task = c->task;
     bool again = true;
     unsigned most = 0;
-    if (is_invariant(task) && is_no_component(task, b)) return;
-    if (task->is_integral && c->with_point > 0) return;
+    if ((is_invariant(task) && is_no_component(task, b)) || (task->is_integral && c->with_point > 0)) return;
     if (b->goal_count == 0) {
         visit(c, b);
         return;
@@ -269,6 +271,7 @@ static void descend(cover *c, const ttc_subcase *b)
             return;
         }
         if (is_in_subcase(task, b)) meet(c, b);
+        c->skipped += task->ring->has_sign_of_quotient;
         if (task->ring->choice_count > most) most = task->ring->choice_count;
         again = choices + 1 < 1u << most && !task->exhibited;
         ttc_subcase_close(task);
@@ -279,8 +282,7 @@ static void descend(cover *c, const ttc_subcase *b)
  * lie within others are not tested for it one by one. */
 static bool lacks_dimension(const ttc_task *task)
 {
-    const ttc_claim_kind kind = task->claim->kind;
-    const bool is_asked = kind == TTC_CLAIM_REDUCTION || kind == TTC_CLAIM_EMBEDDING;
+    const bool is_asked = task->claim->kind == TTC_CLAIM_REDUCTION || task->claim->kind == TTC_CLAIM_EMBEDDING;
     return is_asked && task->claim->modulo_count > 0 && task->kept == 0;
 }
 
@@ -304,8 +306,8 @@ static void draw_verdict(cover *c)
     } else if (task->status == TTC_PROVED && c->with_point == 0 && c->undecided > 0) {
         ttc_task_unsettle(task, "no point of the domain was found that meets its conditions, nor was it shown that there is none");
     } else if (task->status == TTC_PROVED && c->with_point == 0) {
-        ttc_task_unsettle(task, "it says nothing: %s",
-                          c->why_empty != NULL ? c->why_empty : "the zero level it is restricted to is empty");
+        const char *why = c->why_empty != NULL ? c->why_empty : "the zero level it is restricted to is empty";
+        ttc_task_unsettle(task, "it says nothing: %s", why);
     } else if (task->status == TTC_PROVED && lacks_dimension(task)) {
         ttc_task_unsettle(task, "no point of the level is known at which its image has the dimension that it should have");
     }

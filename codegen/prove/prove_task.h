@@ -50,6 +50,7 @@ struct ttc_task {
     bool has_point; /* a real point of the leaf is known */
     bool is_thin;   /* the leaf may not be a component of the level on which it lies */
     ttc_id apart;   /* an expression that is zero on all other components, or TTC_NONE */
+    ttc_id radical; /* of an invariant alone: the product of the factors of its level, each once; TTC_NONE: not known */
     ttc_valuation *maps[2]; /* maps in use, whose roots are positive as well */
     size_t map_count;
     size_t kept;    /* number of leaves that the flow was shown to keep, or whose image was shown to have its dimension */

@@ -37,7 +37,7 @@ typedef struct {
 /* A polynomial of the task's ring as an expression; TTC_NONE if it uses roots that have no symbol. */
 ttc_id ttc_subcase_expression(ttc_task *task, const fmpz_mpoly_t polynomial);
 
-/* The product of all factors but number `one`, as an expression; TTC_NONE if there are no others. */
+/* The product of all factors but number `one`, each once, as an expression; TTC_NONE if there are no others. one = -1: of all. */
 ttc_id ttc_subcase_others(ttc_task *task, const fmpz_mpoly_factor_t factors, slong one);
 
 /** Add the solution of factor = 0, in the ring of the task's field, for a symbol in which it is linear or quadratic: a state, else
