@@ -41,7 +41,7 @@ typedef struct {
     jlt_status status; /* of a known point */
 } corner;
 
-/* The stretch of the branch that is being grown: some whole fundamental domains beyond the polygon. */
+/* The stretch of the branch that is being grown: whole fundamental domains beyond the polygon. */
 typedef struct {
     const jlt_branch *branch;
     const jlt_chart *chart;
@@ -54,7 +54,7 @@ typedef struct {
     bool is_over;   /* or before it */
 } stretch;
 
-/* Point k of the polygon's last point, k = 0, and the stretch. */
+/* Point k of the stretch; 0 is the polygon's last point, from which it goes on. */
 static const double *point_at(const stretch *self, size_t k)
 {
     return k > 0 ? self->list[k - 1].q : self->curve->points + 2 * (self->curve->count - 1);
@@ -170,26 +170,28 @@ static jlt_status refine(stretch *self, size_t *added)
 
 /* Add the stretch to the polygon, and go on to the next one, which begins at the images of as few points as the spacing allows:
  * steps in sigma stay below `longest`. */
-static void advance(stretch *self, double width, double longest)
+static jlt_status advance(stretch *self, double width, double longest)
 {
-    const double from[] = { point_at(self, 0)[0], point_at(self, 0)[1] }, *last = from;
+    corner *images = calloc(self->count + 1, sizeof *images);
+    const double *last = point_at(self, 0);
     double sigma = sigma_at(self, 0);
     size_t n = 0;
 
+    if (images == NULL) return JLT_ERR_NOMEM;
     for (size_t k = 0; k < self->count; k++) {
-        const corner *next = &self->list[k + 1 < self->count ? k + 1 : k];
-        self->list[k].is_known = k + 1 < self->count && next->sigma - sigma <= longest
-                                 && turn_at(self, k + 1) < self->options.turn / 2
-                                 && jlt_chart_distance(self->chart, next->q, last) < self->options.spacing / 2;
-        if (self->list[k].is_known) continue; /* not needed in the next stretch */
-        last = self->list[k].q;
-        sigma = self->list[k].sigma;
+        const corner *at = &self->list[k];
+        if (k + 1 < self->count && at[1].sigma - sigma <= longest && turn_at(self, k + 1) < self->options.turn / 2
+            && jlt_chart_distance(self->chart, at[1].q, last) < self->options.spacing / 2) continue;
+        last = at->q;
+        sigma = at->sigma;
+        images[n++].sigma = sigma + width;
     }
-    for (size_t k = 0; k < self->count; k++) {
+    for (size_t k = 0; k < self->count; k++)
         if (self->list[k].status == JLT_OK) append(self->curve, self->chart, self->list[k].q, self->list[k].sigma);
-        if (!self->list[k].is_known) self->list[n++] = (corner){ .sigma = self->list[k].sigma + width };
-    }
+    free(self->list);
+    self->list = images;
     self->count = n;
+    return JLT_OK;
 }
 
 static jlt_manifold_options with_defaults(const jlt_manifold_options *asked)
@@ -229,7 +231,7 @@ jlt_status jlt_manifold_grow(jlt_manifold *out, const jlt_branch *branch, const 
             JLT_TRY(refine(&self, &added));
         }
         if (self.is_over) break;
-        advance(&self, width, longest);
+        JLT_TRY(advance(&self, width, longest));
     }
     if (st == JLT_OK) *out = curve, curve = (jlt_manifold){ .count = 0 };
 done:
