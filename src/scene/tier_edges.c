@@ -32,34 +32,38 @@ static int exponent_of(const jlt_tier_edges *edges, unsigned index)
     return frexp(plain[index], &of_plain) == frexp(counted[index], &of_counted) ? of_counted - of_plain : 0;
 }
 
-/* The integral is slope*w + rest in the eliminated state w. */
+/* The integral is slope*w + rest in the eliminated state w; `others` is the squared norm of its gradient in the other states. */
 typedef struct {
-    double slope, w, rest;
+    double slope, w, rest, others;
 } linear;
 
 static linear split(const jlt_tier_edges *edges, const double *y)
 {
     const jlt_descriptor *kernel = edges->view->instance->descriptor, *full = edges->full->descriptor;
     double x[JLT_WAY_VALUES_MAX], values[JLT_WAY_VALUES_MAX], gradients[JLT_WAY_VALUES_MAX * JLT_TIER_EDGES_MAX];
-    linear out;
+    linear out = { 0 };
 
     jlt_tier_extract(edges->view, x, y);
     full->integral_values.call(x, edges->full->prepared, values);
     full->integral_gradients.call(x, edges->full->prepared, gradients);
+    const double *gradient = gradients + (size_t)kernel->level_integral * full->state_count;
+    for (unsigned i = 0; i < full->state_count; i++)
+        if (i != kernel->eliminated_state) out.others += gradient[i] * gradient[i];
     out.w = x[kernel->eliminated_state];
-    out.slope = gradients[kernel->level_integral * full->state_count + kernel->eliminated_state];
+    out.slope = gradient[kernel->eliminated_state];
     out.rest = values[kernel->level_integral] - out.slope * out.w;
     return out;
 }
 
-/* w = (level - rest)/slope has a rounding error of about u (|level| + |rest|)/|slope|. The value is negative where that exceeds
- * about 1000 u max(1, |w|), so that more than three digits are lost. */
+/* w = (level - rest)/slope has a rounding error of about u (|level| + |rest|)/|slope|, and takes over those of the other states,
+ * which are known to u of their units. The value is negative where that exceeds about 1000 u max(1, |w|), so that more than three
+ * digits are lost: also where level and rest are 0 along the orbit, and w is 0/0 at slope = 0. */
 static double slope_room(void *context, const double *y)
 {
     const linear l = split(((const jlt_tier_edge *)context)->edges, y);
     const double level = l.slope * l.w + l.rest;
 
-    return l.slope * l.slope * (1 + l.w * l.w) - 1e-6 * (level * level + l.rest * l.rest);
+    return l.slope * l.slope * (1 + l.w * l.w) - 1e-6 * (level * level + l.rest * l.rest + l.others);
 }
 
 /* The longest step: three tenths of the time to slope = 0 by linear extrapolation, since the slope may fall faster later. */
