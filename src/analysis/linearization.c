@@ -259,6 +259,32 @@ static void judge(jlt_linearization *r, const double *error)
     else r->verdict = moves && negative ? JLT_STABLE : JLT_CENTRE;
 }
 
+/* Fill all but polynomial, eigenvalues and verdict. */
+static jlt_status place(jlt_linearization *r, const jlt_instance *instance, const jlt_descriptor *general, const double *params,
+                        const double *x)
+{
+    JLT_PASS(measure_residual(r, instance, x));
+    if (r->residual_ratio > JLT_LINEARIZATION_TOLERANCE) return JLT_ERR_EMPTY;
+    for (size_t i = 0; i < r->integrals; i++) r->sources[i] = r->held[i].name;
+    JLT_PASS(jlt_instance_divergence(instance, &r->trace, x));
+    return formulas(r, general, params, x);
+}
+
+jlt_status jlt_linearization_place(jlt_linearization *result, const jlt_descriptor *descriptor, const double *params, const double *x)
+{
+    jlt_instance *instance;
+    jlt_status st;
+
+    memset(result, 0, sizeof *result);
+    JLT_TRY(bind(&instance, descriptor, params));
+    JLT_TRY(place(result, instance, descriptor, params, x));
+    leave_open(&result->eigen, result->n);
+    result->verdict = JLT_UNDECIDED;
+done:
+    jlt_instance_destroy(instance);
+    return st;
+}
+
 jlt_status jlt_linearization_compute(jlt_linearization *result, const jlt_descriptor *descriptor, const double *params,
                                      const double *x, const double *jacobian_error, const double *gradient_error)
 {
@@ -267,19 +293,12 @@ jlt_status jlt_linearization_compute(jlt_linearization *result, const jlt_descri
 
     memset(result, 0, sizeof *result);
     JLT_TRY(bind(&instance, descriptor, params));
-    JLT_TRY(measure_residual(result, instance, x));
-    if (result->residual_ratio > JLT_LINEARIZATION_TOLERANCE) {
-        st = JLT_ERR_EMPTY;
-        goto done;
-    }
-    for (size_t i = 0; i < result->integrals; i++) result->sources[i] = result->held[i].name;
-    JLT_TRY(jlt_instance_divergence(instance, &result->trace, x));
+    JLT_TRY(place(result, instance, descriptor, params, x));
     st = jlt_deflation_compute(&result->eigen, result->jacobian, jacobian_error, result->n, result->gradients, gradient_error,
                                result->integrals);
     if (st == JLT_ERR_NO_CONVERGENCE) leave_open(&result->eigen, result->n);
     else if (st != JLT_OK) goto done;
     JLT_TRY(polynomial(result, jacobian_error));
-    JLT_TRY(formulas(result, descriptor, params, x));
     judge(result, jacobian_error);
 done:
     jlt_instance_destroy(instance);

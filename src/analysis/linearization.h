@@ -80,6 +80,11 @@ void jlt_linearization_complete(double *x, const unsigned char *given, const jlt
 JLT_CHECKED jlt_status jlt_linearization_residual(jlt_linearization *result, const jlt_descriptor *descriptor,
                                                   const double *params, const double *x);
 
+/** Check that x is an equilibrium, and compute all but polynomial, eigenvalues and verdict, which stay open: the eigenvalues NaN.
+ *  jlt_linearization_enclose fills them. Errors: as jlt_linearization_compute. */
+JLT_CHECKED jlt_status jlt_linearization_place(jlt_linearization *result, const jlt_descriptor *descriptor, const double *params,
+                                               const double *x);
+
 /** Compute the whole report in doubles.
  *  Out: *result; on failure only what jlt_linearization_residual fills is meaningful, and only for EMPTY.
  *  In:  descriptor, the general field of a model; params, shape (param_count,); x, shape (state_count,); jacobian_error, shape
@@ -93,9 +98,9 @@ JLT_CHECKED jlt_status jlt_linearization_compute(jlt_linearization *result, cons
                                                  const double *params, const double *x, const double *jacobian_error,
                                                  const double *gradient_error);
 
-/** Recompute Jacobian, polynomial, trace, eigenvalues and verdict of a report that jlt_linearization_compute has filled, in ball
- *  arithmetic from exact values; each number becomes the nearest double. Differences between eigenvalues by several routes stay as
- *  they are. The verdict is proved, or JLT_UNDECIDED.
+/** Recompute Jacobian, polynomial, trace, eigenvalues and verdict of a report that jlt_linearization_place or _compute has filled, in
+ *  ball arithmetic from exact values; each number becomes the nearest double. Differences between eigenvalues by several routes stay
+ *  as they are. The verdict is proved, or JLT_UNDECIDED.
  *  In/out: *result, untouched on failure. In: descriptor, the general field; params, shape (param_count,); x, shape
  *  (state_count,); exact, the equilibrium in exact numbers, or NULL: multiple eigenvalues, and zeros that neither an integral nor
  *  a reversor explains, are then not settled; digits, of the texts, or 0 for none.

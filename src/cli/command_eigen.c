@@ -48,7 +48,8 @@ static error_t parse(int key, char *value, struct argp_state *state)
         if (r->json && r->csv) argp_error(state, "--json and --csv exclude each other");
         if (r->question.digits > 0 && (r->question.fast || r->csv || r->axis_count > 0))
             argp_error(state, "--digits excludes --fast, --csv and --sweep");
-        if (r->json || (!r->csv && r->axis_count == 0)) jlt_common_no_table(&r->common, state, "a report");
+        r->question.proved_only = !r->json && (r->csv || r->axis_count > 0);
+        if (!r->question.proved_only) jlt_common_no_table(&r->common, state, "a report");
         break;
     default: return ARGP_ERR_UNKNOWN;
     }

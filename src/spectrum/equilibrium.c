@@ -52,6 +52,12 @@ static void enclose_formulas(jlt_linearization *result, jlt_oracle *oracle, cons
     for (size_t k = 1; c != NULL && k <= result->n; k++) enclose_one(&result->charpoly_formula[k], oracle, c[k]);
 }
 
+static void set_point(const jlt_equilibrium_question *q, const double *params, const double *x, const char *const *exact_x)
+{
+    jlt_oracle_set_params(q->oracle, params, q->params);
+    jlt_oracle_set_states(q->oracle, x, exact_x);
+}
+
 /* Linearize in doubles, with bounds on the errors of the Jacobian and of the integrals' gradients against the exact values. */
 static jlt_status linearize(jlt_linearization *result, const jlt_equilibrium_question *q, const double *params, const double *x,
                             const char *const *exact_x)
@@ -64,8 +70,7 @@ static jlt_status linearize(jlt_linearization *result, const jlt_equilibrium_que
 
     if (exact == NULL) return JLT_ERR_NOMEM;
     JLT_PASS(jlt_linearization_residual(result, q->descriptor, params, x));
-    jlt_oracle_set_params(q->oracle, params, q->params);
-    jlt_oracle_set_states(q->oracle, x, exact_x);
+    set_point(q, params, x, exact_x);
     JLT_PASS(jlt_oracle_enclose(q->oracle, exact, q->oracle->jacobian, n * n));
     for (size_t i = 0; i < n * n; i++) {
         errors[i] = jlt_oracle_error(result->jacobian[i], &exact[i]);
@@ -111,6 +116,15 @@ static jlt_status enclose(jlt_linearization *result, const jlt_equilibrium_quest
     return st;
 }
 
+/* Linearize in balls alone. Returns false where they do not settle everything. */
+static bool prove(jlt_linearization *result, const jlt_equilibrium_question *q, const double *params, const double *x,
+                  const char *const *fractions)
+{
+    if (jlt_linearization_place(result, q->descriptor, params, x) != JLT_OK) return false;
+    set_point(q, params, x, fractions);
+    return enclose(result, q, params, x, fractions) == JLT_OK && result->proved && !isnan(result->eigen.values[result->n - 1].re);
+}
+
 void jlt_equilibrium_compute(jlt_equilibrium *out, const jlt_equilibrium_question *q, double *params, double *x)
 {
     const jlt_descriptor *d = q->descriptor;
@@ -131,6 +145,7 @@ void jlt_equilibrium_compute(jlt_equilibrium *out, const jlt_equilibrium_questio
     if (out->status != JLT_OK) return;
     for (size_t i = 0; i < d->state_count; i++) fractions[i] = untouched(x[i], q->x[i]) ? q->x[i] : NULL;
     out->stage = JLT_EQUILIBRIUM_POINT;
+    if (q->proved_only && !q->fast && prove(&out->result, q, params, x, fractions)) return;
     out->status = linearize(&out->result, q, params, x, fractions);
     if (out->status != JLT_OK || q->fast) return;
     const jlt_status st = enclose(&out->result, q, params, x, fractions);

@@ -18,6 +18,8 @@ typedef struct {
     bool find;                                        /* the states are a guess: search for an equilibrium nearby */
     size_t order[JLT_LINEARIZATION_SIZE_MAX], held;   /* states to hold in the search, the most important first; their number */
     bool fast;                                        /* doubles are enough: compute no balls */
+    bool proved_only; /* what balls prove is enough: eigenvalues in doubles, and their differences by several routes, are computed
+                       * only where balls settle nothing */
     long digits;                                      /* decimal digits of the texts to make; 0: none */
 } jlt_equilibrium_question;
 
