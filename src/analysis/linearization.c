@@ -270,7 +270,8 @@ static jlt_status place(jlt_linearization *r, const jlt_instance *instance, cons
     return formulas(r, general, params, x);
 }
 
-jlt_status jlt_linearization_place(jlt_linearization *result, const jlt_descriptor *descriptor, const double *params, const double *x)
+jlt_status jlt_linearization_place(jlt_linearization *result, const jlt_descriptor *descriptor, const double *params,
+                                   const double *x)
 {
     jlt_instance *instance;
     jlt_status st;

@@ -98,9 +98,9 @@ JLT_CHECKED jlt_status jlt_linearization_compute(jlt_linearization *result, cons
                                                  const double *params, const double *x, const double *jacobian_error,
                                                  const double *gradient_error);
 
-/** Recompute Jacobian, polynomial, trace, eigenvalues and verdict of a report that jlt_linearization_place or _compute has filled, in
- *  ball arithmetic from exact values; each number becomes the nearest double. Differences between eigenvalues by several routes stay
- *  as they are. The verdict is proved, or JLT_UNDECIDED.
+/** Recompute Jacobian, polynomial, trace, eigenvalues and verdict of a report that jlt_linearization_place or _compute has
+ *  filled, in ball arithmetic from exact values; each number becomes the nearest double. Differences between eigenvalues by
+ *  several routes stay as they are. The verdict is proved, or JLT_UNDECIDED.
  *  In/out: *result, untouched on failure. In: descriptor, the general field; params, shape (param_count,); x, shape
  *  (state_count,); exact, the equilibrium in exact numbers, or NULL: multiple eigenvalues, and zeros that neither an integral nor
  *  a reversor explains, are then not settled; digits, of the texts, or 0 for none.

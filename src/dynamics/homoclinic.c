@@ -8,8 +8,8 @@
 
 static const double pi = 3.14159265358979323846;
 
-/* A crossing's residual is at most this. Below it Newton's method, which squares residuals, has reached the errors of the map once a
- * trial gains less than a factor of 8; more trials would only pick the luckiest of those errors. */
+/* A crossing's residual is at most this. Below it Newton's method, which squares residuals, has reached the errors of the map once
+ * a trial gains less than a factor of 8; more trials would only pick the luckiest of those errors. */
 static const double small_residual = 1e-8;
 
 /* Whether the segments p + a u and r + b w, 0 <= a, b < 1, meet; sets a and b. */

@@ -47,12 +47,14 @@ static bool conjugate(const acb_t a, const acb_t b)
 static double rounded(double *error, bool *sure, arb_srcptr ball, slong precision)
 {
     const double value = arb_contains_zero(ball) ? 0.0 : arf_get_d(arb_midref(ball), ARF_RND_NEAR);
+
+    if (arb_is_zero(ball)) return value;
     JLT_SCOPED(arb, distance);
     JLT_SCOPED(arf, low, high);
     JLT_SCOPED(mag, bound);
 
     arb_get_interval_arf(low, high, ball, precision + 2 * MAG_BITS);
-    if (arb_contains_zero(ball)) *sure = *sure && arb_is_zero(ball);
+    if (arb_contains_zero(ball)) *sure = false;
     else *sure = *sure && !(arf_get_d(low, ARF_RND_NEAR) < arf_get_d(high, ARF_RND_NEAR));
     arb_set_d(distance, value);
     arb_sub(distance, ball, distance, 64);

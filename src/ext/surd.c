@@ -92,17 +92,21 @@ void jlt_surd_set(jlt_surd *out, const jlt_surd *a)
     jlt_surd same;
 
     if (out == a) return;
+    if (out->level + a->level == 0) {
+        fmpq_set(out->coordinates, a->coordinates);
+        return;
+    }
     raise_to(&same, a, a->level);
     give(out, &same);
 }
 
 void jlt_surd_set_rational(jlt_surd *out, const fmpq_t value)
 {
-    jlt_surd same;
-
-    init_at(&same, 0);
-    fmpq_set(same.coordinates, value);
-    give(out, &same);
+    if (out->level > 0) {
+        jlt_surd_clear(out);
+        jlt_surd_init(out);
+    }
+    fmpq_set(out->coordinates, value);
 }
 
 bool jlt_surd_is_zero(const jlt_surd *a)
@@ -114,6 +118,10 @@ static void combine(jlt_surd *out, const jlt_surd *a, const jlt_surd *b, bool mi
 {
     jlt_surd sum;
 
+    if (out->level + a->level + b->level == 0) {
+        (minus ? fmpq_sub : fmpq_add)(out->coordinates, a->coordinates, b->coordinates);
+        return;
+    }
     raise_to(&sum, a, a->level > b->level ? a->level : b->level);
     for (size_t i = 0; i < size_of(b->level); i++)
         (minus ? fmpq_sub : fmpq_add)(sum.coordinates + i, sum.coordinates + i, b->coordinates + i);
@@ -169,6 +177,10 @@ void jlt_surd_multiply(jlt_surd *out, const jlt_surd *a, const jlt_surd *b, cons
 
     if (low->level == 0 && fmpq_is_one(low->coordinates)) {
         jlt_surd_set(out, high);
+        return;
+    }
+    if (out->level + high->level == 0) {
+        fmpq_mul(out->coordinates, a->coordinates, b->coordinates);
         return;
     }
     init_at(&product, high->level);

@@ -16,7 +16,7 @@ typedef struct {
     ttc_id *bound;                 /* by symbol: the expression that the family gives for it, or TTC_NONE */
     jlt_surd *numbers;             /* by node, like `state`; initialized where that is not UNKNOWN */
     unsigned char *state;
-    jlt_surd *inverses;            /* by node, of numbers; initialized where `inverted` is not UNKNOWN */
+    jlt_surd *inverses;            /* by node, of numbers that are not zero; initialized where `inverted` */
     unsigned char *inverted;
     size_t size;
 } walk;
@@ -65,42 +65,85 @@ static bool evaluate_symbol(jlt_surd *out, walk *w, uint32_t symbol)
     return true;
 }
 
-/* 1/numbers[id]. Returns NULL if that number is zero. */
+/* 1/numbers[id]; that number is not zero. */
 static const jlt_surd *inverse_of(walk *w, ttc_id id)
 {
-    if (w->inverted[id] == UNKNOWN) {
+    if (!w->inverted[id]) {
         jlt_surd_init(&w->inverses[id]);
-        w->inverted[id] = jlt_surd_invert(&w->inverses[id], &w->numbers[id], w->field) ? GOOD : BAD;
+        w->inverted[id] = jlt_surd_invert(&w->inverses[id], &w->numbers[id], w->field);
     }
-    return w->inverted[id] == GOOD ? &w->inverses[id] : NULL;
+    return &w->inverses[id];
 }
 
-static bool evaluate_parts(jlt_surd *out, walk *w, ttc_id id)
+static bool evaluate_sum(jlt_surd *out, walk *w, ttc_id id)
 {
     const ttc_graph *graph = w->model->graph;
-    const bool product = ttc_kind_of(graph, id) == TTC_PRODUCT;
-    bool good = true;
     JLT_SCOPED(jlt_surd, factor);
 
     jlt_surd_set_rational(out, ttc_coefficient(graph, id));
-    for (size_t i = 0; good && i < ttc_part_count(graph, id); i++) {
+    for (size_t i = 0; i < ttc_part_count(graph, id); i++) {
         const ttc_part part = ttc_part_at(graph, id, i);
-        good = evaluate(w, part.id);
-        if (!good) break;
-        const jlt_surd *number = &w->numbers[part.id];
-        if (product) {
-            if (part.exponent < 0) number = inverse_of(w, part.id);
-            good = number != NULL;
-            for (int32_t k = abs(part.exponent); good && k > 0; k--) jlt_surd_multiply(out, out, number, w->field);
-        } else if (fmpq_is_one(part.coefficient)) {
-            jlt_surd_add(out, out, number);
+        if (!evaluate(w, part.id)) return false;
+        if (fmpq_is_one(part.coefficient)) {
+            jlt_surd_add(out, out, &w->numbers[part.id]);
         } else {
             jlt_surd_set_rational(factor, part.coefficient);
-            jlt_surd_multiply(factor, factor, number, w->field);
+            jlt_surd_multiply(factor, factor, &w->numbers[part.id], w->field);
             jlt_surd_add(out, out, factor);
         }
     }
-    return good && jlt_surd_height(out) <= HEIGHT_MAX;
+    return true;
+}
+
+/* Evaluate the factors of a product. Returns false if one has no value, or is to be divided by and zero; *zero becomes true if one
+ * that is not divided by is zero. */
+static bool evaluate_factors(bool *zero, walk *w, ttc_id id)
+{
+    for (size_t i = 0; i < ttc_part_count(w->model->graph, id); i++) {
+        const ttc_part part = ttc_part_at(w->model->graph, id, i);
+        if (!evaluate(w, part.id)) return false;
+        if (!jlt_surd_is_zero(&w->numbers[part.id])) continue;
+        if (part.exponent < 0) return false;
+        *zero = true;
+    }
+    return true;
+}
+
+/* Multiply a fraction, which need not be in lowest terms, by a power of a rational number. */
+static void multiply_power(fmpq_t out, const fmpq_t number, int32_t exponent)
+{
+    JLT_SCOPED(fmpq, power);
+
+    fmpz_pow_ui(fmpq_numref(power), fmpq_numref(number), (ulong)abs(exponent));
+    fmpz_pow_ui(fmpq_denref(power), fmpq_denref(number), (ulong)abs(exponent));
+    if (exponent < 0) fmpz_swap(fmpq_numref(power), fmpq_denref(power));
+    fmpz_mul(fmpq_numref(out), fmpq_numref(out), fmpq_numref(power));
+    fmpz_mul(fmpq_denref(out), fmpq_denref(out), fmpq_denref(power));
+}
+
+static bool evaluate_product(jlt_surd *out, walk *w, ttc_id id)
+{
+    const ttc_graph *graph = w->model->graph;
+    const size_t count = ttc_part_count(graph, id);
+    bool zero = false;
+    JLT_SCOPED(fmpq, rational);
+
+    if (!evaluate_factors(&zero, w, id)) return false;
+    if (zero) return true;
+    fmpq_set(rational, ttc_coefficient(graph, id));
+    for (size_t i = 0; i < count; i++) {
+        const ttc_part part = ttc_part_at(graph, id, i);
+        if (w->numbers[part.id].level == 0) multiply_power(rational, w->numbers[part.id].coordinates, part.exponent);
+    }
+    fmpq_canonicalise(rational);
+    jlt_surd_set_rational(out, rational);
+    for (size_t i = 0; i < count; i++) {
+        const ttc_part part = ttc_part_at(graph, id, i);
+        if (w->numbers[part.id].level == 0) continue;
+        const jlt_surd *number = part.exponent < 0 ? inverse_of(w, part.id) : &w->numbers[part.id];
+        for (int32_t k = abs(part.exponent); k > 0; k--) jlt_surd_multiply(out, out, number, w->field);
+    }
+    return true;
 }
 
 static bool evaluate(walk *w, ttc_id id)
@@ -115,7 +158,8 @@ static bool evaluate(walk *w, ttc_id id)
     switch (ttc_kind_of(graph, id)) {
     case TTC_NUMBER: jlt_surd_set_rational(out, ttc_coefficient(graph, id)); break;
     case TTC_SYMBOL: good = evaluate_symbol(out, w, ttc_symbol_of(graph, id)); break;
-    default: good = evaluate_parts(out, w, id);
+    case TTC_PRODUCT: good = evaluate_product(out, w, id) && jlt_surd_height(out) <= HEIGHT_MAX; break;
+    default: good = evaluate_sum(out, w, id) && jlt_surd_height(out) <= HEIGHT_MAX;
     }
     w->state[id] = good ? GOOD : BAD;
     return good;
@@ -126,7 +170,7 @@ static void end(walk *w)
     for (size_t i = 0; w->numbers != NULL && w->state != NULL && i < w->size; i++)
         if (w->state[i] != UNKNOWN) jlt_surd_clear(&w->numbers[i]);
     for (size_t i = 0; w->inverses != NULL && w->inverted != NULL && i < w->size; i++)
-        if (w->inverted[i] != UNKNOWN) jlt_surd_clear(&w->inverses[i]);
+        if (w->inverted[i]) jlt_surd_clear(&w->inverses[i]);
     free(w->inverses);
     free(w->inverted);
     free(w->numbers);
