@@ -87,11 +87,8 @@ static size_t begin(const jlt_branch *self, double start[2], double rate[2], dou
     return (size_t)times(self, sigma);
 }
 
-jlt_status jlt_branch_curve(const jlt_branch *self, jlt_status *status, double *q, const double *sigma, size_t count)
+jlt_status jlt_branch_curve(const jlt_branch *const *branches, jlt_status *status, double *q, const double *sigma, size_t count)
 {
-    const bool backwards = self->time_direction < 0;
-    const jlt_section_batch_options options = { .threads = self->threads, .backwards = backwards, .last_only = true };
-    const jlt_chart *chart = jlt_map_flow(self->map)->chart;
     JLT_OWNED(jlt_section_batch) *batch = NULL;
     JLT_FREED size_t *moving = calloc(count + 1, sizeof *moving), *returns = calloc(count + 1, sizeof *returns);
     JLT_FREED double *starts = calloc(2 * count + 1, sizeof *starts);
@@ -103,21 +100,24 @@ jlt_status jlt_branch_curve(const jlt_branch *self, jlt_status *status, double *
     for (size_t i = 0; i < count; i++) {
         status[i] = is_parameter(sigma[i]) ? JLT_OK : JLT_ERR_ARG;
         if (status[i] != JLT_OK) continue;
-        returns[n] = begin(self, q + 2 * i, rate, sigma[i]) * self->returns;
+        returns[n] = begin(branches[i], q + 2 * i, rate, sigma[i]) * branches[i]->returns;
         if (returns[n] == 0) continue;
         if (returns[n] > most) most = returns[n];
         memcpy(starts + 2 * n, q + 2 * i, 2 * sizeof *q);
         moving[n++] = i;
     }
     if (n == 0) return JLT_OK;
-    JLT_PASS(jlt_section_batch_create(&batch, jlt_map_flow(self->map), self->kernels, &options));
+    const jlt_branch *any = branches[0];
+    const jlt_flow *flow = jlt_map_flow(any->map);
+    const jlt_section_batch_options options = { .threads = any->threads, .backwards = any->time_direction < 0, .last_only = true };
+    JLT_PASS(jlt_section_batch_create(&batch, flow, any->kernels, &options));
     JLT_PASS(jlt_section_batch_run_each(batch, starts, NULL, returns, n, most));
     for (size_t k = 0; k < n; k++) {
         const size_t i = moving[k];
         status[i] = jlt_section_batch_last(batch, &row, k);
         if (status[i] == JLT_OK && row.interrupted) status[i] = JLT_ERR_NO_CONVERGENCE;
         if (status[i] == JLT_OK) status[i] = jlt_section_fate_status(row.fate);
-        if (status[i] == JLT_OK && !jlt_chart_follows(chart, row.x)) status[i] = JLT_ERR_DOMAIN;
+        if (status[i] == JLT_OK && !jlt_chart_follows(flow->chart, row.x)) status[i] = JLT_ERR_DOMAIN;
         if (status[i] == JLT_OK) memcpy(q + 2 * i, row.q, 2 * sizeof *q);
     }
     return JLT_OK;
@@ -127,7 +127,7 @@ jlt_status jlt_branch_point(const jlt_branch *self, double q[2], double sigma)
 {
     jlt_status status = JLT_OK;
 
-    JLT_PASS(jlt_branch_curve(self, &status, q, &sigma, 1));
+    JLT_PASS(jlt_branch_curve(&self, &status, q, &sigma, 1));
     return status;
 }
 

@@ -48,9 +48,11 @@ JLT_CHECKED jlt_status jlt_branch_init(jlt_branch *out, jlt_map *map, const jlt_
  *  Cost: ceil(sigma)*returns returns. */
 JLT_CHECKED jlt_status jlt_branch_point(const jlt_branch *self, double q[2], double sigma);
 
-/** Compute many points at once, q, shape (count, 2), at sigma, shape (count,). Out: status, shape (count,), what jlt_branch_point
- *  would return; where that is not OK q is undefined. Errors: as jlt_section_batch_run. */
-JLT_CHECKED jlt_status jlt_branch_curve(const jlt_branch *self, jlt_status *status, double *q, const double *sigma, size_t count);
+/** Compute many points at once, q, shape (count, 2): point i at sigma[i] on branches[i], which have map, kernels, threads and time
+ *  direction in common. Out: status, shape (count,), what jlt_branch_point would return; where that is not OK q is undefined.
+ *  Errors: as jlt_section_batch_run. */
+JLT_CHECKED jlt_status jlt_branch_curve(const jlt_branch *const *branches, jlt_status *status, double *q, const double *sigma,
+                                        size_t count);
 
 /** About the parameter of gamma(sigma) on the bent branch; NaN if there is none. */
 double jlt_branch_bent_sigma(const jlt_branch *self, double sigma);

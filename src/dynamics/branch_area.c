@@ -220,7 +220,7 @@ static jlt_status refine(joint **list, size_t *count, const jlt_branch *branch)
         }
         for (size_t k = 0, of = 0; k + 1 < *count; k++)
             if ((*list)[k].is_open) middles.sigma[of++] = (*list)[k].sigma + ((*list)[k + 1].sigma - (*list)[k].sigma) / 2;
-        const jlt_status st = jlt_branch_curve(branch, middles.status, middles.q, middles.sigma, left);
+        const jlt_status st = jlt_branch_curve(middles.branches, middles.status, middles.q, middles.sigma, left);
         for (size_t k = 0, of = 0; k < *count; k++) {
             finer[n++] = (*list)[k];
             if (!(*list)[k].is_open) continue;

@@ -41,9 +41,10 @@ typedef struct {
 
 void jlt_manifold_clear(jlt_manifold *self); /* frees; legal on a zeroed polygon */
 
-/** Grow into an empty polygon. options NULL: all defaults; a member that is 0: its default. Errors: ARG, spacing is not above
- *  finest, or another option; NOMEM; as jlt_branch_point but for what ends a branch. */
-JLT_CHECKED jlt_status jlt_manifold_grow(jlt_manifold *out, const jlt_branch *branch,
+/** Grow polygons along branches, side by side; out, shape (count,), and branches as jlt_branch_curve takes them. A polygon does not
+ *  depend on the other branches. options NULL: all defaults; a member that is 0: its default. Errors, with out untouched: ARG,
+ *  spacing is not above finest, or another option; NOMEM; as jlt_branch_point but for what ends a branch. */
+JLT_CHECKED jlt_status jlt_manifold_grow(jlt_manifold *out, const jlt_branch *const *branches, size_t count,
                                          const jlt_manifold_options *options);
 
 /** The mirror image of a curve: of an unstable branch of a saddle that is its own mirror image, this is a stable one, at the

@@ -43,13 +43,30 @@ static void reflect_branch(jlt_separatrices *self, int k)
     branch->lambda = original->lambda;
 }
 
+/* Grow those of the unstable branches, first = 0, or of the stable ones, first = 2, that are no mirror images. */
+static jlt_status grow(jlt_separatrices *self, int first)
+{
+    const jlt_branch *branches[2];
+    jlt_manifold curves[2];
+    int of[2], n = 0;
+
+    for (int k = first; k < first + 2; k++) {
+        if (self->original[k] < JLT_SEPARATRICES) continue;
+        branches[n] = &self->branch[k];
+        of[n++] = k;
+    }
+    if (n > 0) JLT_PASS(jlt_manifold_grow(curves, branches, (size_t)n, &self->growth));
+    for (int i = 0; i < n; i++) self->curve[of[i]] = curves[i];
+    return JLT_OK;
+}
+
 static jlt_status grow_all(jlt_separatrices *self)
 {
-    for (int k = 0; k < JLT_SEPARATRICES; k++) {
-        const int of = self->original[k];
-        JLT_PASS(of < JLT_SEPARATRICES ? jlt_manifold_reflect(&self->curve[k], &self->curve[of], self->chart)
-                                       : jlt_manifold_grow(&self->curve[k], &self->branch[k], &self->growth));
-    }
+    JLT_PASS(grow(self, 0));
+    JLT_PASS(grow(self, 2));
+    for (int k = 0; k < JLT_SEPARATRICES; k++)
+        if (self->original[k] < JLT_SEPARATRICES)
+            JLT_PASS(jlt_manifold_reflect(&self->curve[k], &self->curve[self->original[k]], self->chart));
     return JLT_OK;
 }
 

@@ -61,13 +61,13 @@ static void stable_branch_mirrors_the_unstable_one(void **unused)
     assert_ok(jlt_map_create(&map, &system->flow));
     const jlt_periodic saddle = saddle_of(map);
     assert_ok(jlt_branch_init(&u, map, &saddle, false, 1, 1e-4));
-    assert_ok(jlt_manifold_grow(&unstable, &u, &options));
+    assert_ok(jlt_manifold_grow(&unstable, &(const jlt_branch *){ &u }, 1, &options));
     assert_int_equal(unstable.end, JLT_MANIFOLD_LENGTH);
     assert_ok(jlt_manifold_reflect(&mirrored, &unstable, chart));
     for (int side = -1; side <= 1; side += 2) {
         assert_ok(jlt_branch_init(&s, map, &saddle, true, side, 1e-4));
         if (-u.v[0] * s.v[0] + u.v[1] * s.v[1] < 0) continue;
-        assert_ok(jlt_manifold_grow(&stable, &s, &options));
+        assert_ok(jlt_manifold_grow(&stable, &(const jlt_branch *){ &s }, 1, &options));
         for (size_t i = 0; i < stable.count && stable.length[i] < 0.49; i++) {
             double nearest = 1;
             for (size_t j = 0; j < mirrored.count; j++)
@@ -82,6 +82,37 @@ static void stable_branch_mirrors_the_unstable_one(void **unused)
     }
     jlt_manifold_clear(&unstable);
     jlt_manifold_clear(&mirrored);
+    jlt_map_destroy(map);
+    jlt_system_destroy(system);
+}
+
+/* Both unstable branches of a saddle, grown side by side from different seeds, are those that grow alone. */
+static void branches_do_not_depend_on_their_company(void **unused)
+{
+    const jlt_manifold_options options = { .spacing = 0.01, .length_max = 0.3 };
+    jlt_system *system = top_51(1e-11);
+    jlt_manifold together[2] = { { 0 } }, alone = { 0 };
+    jlt_branch branches[2];
+    jlt_map *map;
+
+    (void)unused;
+    assert_ok(jlt_map_create(&map, &system->flow));
+    const jlt_periodic saddle = saddle_of(map);
+    for (int i = 0; i < 2; i++) {
+        assert_ok(jlt_branch_init(&branches[i], map, &saddle, false, 2 * i - 1, i == 0 ? 1e-4 : 1e-6));
+        branches[i].kernels = system->field.batch;
+    }
+    assert_ok(jlt_manifold_grow(together, (const jlt_branch *const[]){ &branches[0], &branches[1] }, 2, &options));
+    assert_memory_not_equal(together[0].sigma, together[1].sigma, 10 * sizeof *alone.sigma);
+    for (int i = 0; i < 2; i++) {
+        assert_ok(jlt_manifold_grow(&alone, &(const jlt_branch *){ &branches[i] }, 1, &options));
+        assert_int_equal(alone.count, together[i].count);
+        assert_int_equal(alone.end, together[i].end);
+        assert_memory_equal(alone.points, together[i].points, 2 * alone.count * sizeof *alone.points);
+        assert_memory_equal(alone.sigma, together[i].sigma, alone.count * sizeof *alone.sigma);
+        jlt_manifold_clear(&alone);
+        jlt_manifold_clear(&together[i]);
+    }
     jlt_map_destroy(map);
     jlt_system_destroy(system);
 }
@@ -105,7 +136,7 @@ static void separatrices_cross_transversally(void **unused)
     const jlt_periodic saddle = saddle_of(map);
     for (int stable = 0; stable < 2; stable++) {
         assert_ok(jlt_branch_init(&branches[stable], map, &saddle, stable, 1, 1e-4));
-        assert_ok(jlt_manifold_grow(&curves[stable], &branches[stable], &options));
+        assert_ok(jlt_manifold_grow(&curves[stable], &(const jlt_branch *){ &branches[stable] }, 1, &options));
     }
     assert_ok(jlt_homoclinic_find(&points, &count, NULL, &curves[0], &branches[0], &curves[1], &branches[1], false, fine, coarse));
     for (size_t i = 0; i < count; i++) {
@@ -358,6 +389,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(branches_are_invariant),
         cmocka_unit_test(stable_branch_mirrors_the_unstable_one),
+        cmocka_unit_test(branches_do_not_depend_on_their_company),
         cmocka_unit_test(separatrices_cross_transversally),
         cmocka_unit_test(images_of_crossings_are_crossings),
         cmocka_unit_test(areas_of_lobes_do_not_depend_on_the_polygon),
