@@ -17,6 +17,8 @@ rows() { # FILE COMMAND...: rows without comments
 }
 same() { cmp -s "$1" "$2" || { fail "$3"; diff "$1" "$2" | head -4; }; }
 
+grep -q "WAIT_POLICY *= *'PASSIVE'" <<< "$(OMP_DISPLAY_ENV=true jellett --version 2>&1)" || fail "threads that wait do not sleep"
+
 # Points of a sweep one by one, their rows behind each other.
 one_by_one() { # FILE NAME VALUES COMMAND...
     local file=$1 name=$2 values=$3

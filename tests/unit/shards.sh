@@ -250,7 +250,7 @@ expect 2 "leave out @0:4" jellett orbits --grid 4x4@0:4
 sed 's/returns = 3/returns = 100000000/; s/0.9999, 15/0.9999, 60/' map.scene > long.scene
 jellett sweep long.scene --into=long 2> first &
 first=$!
-for _ in $(seq 100); do grep -q "of them are there" first && break; sleep 0.05; done
+for _ in $(seq 1200); do grep -q "of them are there" first && break; sleep 0.05; done
 expect 5 "process $first computes this shard already" timeout 60 jellett sweep long.scene --into=long --resume
 kill -TERM $first
 wait $first
@@ -259,7 +259,7 @@ wait $first
 # A file that is not where it was any more is told of.
 jellett sweep long.scene --into=gone 2> first &
 first=$!
-for _ in $(seq 100); do grep -q "of them are there" first && break; sleep 0.05; done
+for _ in $(seq 1200); do grep -q "of them are there" first && break; sleep 0.05; done
 rm -r gone
 kill -TERM $first
 wait $first
