@@ -36,7 +36,7 @@ typedef struct {
     size_t counts[JLT_CHART_DIM_MAX];                      /* of the grid, along each coordinate; counts[0] = 0: no grid */
     double near;   /* Newton is tried for period p from q where |P^p(q) - q| < near; default 0.6 */
     size_t settle; /* try again from where q is after this many returns, which finds attracting orbits; 0: do not */
-    const jlt_kernel_batch *kernels; /* of the flow's field, for the grid's starts, many at once; NULL: one at a time */
+    const jlt_kernel_batch *kernels; /* of the flow's field, for many starts at once; NULL: one at a time */
     unsigned threads;                /* 0 and 1: the caller's alone */
     const jlt_symmetric_line *lines; /* shape (line_count,): symmetric orbits are looked for on these as well; borrowed */
     size_t line_count;

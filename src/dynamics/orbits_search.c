@@ -277,7 +277,8 @@ jlt_status jlt_orbits_search(jlt_orbits *self, jlt_map *map, const jlt_orbits_op
 
     if (options->period_max == 0 || options->period_max > JLT_PERIODIC_MAX) return JLT_ERR_ARG;
     for (size_t i = 0; i < options->line_count; i++)
-        JLT_TRY(jlt_symmetric_search(map, &options->lines[i], options->period_max, collect, &into));
+        JLT_TRY(jlt_symmetric_search(map, &options->lines[i], options->period_max, options->kernels, options->threads, collect,
+                                     &into));
     if (options->counts[0] > 0) JLT_TRY(search_grid(self, map, options));
     if (chart->reversible) JLT_TRY(add_mirrors(self, map));
 done:

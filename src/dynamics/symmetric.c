@@ -1,38 +1,54 @@
 #include "dynamics/symmetric.h"
 
 #include "core/memory.h"
+#include "dynamics/section_batch.h"
 
 #include <math.h>
 #include <string.h>
 
+enum { BLOCK = 1024 }; /* samples that are followed together */
 static const double pi = 3.14159265358979323846;
 
 typedef struct {
     jlt_map *map;
-    jlt_section *both;  /* the flow's section, crossed in both directions */
+    jlt_section *both;  /* the flow's section, crossed in both directions, */
+    jlt_section_batch *many; /* and for many orbits at once */
     const jlt_symmetric_line *line;
     unsigned mirrored;
     unsigned char held[JLT_CHART_DIM_MAX]; /* coordinates that Newton keeps: fixed on the line, mirrored only if dim is 2 */
 } search;
 
-/* h_1 .. h_count along the orbit from u; NaN after its end. */
-static jlt_status halves(const search *self, double *h, double u, size_t count)
+static void point_of(const search *self, double *q, double u)
+{
+    memcpy(q, self->line->base, jlt_map_flow(self->map)->chart->dim * sizeof *q);
+    q[self->line->free] = u;
+}
+
+/* h of a crossing. */
+static double half(const search *self, const jlt_return *row)
 {
     const jlt_chart *chart = jlt_map_flow(self->map)->chart;
+    const double q = row->q[self->mirrored], period = chart->period[self->mirrored];
+
+    return period != 0 ? sin(q * (2 * pi / period)) : ldexp(q, -chart->scale[self->mirrored]);
+}
+
+/* h_1 .. h_count along the orbit from u; NaN after its end. Sample `index` of those that run together, or with SIZE_MAX alone. */
+static jlt_status halves(const search *self, double *h, double u, size_t count, size_t index)
+{
+    const bool alone = index == SIZE_MAX;
     double q[JLT_CHART_DIM_MAX];
     jlt_return row = { .fate = JLT_FATE_ALIVE };
     jlt_status st;
 
     for (size_t j = 0; j < count; j++) h[j] = NAN;
-    memcpy(q, self->line->base, sizeof q);
-    q[self->line->free] = u;
-    st = jlt_section_start(self->both, NULL, q, 1);
+    point_of(self, q, u);
+    st = alone ? jlt_section_start(self->both, NULL, q, 1) : jlt_section_batch_start(self->many, &row, index);
     if (st == JLT_ERR_EMPTY || st == JLT_ERR_DOMAIN) return JLT_OK;
     for (size_t j = 0; st == JLT_OK && j < count; j++) {
-        st = jlt_section_next(self->both, &row);
+        st = alone ? jlt_section_next(self->both, &row) : jlt_section_batch_next(self->many, &row);
         if (st != JLT_OK || row.interrupted || row.fate != JLT_FATE_ALIVE) break;
-        h[j] = ldexp(row.q[self->mirrored], -chart->scale[self->mirrored]);
-        if (chart->period[self->mirrored] != 0) h[j] = sin(row.q[self->mirrored] * (2 * pi / chart->period[self->mirrored]));
+        h[j] = half(self, &row);
     }
     if (row.interrupted) return JLT_ERR_NO_CONVERGENCE;
     return st;
@@ -53,7 +69,7 @@ static jlt_status bisect(const search *self, double *root, bool *found, double *
             if (fabs(b - a) > previous / 4 || !(u > fmin(a, b) && u < fmax(a, b))) u = (a + b) / 2;
             previous = fabs(b - a);
         }
-        JLT_PASS(halves(self, work, u, j));
+        JLT_PASS(halves(self, work, u, j, SIZE_MAX));
         h = work[j - 1];
         if (isnan(h)) return JLT_OK;
         *root = u;
@@ -86,8 +102,7 @@ static jlt_status deliver(const search *self, double u, size_t period, jlt_symme
     jlt_image image;
     size_t k, first = 0;
 
-    memcpy(q, self->line->base, sizeof q);
-    q[self->line->free] = u;
+    point_of(self, q, u);
     JLT_PASS(chart->lift(chart, x, NULL, q));
     flow->field->call(x, flow->field->p, f);
     if (flow->direction != JLT_BOTH && (int)flow->direction * f[chart->column] < 0) {
@@ -111,17 +126,25 @@ static jlt_status deliver(const search *self, double u, size_t period, jlt_symme
 static jlt_status sample(const search *self, double *table, size_t crossings, double *at)
 {
     const jlt_symmetric_line *line = self->line;
-    jlt_status st = JLT_OK;
+    const unsigned d = jlt_map_flow(self->map)->chart->dim;
+    JLT_FREED double *q = malloc((size_t)BLOCK * d * sizeof *q);
 
-    for (size_t i = 0; st == JLT_OK && i < line->samples; i++) {
+    if (q == NULL) return JLT_ERR_NOMEM;
+    for (size_t i = 0; i < line->samples; i++)
         at[i] = line->low + (line->high - line->low) * (double)i / (double)(line->samples - 1);
-        st = halves(self, table + i * crossings, at[i], crossings);
+    for (size_t first = 0; first < line->samples; first += BLOCK) {
+        const size_t count = line->samples - first < BLOCK ? line->samples - first : BLOCK;
+        for (size_t i = 0; i < count; i++) point_of(self, q + i * d, at[first + i]);
+        JLT_PASS(jlt_section_batch_run(self->many, q, count, crossings));
+        if (jlt_section_batch_begun(self->many) < count) return JLT_ERR_NO_CONVERGENCE;
+        for (size_t i = 0; i < count; i++)
+            JLT_PASS(halves(self, table + (first + i) * crossings, at[first + i], crossings, i));
     }
-    return st;
+    return JLT_OK;
 }
 
-jlt_status jlt_symmetric_search(jlt_map *map, const jlt_symmetric_line *line, size_t period_max, jlt_symmetric_sink sink,
-                                void *context)
+jlt_status jlt_symmetric_search(jlt_map *map, const jlt_symmetric_line *line, size_t period_max, const jlt_kernel_batch *kernels,
+                                unsigned threads, jlt_symmetric_sink sink, void *context)
 {
     const jlt_flow *flow = jlt_map_flow(map);
     const jlt_chart *chart = flow->chart;
@@ -146,6 +169,7 @@ jlt_status jlt_symmetric_search(jlt_map *map, const jlt_symmetric_line *line, si
     if (crossings == 0) return JLT_OK;
     both.direction = JLT_BOTH;
     JLT_TRY(jlt_section_create(&self.both, &both));
+    JLT_TRY(jlt_section_batch_create(&self.many, &both, kernels, &(jlt_section_batch_options){ .threads = threads }));
     table = malloc(line->samples * crossings * sizeof *table);
     at = malloc(line->samples * sizeof *at);
     work = malloc(crossings * sizeof *work);
@@ -162,6 +186,7 @@ jlt_status jlt_symmetric_search(jlt_map *map, const jlt_symmetric_line *line, si
             if (found) JLT_TRY(deliver(&self, root, flow->direction == JLT_BOTH ? 2 * j : j, sink, context));
         }
 done:
+    jlt_section_batch_destroy(self.many);
     jlt_section_destroy(self.both);
     return st;
 }

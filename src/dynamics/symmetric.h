@@ -10,6 +10,7 @@
 #define JLT_DYNAMICS_SYMMETRIC_H
 
 #include "dynamics/periodic.h"
+#include "kernel_abi.h"
 
 typedef struct {
     double base[JLT_CHART_DIM_MAX]; /* a point of the line; its mirrored coordinate must be 0, or half a period of an angle, which
@@ -22,13 +23,15 @@ typedef struct {
 /** Called for every orbit found; a status other than JLT_OK ends the search with it. */
 typedef jlt_status (*jlt_symmetric_sink)(void *context, const jlt_periodic *orbit);
 
-/** Search for the orbits of up to period_max returns. Two zeros of h_j between neighbouring samples are not seen. Each orbit is
+/** Search for the orbits of up to period_max returns. kernels: of the flow's field, for samples in lanes (NULL: they go one at a
+ *  time), on `threads` threads. Two zeros of h_j between neighbouring samples are not seen. Each orbit is
  *  refined by jlt_periodic_find and starts at its point nearest to the fixed set. Samples without a state are skipped.
  *  Errors: UNSUPPORTED, the chart is not reversible, or does not mirror exactly one coordinate other than `free`; ARG, samples,
  *  free or an empty interval; NO_CONVERGENCE, interrupted; NOMEM; the sink's.
  *  Cost: samples * period_max crossings (half as many where the flow's direction is JLT_BOTH), and some 12 j more for each zero of
  *  an h_j. */
 JLT_CHECKED jlt_status jlt_symmetric_search(jlt_map *map, const jlt_symmetric_line *line, size_t period_max,
-                                            jlt_symmetric_sink sink, void *context);
+                                            const jlt_kernel_batch *kernels, unsigned threads, jlt_symmetric_sink sink,
+                                            void *context);
 
 #endif
