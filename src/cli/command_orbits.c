@@ -34,7 +34,8 @@ static const struct argp_option option_table[] = {
     { "settle", SETTLE, "N|0", 0,
       "Also try Newton's method from the Nth return of every start, which finds attracting orbits; default 20; 0: do not", 1 },
     { "samples", SAMPLES, "N|0", 0,
-      "For symmetric orbits: points on each of the lines that the section's reversor keeps; default 1000; 0 for none", 1 },
+      "For symmetric orbits: points on each of the lines that the section's reversor keeps, between which more are put where "
+      "orbits differ much from one to the next; default 1000; 0 for none", 1 },
     { "start", 'a', "NAME=VALUE,...", 0,
       "Begin Newton's method at this point only, and look for an orbit of exactly N returns, N from --period", 1 },
     { "hold", HOLD, "NAME,...", 0, "With --start, where orbits come in families: the coordinates that keep their values", 1 },
@@ -42,7 +43,7 @@ static const struct argp_option option_table[] = {
       "Look for symmetric orbits on one line only: through --start, along this coordinate, of at most N returns, N from "
       "--period", 1 },
     { "threads", THREADS, "N", 0,
-      "Search the grid on N threads; default: all processors. The orbits found do not depend on N", 1 },
+      "Search on N threads; default: all processors. The orbits found do not depend on N", 1 },
     { 0 },
 };
 
@@ -180,7 +181,8 @@ static jlt_exit read_start(jlt_symmetric_line *line, unsigned char *held, const 
 static jlt_exit from_start(jlt_orbits *list, jlt_map *map, const jlt_symmetric_line *line, const unsigned char *held,
                            const options *o, jlt_system *system)
 {
-    jlt_orbits_options search = { .period_max = o->period_max, .lines = line, .line_count = 1 };
+    jlt_orbits_options search = { .period_max = o->period_max, .lines = line, .line_count = 1,
+                                  .kernels = jlt_batch_isa_best(system->instance->descriptor, 0), .threads = (unsigned)o->threads };
     jlt_periodic orbit;
     jlt_status st;
 

@@ -6,7 +6,12 @@
 #include <math.h>
 #include <string.h>
 
-enum { BLOCK = 1024 }; /* samples that are followed together */
+enum {
+    BLOCK = 1024,      /* samples that are followed together */
+    WAVES = 7,         /* how often the space between two samples is halved at most */
+    NUMBERS = 1 << 22, /* of a table beyond which no samples are added */
+};
+static const double step = 0.25; /* the largest change of an h from sample to sample that needs none between */
 static const double pi = 3.14159265358979323846;
 
 typedef struct {
@@ -17,6 +22,26 @@ typedef struct {
     unsigned mirrored;
     unsigned char held[JLT_CHART_DIM_MAX]; /* coordinates that Newton keeps: fixed on the line, mirrored only if dim is 2 */
 } search;
+
+/* Points of the line in order, and h_1 .. h_crossings for each. */
+typedef struct {
+    size_t count, crossings;
+    double *u;     /* (count,) */
+    double *table; /* (count, crossings) */
+} samples;
+
+static void clear_samples(samples *self)
+{
+    free(self->u);
+    free(self->table);
+}
+
+static bool make_samples(samples *self, size_t count, size_t crossings)
+{
+    *self = (samples){ .count = count, .crossings = crossings, .u = malloc(count * sizeof *self->u),
+                       .table = malloc(count * crossings * sizeof *self->table) };
+    return self->u != NULL && self->table != NULL;
+}
 
 static void point_of(const search *self, double *q, double u)
 {
@@ -123,22 +148,86 @@ static jlt_status deliver(const search *self, double u, size_t period, jlt_symme
     return sink(context, &orbit);
 }
 
-static jlt_status sample(const search *self, double *table, size_t crossings, double *at)
+/* Compute the table of all samples whose first number is infinite. */
+static jlt_status compute(const search *self, samples *of)
 {
-    const jlt_symmetric_line *line = self->line;
     const unsigned d = jlt_map_flow(self->map)->chart->dim;
     JLT_FREED double *q = malloc((size_t)BLOCK * d * sizeof *q);
+    JLT_FREED size_t *index = malloc(BLOCK * sizeof *index);
 
-    if (q == NULL) return JLT_ERR_NOMEM;
-    for (size_t i = 0; i < line->samples; i++)
-        at[i] = line->low + (line->high - line->low) * (double)i / (double)(line->samples - 1);
-    for (size_t first = 0; first < line->samples; first += BLOCK) {
-        const size_t count = line->samples - first < BLOCK ? line->samples - first : BLOCK;
-        for (size_t i = 0; i < count; i++) point_of(self, q + i * d, at[first + i]);
-        JLT_PASS(jlt_section_batch_run(self->many, q, count, crossings));
+    if (q == NULL || index == NULL) return JLT_ERR_NOMEM;
+    for (size_t next = 0; next < of->count;) {
+        size_t count = 0;
+        for (; next < of->count && count < BLOCK; next++) {
+            if (!isinf(of->table[next * of->crossings])) continue;
+            point_of(self, q + count * d, of->u[next]);
+            index[count++] = next;
+        }
+        JLT_PASS(jlt_section_batch_run(self->many, q, count, of->crossings));
         if (jlt_section_batch_begun(self->many) < count) return JLT_ERR_NO_CONVERGENCE;
         for (size_t i = 0; i < count; i++)
-            JLT_PASS(halves(self, table + (first + i) * crossings, at[first + i], crossings, i));
+            JLT_PASS(halves(self, of->table + index[i] * of->crossings, of->u[index[i]], of->crossings, i));
+    }
+    return JLT_OK;
+}
+
+/* Whether h_(j+1) may touch zero beside sample i, between two samples of one sign: a parabola through three values goes below the
+ * least of them by an eighth of their largest difference at most. */
+static bool may_dip(const samples *of, size_t i, size_t j)
+{
+    if (i == 0 || i + 1 == of->count) return false;
+    const double *here = of->table + i * of->crossings + j, least = fabs(*here);
+    const double before = here[-(ptrdiff_t)of->crossings], after = here[of->crossings];
+    if ((before > 0) != (*here > 0) || (after > 0) != (*here > 0)) return false;
+    return least <= fabs(before) && least <= fabs(after) && least < (fmax(fabs(before), fabs(after)) - least) / 4;
+}
+
+/* Whether a zero between samples i and i + 1 may not be seen. */
+static bool is_coarse(const samples *of, size_t i)
+{
+    for (size_t j = 0; j < of->crossings; j++) {
+        const double a = of->table[i * of->crossings + j], b = of->table[(i + 1) * of->crossings + j];
+        if (isnan(a) != isnan(b) || fabs(a - b) > step || may_dip(of, i, j) || may_dip(of, i + 1, j)) return true;
+    }
+    return false;
+}
+
+/* Put samples halfway where these are coarse. Out: *added, how many. */
+static jlt_status refine(samples *of, size_t *added)
+{
+    const size_t width = of->crossings;
+    JLT_FREED bool *coarse = calloc(of->count, sizeof *coarse);
+    JLT_CLEARED(clear_samples) samples old = *of;
+    size_t n = 0;
+
+    *added = 0;
+    *of = (samples){ .count = 0 };
+    if (coarse == NULL) return JLT_ERR_NOMEM;
+    for (size_t i = 0; i + 1 < old.count; i++) *added += coarse[i] = is_coarse(&old, i);
+    if (!make_samples(of, old.count + *added, width)) return JLT_ERR_NOMEM;
+    for (size_t i = 0; i < old.count; i++) {
+        of->u[n] = old.u[i];
+        memcpy(of->table + n++ * width, old.table + i * width, width * sizeof *of->table);
+        if (!coarse[i]) continue;
+        of->u[n] = old.u[i] + (old.u[i + 1] - old.u[i]) / 2;
+        of->table[n++ * width] = INFINITY;
+    }
+    return JLT_OK;
+}
+
+static jlt_status sample(const search *self, samples *of, size_t crossings)
+{
+    const jlt_symmetric_line *line = self->line;
+
+    if (!make_samples(of, line->samples, crossings)) return JLT_ERR_NOMEM;
+    for (size_t i = 0; i < of->count; i++) {
+        of->u[i] = line->low + (line->high - line->low) * (double)i / (double)(of->count - 1);
+        of->table[i * crossings] = INFINITY;
+    }
+    for (size_t wave = 0, added = 1; added > 0; wave++) {
+        JLT_PASS(compute(self, of));
+        if (wave == WAVES || of->count * crossings > NUMBERS) break;
+        JLT_PASS(refine(of, &added));
     }
     return JLT_OK;
 }
@@ -151,7 +240,8 @@ jlt_status jlt_symmetric_search(jlt_map *map, const jlt_symmetric_line *line, si
     search self = { .map = map, .line = line, .mirrored = JLT_CHART_DIM_MAX };
     jlt_flow both = *flow;
     jlt_status st = JLT_OK;
-    JLT_FREED double *table = NULL, *at = NULL, *work = NULL;
+    JLT_CLEARED(clear_samples) samples of = { .count = 0 };
+    JLT_FREED double *work = NULL;
     const size_t crossings = flow->direction == JLT_BOTH ? period_max / 2 : period_max;
 
     if (line->samples < 2 || line->free >= chart->dim || !(line->low < line->high)) return JLT_ERR_ARG;
@@ -170,19 +260,17 @@ jlt_status jlt_symmetric_search(jlt_map *map, const jlt_symmetric_line *line, si
     both.direction = JLT_BOTH;
     JLT_TRY(jlt_section_create(&self.both, &both));
     JLT_TRY(jlt_section_batch_create(&self.many, &both, kernels, &(jlt_section_batch_options){ .threads = threads }));
-    table = malloc(line->samples * crossings * sizeof *table);
-    at = malloc(line->samples * sizeof *at);
     work = malloc(crossings * sizeof *work);
     st = JLT_ERR_NOMEM;
-    if (table == NULL || at == NULL || work == NULL) goto done;
-    JLT_TRY(sample(&self, table, crossings, at));
+    if (work == NULL) goto done;
+    JLT_TRY(sample(&self, &of, crossings));
     for (size_t j = 1; j <= crossings; j++)
-        for (size_t i = 0; i + 1 < line->samples; i++) {
-            const double ha = table[i * crossings + j - 1], hb = table[(i + 1) * crossings + j - 1];
+        for (size_t i = 0; i + 1 < of.count; i++) {
+            const double ha = of.table[i * crossings + j - 1], hb = of.table[(i + 1) * crossings + j - 1];
             double root = 0;
             bool found;
             if (isnan(ha) || isnan(hb) || (ha > 0) == (hb > 0)) continue;
-            JLT_TRY(bisect(&self, &root, &found, work, at[i], ha, at[i + 1], hb, j));
+            JLT_TRY(bisect(&self, &root, &found, work, of.u[i], ha, of.u[i + 1], hb, j));
             if (found) JLT_TRY(deliver(&self, root, flow->direction == JLT_BOTH ? 2 * j : j, sink, context));
         }
 done:

@@ -17,19 +17,22 @@ typedef struct {
                                        is not checked */
     unsigned free;                  /* the coordinate that varies along the line */
     double low, high;
-    size_t samples;                 /* >= 2, evenly spread over [low, high] */
+    size_t samples;                 /* >= 2, evenly spread over [low, high]; the space between two is halved, up to 7 times, where a
+                                       zero may be missed */
 } jlt_symmetric_line;
 
 /** Called for every orbit found; a status other than JLT_OK ends the search with it. */
 typedef jlt_status (*jlt_symmetric_sink)(void *context, const jlt_periodic *orbit);
 
 /** Search for the orbits of up to period_max returns. kernels: of the flow's field, for samples in lanes (NULL: they go one at a
- *  time), on `threads` threads. Two zeros of h_j between neighbouring samples are not seen. Each orbit is
- *  refined by jlt_periodic_find and starts at its point nearest to the fixed set. Samples without a state are skipped.
+ *  time), on `threads` threads. Two zeros of h_j between neighbouring samples are not seen: samples are added where an h_j changes
+ *  by more than a quarter from one to the next, where orbits begin or cease to return j times, and beside the least of |h_j| if a
+ *  parabola through it may reach zero. Each orbit is refined by jlt_periodic_find and starts at its point nearest to the fixed set.
+ *  Samples without a state are skipped.
  *  Errors: UNSUPPORTED, the chart is not reversible, or does not mirror exactly one coordinate other than `free`; ARG, samples,
  *  free or an empty interval; NO_CONVERGENCE, interrupted; NOMEM; the sink's.
- *  Cost: samples * period_max crossings (half as many where the flow's direction is JLT_BOTH), and some 12 j more for each zero of
- *  an h_j. */
+ *  Cost: period_max crossings (half as many where the flow's direction is JLT_BOTH) of every sample, those added among them: up to
+ *  some 4 million numbers h_j; and some 12 j more for each zero of an h_j. */
 JLT_CHECKED jlt_status jlt_symmetric_search(jlt_map *map, const jlt_symmetric_line *line, size_t period_max,
                                             const jlt_kernel_batch *kernels, unsigned threads, jlt_symmetric_sink sink,
                                             void *context);

@@ -64,4 +64,10 @@ T
 jellett orbits ./kicked.tt --section phi=0 --start x=0,v=0 --line x=-2:2:100 --period 5 > out 2> err || fail "a line: $(cat err)"
 grep '^[0-9]' out | awk -F, '$3 != 0 || $11 != "yes" { bad++ } END { exit bad > 0 || NR < 10 }' ||
     fail "on the line v = 0: $(grep '^[0-9]' out | cut -d, -f1-3,10,11)"
+
+# From few points on the lines as many symmetric orbits are found as from many: more are put where orbits differ.
+for samples in 300 1000 10000; do
+    jellett orbits --set I1=0.5,I3=0.3,a3=0.4 --level E=3.5,G=-0.6 --period 6 --grid 0x0 --samples $samples > out 2> err
+    [ "$(grep -c ',yes,' out)" = 14 ] || fail "from $samples points: $(grep -c ',yes,' out) symmetric orbits of 14 $(cat err)"
+done
 exit $status
