@@ -138,6 +138,14 @@ for command in "orbits --period 1" "lyapunov --returns 2" "fates --returns 2" "s
     [ "$(objects)" -eq "$before" ] || fail "$command has other kernels than section"
 done
 
+# What is wrong with a grid as typed is said before anything is compiled.
+for command in "transfer --boxes" "separation --cells" "section --grid" "fates --grid" "lyapunov --grid" "orbits --grid"; do
+    # shellcheck disable=SC2086
+    expect 3 "'4y4' is no whole number from 1 to 1000000000" env XDG_CACHE_HOME="$PWD/unused" \
+        jellett ${command% *} ./oval.tt --section v=0 ${command#* } 4y4
+done
+[ ! -e unused ] || fail "a table is compiled for a grid that is none"
+
 # A section's own table that lacks a parameter of the model is told which record to write.
 printf 'model ring\nparam c\nstate x\nstate v\nstate y\neq x = v\neq v = -x\neq y = 1 - c*y\n'\
 'section level : by ring_section.tt at y = 0 with x = x, v = v\n' > ring.tt
