@@ -248,6 +248,29 @@ expect 0 '^t,x,y(,drift_I[0-9]+){10},fate$' jellett simulate ./ten.tt --start x=
 awk -F, '/^1,/ { for (i = 4; i <= 13; i++) bad += !($i != "" && $i < 1e-14) } END { exit !(NF == 14 && !bad) }' out ||
     fail "ten integrals drift: $(tail -1 out)"
 
+# Hundreds of parameters and integrals: 299 springs are one of 0.299. Oracle: scipy's DOP853 for x'' = -x - 0.299 x^3 - k1 x'.
+{
+    printf '%s\n' 'model many' 'state x' 'state v'
+    for i in {1..300}; do echo "param k$i"; done
+    printf '%s\n' 'variant free : k1 = 0' 'equilibria rest : x = 0, v = 0' 'eq x = v' 'eq v = -x - k1*v'
+    for i in {2..300}; do echo " - k$i*x^3"; done
+    echo 'integral E = v^2/2 + x^2/2'
+    for i in {2..300}; do echo " + k$i*x^4/4"; done
+    echo ' when k1 = 0'
+    for i in {1..300}; do echo "default k$i = 1/1000"; done
+} > many.tt
+expect 0 '^1,0.43777324025' jellett simulate ./many.tt --start x=1,v=0 --times 1
+expect 0 '^1,0.43758976000' jellett simulate ./many.tt --start x=1,v=0 --times 1 --set k1=0
+grep -q '"variant":"free"' out || fail "a variant of 300 parameters does not serve: $(tail -1 out)"
+expect 0 '^family *rest' jellett eigen ./many.tt
+expect 0 'checks hold, 0 fail' jellett verify ./many.tt --samples 4
+{
+    printf '%s\n' 'model kept' 'state x' 'state v' 'state u' 'eq x = v' 'eq v = -x' 'eq u = 0*u'
+    for i in {1..300}; do echo "integral I$i = $i*(x^2 + v^2)"; done
+} > kept.tt
+expect 0 '^1,0.5403023058681' jellett simulate ./kept.tt --start x=1,v=0,u=1 --times 1
+expect 3 "levels are served of tables with up to 64" jellett section ./kept.tt --section v=0 --level I1=1 --solve x=1 --start u=1
+
 # Names of 63 characters run along axes, as the language has them.
 name=angular_velocity_about_the_axis_of_the_largest_moment_of_inerti
 stiff=stiffness_${name#??????????}
