@@ -302,11 +302,28 @@ expect 3 "the section has no coordinate 'foo'" jellett drift --start eta=0.1,gam
 # More states than eigenvalues of equilibria are looked for in.
 {
     echo 'model chain'
-    for i in {1..17}; do echo "state x$i"; done
-    for i in {1..17}; do echo "eq x$i = -x$i"; done
-    echo "equilibria rest : x1 = 0$(printf ', x%d = 0' {2..17})"
+    for i in {1..33}; do echo "state x$i"; done
+    for i in {1..33}; do echo "eq x$i = -x$i"; done
+    echo "equilibria rest : x1 = 0$(printf ', x%d = 0' {2..33})"
 } > chain.tt
-expect 3 "chain has 17 states; verify serves up to 16" jellett verify ./chain.tt
+expect 3 "chain has 33 states; verify serves up to 32" jellett verify ./chain.tt
+expect 3 "chain has 33 states; eigen serves up to 32" jellett eigen ./chain.tt
+
+# As many as there may be: 16 equal masses between walls, joined by springs, swing with 2 sin(k pi/34).
+{
+    echo 'model masses'
+    for i in {0..17}; do [ $i -eq 0 ] || [ $i -eq 17 ] || printf 'state q%d\nstate p%d\n' $i $i; done
+    for i in {1..16}; do
+        printf 'eq q%d = p%d\neq p%d = -2*q%d' $i $i $i $i
+        [ $i -eq 1 ] || printf ' + q%d' $((i - 1))
+        [ $i -eq 16 ] || printf ' + q%d' $((i + 1))
+        echo
+    done
+} > masses.tt
+expect 0 '^verdict *centre' jellett eigen ./masses.tt
+awk '/eigenvalues, with/ { on = 1; next } /other routes/ { on = 0 } on && $2 ~ /^[+]/ { k++; omega = 2*sin(k*atan2(0, -1)/34)
+        bad += $1 != 0 || (substr($2, 2) - omega)^2 > 1e-30 } END { exit !(k == 16 && !bad) }' out ||
+    fail "sixteen masses: $(grep -A34 'eigenvalues, with' out)"
 
 # Densities are compared at parameters of the domain: e < 1, and H > 0, as no state has y^2 < H otherwise.
 printf '%s\n' 'model eccentric' 'param e >= 0' 'state v' 'state E' 'angle c s = cos(E) sin(E)' 'domain ellipse : 1 - e > 0' \
