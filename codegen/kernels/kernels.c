@@ -189,7 +189,8 @@ static bool may_divide_by_zero(const ttc_kernels *k, ttc_kernel_kind kind)
 {
     ttc_field *field = k->field;
     ttc_survey of_field, here;
-    bool may = !ttc_survey_init(&of_field, field) | !ttc_survey_init(&here, field);
+    const bool begun = ttc_survey_init(&of_field, field);
+    bool may = !ttc_survey_init(&here, field) || !begun;
     for (size_t i = 0; i < field->state_count && !may; i++) ttc_survey_add(&of_field, field->rhs[i]);
     for (size_t i = 0; i < k->kernels[kind].count && !may; i++) ttc_survey_add(&here, k->kernels[kind].outputs[i]);
     for (ttc_id id = 1; id < here.size && !may; id++)
