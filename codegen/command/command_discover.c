@@ -286,17 +286,20 @@ static bool learn(work *w, ttc_discovery *d)
     return report != NULL;
 }
 
-/* Integrals over a denominator of the command line, unless that is zero, or no ratio. */
-static void divide(work *w, ttc_discovery *d, size_t i)
+/* Look for integrals over the denominators of the command line, if asked to. Returns false if one is zero, or no ratio. */
+static bool divide(work *w, ttc_discovery *d, bool looks)
 {
+    bool divides = true;
     ttc_ratio denominator;
     ttc_ratio_init(d->flow->ring, &denominator);
-    const bool has_value = ttc_discovery_value(d, &denominator, w->expressions[i]);
-    if (has_value && !fmpz_mpoly_is_zero(denominator.numerator, d->flow->ring->context))
-        ttc_discover_integrals(d, &denominator, w->denominators[i]);
-    else
-        w->status = refuse(w, TTC_EXIT_BAD_TABLE, "--denominator '%s' is zero, or no ratio", w->denominators[i]);
+    for (size_t i = 0; divides && i < w->denominator_count; i++) {
+        divides = ttc_discovery_value(d, &denominator, w->expressions[i])
+                  && !fmpz_mpoly_is_zero(denominator.numerator, d->flow->ring->context);
+        if (!divides) w->status = refuse(w, TTC_EXIT_BAD_TABLE, "--denominator '%s' is zero, or no ratio", w->denominators[i]);
+        else if (looks) ttc_discover_integrals(d, &denominator, w->denominators[i]);
+    }
     ttc_ratio_clear(d->flow->ring, &denominator);
+    return divides;
 }
 
 static void look(work *w, ttc_discovery *d)
@@ -305,7 +308,7 @@ static void look(work *w, ttc_discovery *d)
     if ((kinds & TTC_DISCOVER_INTEGRALS) != 0) {
         ttc_discover_integrals(d, NULL, NULL);
         ttc_discover_fractions(d);
-        for (size_t i = 0; i < w->denominator_count; i++) divide(w, d, i);
+        divide(w, d, true);
     }
     if ((kinds & TTC_DISCOVER_FACTORS) != 0) ttc_discover_factors(d, w->expressions, w->denominator_count);
     if ((kinds & TTC_DISCOVER_DENSITIES) != 0) ttc_discover_densities(d);
@@ -332,7 +335,7 @@ static void seek(work *w)
                            "degree %d takes a matrix of %zu columns, %.3g GiB (expected at most %d GiB: take a smaller --degree, "
                            "or allow for more by --memory)",
                            options->degree, columns, d->too_large / (1 << 30), options->memory);
-    } else {
+    } else if (divide(w, d, false)) {
         if (w->problems != NULL) w->found = ttc_command_discover_json(d, w->path, w->sha256, options->when);
         else ttc_discovery_introduce(d);
         if (learn(w, d)) look(w, d);

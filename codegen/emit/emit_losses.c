@@ -1,7 +1,6 @@
 /* Describes where a kernel loses digits: first the divisors and roots that can vanish, then the sums. */
 #include "emit/emit.h"
-
-#include <stdlib.h>
+#include "fields/survey.h"
 
 static bool is_nonnegative(ttc_field *field, ttc_id id) { return ttc_extent_is_nonnegative(ttc_field_extent(field, id)); }
 
@@ -15,30 +14,6 @@ static bool has_nonnegative_terms(ttc_field *field, ttc_id sum)
         if (fmpq_sgn(part.coefficient) < 0 || !is_nonnegative(field, part.id)) return false;
     }
     return true;
-}
-
-typedef struct {
-    ttc_field *field;
-    unsigned char *seen;        /* by id */
-    unsigned char *denominator; /* by id */
-    unsigned char *radicand;
-} survey;
-
-static void visit(survey *s, ttc_id id)
-{
-    const ttc_graph *graph = s->field->graph;
-    if (s->seen[id]) return;
-    s->seen[id] = 1;
-    if (ttc_kind_of(graph, id) == TTC_SYMBOL) {
-        const ttc_field_symbol *symbol = s->field->symbols + ttc_symbol_of(graph, id);
-        if (symbol->role == TTC_ROLE_ROOT) s->radicand[id] = 1;
-        if (symbol->role >= TTC_ROLE_UNIT) visit(s, symbol->definition);
-    }
-    for (size_t i = 0; i < ttc_part_count(graph, id); i++) {
-        ttc_part part = ttc_part_at(graph, id, i);
-        if (ttc_kind_of(graph, id) == TTC_PRODUCT && part.exponent < 0) s->denominator[part.id] = 1;
-        visit(s, part.id);
-    }
 }
 
 static void describe_terms(ttc_text *text, ttc_field *field, ttc_id sum)
@@ -79,15 +54,14 @@ void ttc_emit_losses(ttc_text *text, ttc_kernels *kernels, ttc_kernel_kind kind)
 {
     ttc_field *field = kernels->field;
     const ttc_kernel *kernel = kernels->kernels + kind;
-    size_t n = ttc_graph_size(field->graph) + 1;
-    survey s = { field, calloc(n, 1), calloc(n, 1), calloc(n, 1) };
+    ttc_survey s;
     ttc_text losses = { 0 };
-    if (s.seen == NULL || s.denominator == NULL || s.radicand == NULL) {
+    if (!ttc_survey_init(&s, field)) {
         text->failed = true;
         goto done;
     }
-    for (size_t i = 0; i < kernel->count; i++) visit(&s, kernel->outputs[i]);
-    for (ttc_id id = 1; id < n && ttc_emit_uses(kernel->optimized, TTC_OP_DIVIDE); id++) {
+    for (size_t i = 0; i < kernel->count; i++) ttc_survey_add(&s, kernel->outputs[i]);
+    for (ttc_id id = 1; id < s.size && ttc_emit_uses(kernel->optimized, TTC_OP_DIVIDE); id++) {
         if (!s.denominator[id] || ttc_field_is_constant(field, id)) continue;
         ttc_id sum = definition_of(field, id);
         if (is_bounded_below(field, sum)) continue;
@@ -102,8 +76,8 @@ void ttc_emit_losses(ttc_text *text, ttc_kernels *kernels, ttc_kernel_kind kind)
             ttc_text_add(&losses, ": values and rounding errors grow without bound where it vanishes");
         }
     }
-    for (ttc_id id = 1; id < n && ttc_emit_uses(kernel->optimized, TTC_OP_ROOT); id++) {
-        if (!s.radicand[id] || ttc_field_is_constant(field, id)) continue;
+    for (ttc_id id = 1; id < s.size && ttc_emit_uses(kernel->optimized, TTC_OP_ROOT); id++) {
+        if (!s.root[id] || ttc_field_is_constant(field, id)) continue;
         separate(&losses);
         ttc_text_add(&losses, "takes ");
         ttc_emit_formula(&losses, field->graph, id, ttc_emit_symbol_name, field);
@@ -117,7 +91,5 @@ void ttc_emit_losses(ttc_text *text, ttc_kernels *kernels, ttc_kernel_kind kind)
     text->failed |= losses.failed;
 done:
     ttc_text_clear(&losses);
-    free(s.seen);
-    free(s.denominator);
-    free(s.radicand);
+    ttc_survey_clear(&s);
 }

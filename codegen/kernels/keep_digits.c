@@ -76,7 +76,7 @@ static bool replace_all(ttc_kernels *k, ttc_effort effort, bool *changed)
         /* The divergence of an invariant density is zero and has no digits to keep. */
         if (kernel->count == 0 || kind == TTC_KERNEL_MEASURE_DIVERGENCES) continue;
         ok = replace(k, &kernel->optimized, kernel->outputs, kernel->gathered, kernel->count,
-                     ttc_kernel_purpose((ttc_kernel_kind)kind), effort, changed);
+                     ttc_kernel_purpose(k, (ttc_kernel_kind)kind), effort, changed);
     }
     ttc_id *outputs = ok ? ttc_kernels_jet_outputs(k) : NULL;
     size_t count = k->field->state_count + (k->field->time != NULL);

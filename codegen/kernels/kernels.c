@@ -1,6 +1,8 @@
 /* Makes the kernels of a field: their expressions and programs. */
 #include "kernels/kernels.h"
 
+#include "fields/survey.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -182,7 +184,28 @@ static bool add_domain_kernels(ttc_kernels *k)
     return !field->failed;
 }
 
-ttc_purpose ttc_kernel_purpose(ttc_kernel_kind kind) { return kind <= TTC_KERNEL_DIVERGENCE ? TTC_FOR_STEPS : TTC_FOR_POINTS; }
+/* Whether outputs divide by something that may vanish where the field has a value. */
+static bool may_divide_by_zero(const ttc_kernels *k, ttc_kernel_kind kind)
+{
+    ttc_field *field = k->field;
+    ttc_survey of_field, here;
+    const bool begun = ttc_survey_init(&of_field, field);
+    bool may = !ttc_survey_init(&here, field) || !begun;
+    for (size_t i = 0; i < field->state_count && !may; i++) ttc_survey_add(&of_field, field->rhs[i]);
+    for (size_t i = 0; i < k->kernels[kind].count && !may; i++) ttc_survey_add(&here, k->kernels[kind].outputs[i]);
+    for (ttc_id id = 1; id < here.size && !may; id++)
+        may = here.denominator[id] && !of_field.denominator[id] && !here.root[id] && !ttc_field_is_constant(field, id)
+              && !(ttc_field_extent(field, id).low > 0);
+    ttc_survey_clear(&here);
+    ttc_survey_clear(&of_field);
+    return may;
+}
+
+ttc_purpose ttc_kernel_purpose(const ttc_kernels *k, ttc_kernel_kind kind)
+{
+    if (kind <= TTC_KERNEL_DIVERGENCE) return TTC_FOR_STEPS;
+    return k->kernels[kind].count > 1 && may_divide_by_zero(k, kind) ? TTC_FOR_VALUES : TTC_FOR_POINTS;
+}
 
 ttc_id *ttc_kernels_jet_outputs(const ttc_kernels *kernels)
 {
@@ -215,7 +238,7 @@ static bool build_programs(ttc_kernels *k, ttc_effort effort)
         kernel->naive = ttc_lower(k->field, kernel->outputs, kernel->count, (ttc_lowering){ 0 });
         kernel->reference = ttc_lower(k->field, kernel->outputs, kernel->count, (ttc_lowering){ .share = true });
         kernel->optimized = ttc_optimize(k->field, kernel->outputs, kernel->gathered, kernel->count,
-                                         ttc_kernel_purpose((ttc_kernel_kind)kind), effort, &k->prepared);
+                                         ttc_kernel_purpose(k, (ttc_kernel_kind)kind), effort, &k->prepared);
         if (kernel->naive == NULL || kernel->reference == NULL || kernel->optimized == NULL) return false;
     }
     if (!build_jet(k, effort)) return false;

@@ -65,7 +65,8 @@ ttc_kernels *ttc_kernels_create(ttc_field *field, ttc_effort effort);
  *  the kernels can then only be destroyed. */
 bool ttc_kernels_keep_digits(ttc_kernels *kernels, ttc_effort effort);
 
-ttc_purpose ttc_kernel_purpose(ttc_kernel_kind kind);
+/* What a kernel's program is for. Where memory is out it is for values. */
+ttc_purpose ttc_kernel_purpose(const ttc_kernels *kernels, ttc_kernel_kind kind);
 
 /* Outputs of the program for jets, for the caller to free. NULL when memory is out. */
 ttc_id *ttc_kernels_jet_outputs(const ttc_kernels *kernels);

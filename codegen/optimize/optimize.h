@@ -10,6 +10,7 @@ typedef enum {
     TTC_FOR_STEPS, /* one orbit, or many side by side: one division for all denominators that do not depend on each other, and
                       none that waits for a root if that takes at most a thirtieth more work */
     TTC_FOR_POINTS, /* one state: the same, but separate divisions if each saves at least four operations */
+    TTC_FOR_VALUES, /* one state: separate divisions, so that where one divides by zero the other outputs keep their values */
     TTC_FOR_JETS    /* Taylor recurrences: one division, and the fewest operations */
 } ttc_purpose;
 

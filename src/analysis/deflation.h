@@ -16,7 +16,7 @@
 
 #include <stddef.h>
 
-enum { JLT_DEFLATION_SIZE_MAX = 16 };
+enum { JLT_DEFLATION_SIZE_MAX = 32 };
 
 typedef struct {
     double re, im;

@@ -10,7 +10,7 @@
 #include <stdbool.h>
 #include <string.h>
 
-enum { SIZE = JLT_LINEARIZATION_SIZE_MAX, PARAMS_MAX = 256, REVERSORS_MAX = 8 };
+enum { SIZE = JLT_LINEARIZATION_SIZE_MAX, REVERSORS_MAX = 8 };
 
 static const double roundoff = DBL_EPSILON / 2;
 
@@ -38,9 +38,8 @@ static bool near(double a, double b)
 /* Whether the parameters satisfy the family's condition at x. */
 static bool admits(const jlt_equilibria *family, const jlt_descriptor *d, const double *params, const double *x)
 {
-    double imposed[PARAMS_MAX];
+    double imposed[JLT_DESCRIPTOR_VALUES_MAX];
 
-    if (d->param_count > PARAMS_MAX) return false;
     if (jlt_kernel_eval_function(imposed, family->impose, d->param_count, x, d->state_count, params, d->param_count) !=
         JLT_OK)
         return false;

@@ -252,7 +252,7 @@ jlt_status jlt_verify_families(jlt_verify_run *run)
     const jlt_descriptor *d = run->descriptor;
     jlt_status st = JLT_OK;
 
-    if (d->equilibria_count > 0 && (d->state_count > SIZE || d->param_count > JLT_SAMPLE_PARAMS_MAX))
+    if (d->equilibria_count > 0 && d->state_count > SIZE)
         return JLT_ERR_UNSUPPORTED;
     run->families = calloc(d->equilibria_count + 1, sizeof *run->families);
     if (run->families == NULL) return JLT_ERR_NOMEM;

@@ -4,8 +4,9 @@
 
 #include "analysis/deflation.h"
 #include "claims/verify.h"
+#include "kernel/descriptor.h"
 
-enum { JLT_SAMPLE_STATES_MAX = JLT_DEFLATION_SIZE_MAX, JLT_SAMPLE_PARAMS_MAX = 256 };
+enum { JLT_SAMPLE_STATES_MAX = JLT_DEFLATION_SIZE_MAX, JLT_SAMPLE_PARAMS_MAX = JLT_DESCRIPTOR_VALUES_MAX };
 
 typedef struct {
     double params[JLT_SAMPLE_PARAMS_MAX], x[JLT_SAMPLE_STATES_MAX];

@@ -57,7 +57,10 @@ static error_t parse(int key, char *value, struct argp_state *state)
     switch (key) {
     case ARGP_KEY_INIT: return jlt_common_inputs(state, children);
     case 'n': jlt_common_count(&o->period_max, value, 1, JLT_PERIODIC_MAX, "--period"); return 0;
-    case 'g': o->grid = value; return 0;
+    case 'g':
+        if (strcmp(value, "0x0") != 0) jlt_motion_typed(value, "--grid");
+        o->grid = value;
+        return 0;
     case NEAR: jlt_common_positive(&o->near, value, "--near"); return 0;
     case SETTLE: jlt_common_count(&o->settle, value, 0, 1000000000, "--settle"); return 0;
     case SAMPLES: jlt_common_count(&o->samples, value, 0, 1000000000, "--samples"); return 0;

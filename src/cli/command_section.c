@@ -38,7 +38,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
     switch (key) {
     case ARGP_KEY_INIT: return jlt_common_inputs(state, children);
     case 'a': o->motion.starts[o->motion.start_count++] = value; return 0;
-    case 'g': o->motion.grid = value; return 0;
+    case 'g': jlt_motion_typed(o->motion.grid = value, "--grid"); return 0;
     case 'n': jlt_common_count(&o->returns, value, 1, SIZE_MAX / 4, "--returns"); return 0;
     case SKIP: jlt_common_count(&o->skip, value, 0, SIZE_MAX / 4, "--skip"); return 0;
     case BACKWARD: o->time_direction = -1; return 0;

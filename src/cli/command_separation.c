@@ -34,8 +34,8 @@ static error_t parse(int key, char *value, struct argp_state *state)
 
     switch (key) {
     case ARGP_KEY_INIT: return jlt_common_inputs(state, children);
-    case 'g': o->motion.grid = value; return 0;
-    case CELLS: o->cells = value; return 0;
+    case 'g': jlt_motion_typed(o->motion.grid = value, "--grid"); return 0;
+    case CELLS: jlt_motion_typed(o->cells = value, "--cells"); return 0;
     case 'n': jlt_common_count(&o->returns, value, 1, (size_t)1 << 40, "--returns"); return 0;
     case SETTLE: jlt_common_count(&o->settle, value, 0, (size_t)1 << 40, "--settle"); return 0;
     case ARGP_KEY_END: jlt_plot_check_log(&o->motion.common, "x", state); return 0;

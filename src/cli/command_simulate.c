@@ -10,6 +10,7 @@
 #include "cli/swept.h"
 #include "core/memory.h"
 #include "dynamics/section.h"
+#include "ext/number.h"
 #include "kernel/descriptor.h"
 #include "report/csv.h"
 
@@ -36,8 +37,8 @@ static error_t parse(int key, char *value, struct argp_state *state)
     switch (key) {
     case ARGP_KEY_INIT: return jlt_common_inputs(state, children);
     case TIMES: r->times_text = value; return 0;
-    case UNTIL: jlt_common_number(&r->until, value, "--until"); return 0;
-    case EVERY: jlt_common_positive(&r->every, value, "--every"); return 0;
+    case UNTIL: jlt_common_number(&r->until, r->until_text = value, "--until"); return 0;
+    case EVERY: jlt_common_positive(&r->every, r->every_text = value, "--every"); return 0;
     case TIER: r->tier = value; return 0;
     case COMPARE: r->compare = value; return 0;
     case TRACK: r->track = true; return 0;
@@ -204,8 +205,10 @@ static jlt_exit regular_times(jlt_simulate_request *r)
     r->time_count = (size_t)steps + 1;
     r->times = calloc(r->time_count + 1, sizeof *r->times);
     if (r->times == NULL) return jlt_session_fail(JLT_ERR_NOMEM, "--until");
-    for (size_t i = 0; i < r->time_count; i++) r->times[i] = copysign((double)i * every, r->until);
-    r->times[0] = 0;
+    const char *step = r->every_text != NULL ? r->every_text : r->until_text;
+    const jlt_status st = jlt_number_multiples(r->times, step, strlen(step), r->every_text != NULL ? 1 : 100, r->time_count);
+    if (st != JLT_OK) return jlt_session_fail(st, "--until");
+    for (size_t i = 1; i < r->time_count; i++) r->times[i] = copysign(r->times[i], r->until);
     if (fabs(r->until) - fabs(r->times[r->time_count - 1]) > 1e-12 * every) r->times[r->time_count++] = r->until;
     return JLT_EXIT_DONE;
 }

@@ -89,7 +89,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
 
     switch (key) {
     case ARGP_KEY_INIT: return jlt_common_inputs(state, children);
-    case 'b': o->motion.grid = value; return 0;
+    case 'b': jlt_motion_typed(o->motion.grid = value, "--boxes"); return 0;
     case STRATA: jlt_common_count(&o->strata, value, 1, 1000, "--strata"); return 0;
     case 'e': jlt_common_count(&o->eigenvalues, value, 0, 100, "--eigenvalues"); return 0;
     case NOISE: parse_noise(o, value, state); return 0;

@@ -10,7 +10,7 @@
 #include "ext/number.h"
 #include "kernel/descriptor.h"
 
-static const size_t PART_MAX = (size_t)1 << 50;
+static const size_t PART_MAX = (size_t)1 << 50, WANTED_MAX = 1000000000000; /* the latter are weeks of the fastest command */
 
 enum { AXES_MAX = 16 }; /* that a caller may ask for at once */
 
@@ -164,6 +164,16 @@ jlt_exit jlt_grid_parse(jlt_grid_axis *axes, size_t *count, size_t room, const c
     return code == JLT_EXIT_DONE && *text == '@' ? read_part(axes, text + 1, option) : code;
 }
 
+jlt_exit jlt_grid_read(jlt_grid_axis *axes, size_t *count, size_t room, const char *text, const char *option)
+{
+    *count = 0;
+    if (strchr(text, '=') == NULL) { /* COUNTxCOUNT */
+        *count = 1;
+        for (const char *c = text; *c != '\0' && *count < room; c++) *count += *c == 'x';
+    }
+    return jlt_grid_parse(axes, count, room, text, option);
+}
+
 double jlt_grid_value(const jlt_grid_axis *axis, size_t index, double period)
 {
     size_t parts = axis->count > 1 ? axis->count - 1 : 1;
@@ -184,10 +194,14 @@ jlt_exit jlt_grid_size(size_t *all, const jlt_grid_axis *axes, size_t count, con
     for (size_t k = 0; k < count; k++)
         if (__builtin_mul_overflow(*all, axes[k].count, all))
             return jlt_command_fail(JLT_EXIT_INPUT, "%s: '%s' has more points than can be counted", option, text);
-    if (count == 0 || axes[0].part == 0) return JLT_EXIT_DONE;
-    if (axes[0].first + axes[0].part > *all)
-        return jlt_command_fail(JLT_EXIT_INPUT, "%s: '%s' asks for points beyond the last of %zu", option, text, *all);
-    *all = axes[0].part;
+    if (count > 0 && axes[0].part > 0) {
+        if (axes[0].first + axes[0].part > *all)
+            return jlt_command_fail(JLT_EXIT_INPUT, "%s: '%s' asks for points beyond the last of %zu", option, text, *all);
+        *all = axes[0].part;
+    }
+    if (*all > WANTED_MAX)
+        return jlt_command_fail(JLT_EXIT_INPUT, "%s: '%s' has %zu points; at most %zu are computed", option, text, *all,
+                                WANTED_MAX);
     return JLT_EXIT_DONE;
 }
 

@@ -31,12 +31,15 @@ bool jlt_grid_ends(const char **text, char *name, size_t size, double *low, doub
  *  @FIRST:COUNT asks for COUNT points of the grid, from number FIRST on, counted from 0. */
 jlt_exit jlt_grid_parse(jlt_grid_axis *axes, size_t *count, size_t room, const char *text, const char *option);
 
+/** The same, whatever its axes are. In/out: axes, shape (room,), whose names and ends are kept where text has none. */
+jlt_exit jlt_grid_read(jlt_grid_axis *axes, size_t *count, size_t room, const char *text, const char *option);
+
 /* Value number `index` of an axis, which includes both ends, except the high end of an axis that spans the whole period (0: not an
  * angle). If both ends were typed, the exact value is rounded once, so that 0.1:0.7:4 contains 0.3. */
 double jlt_grid_value(const jlt_grid_axis *axis, size_t index, double period);
 
 /** How many points of the grid of these axes, shape (count,), are wanted. text: the grid as typed, for messages. JLT_EXIT_INPUT:
- *  the number overflows, or @FIRST:COUNT asks for points beyond the last. */
+ *  these are more than 10^12, the number overflows, or @FIRST:COUNT asks for points beyond the last. */
 jlt_exit jlt_grid_size(size_t *all, const jlt_grid_axis *axes, size_t count, const char *text, const char *option);
 
 /** Refuse a part of a grid, @FIRST:COUNT, for commands that take whole grids only. */

@@ -271,6 +271,15 @@ jlt_exit jlt_motion_check_starts(const jlt_system *system, const char *const *st
     return code;
 }
 
+void jlt_motion_typed(const char *grid, const char *option)
+{
+    jlt_grid_axis axes[JLT_CHART_DIM_MAX];
+    size_t count;
+    const jlt_exit code = jlt_grid_read(axes, &count, JLT_CHART_DIM_MAX, grid, option);
+
+    if (code != JLT_EXIT_DONE) exit((int)code);
+}
+
 jlt_exit jlt_motion_axes(jlt_grid_axis *axes, const jlt_system *system, const char *text, const char *option)
 {
     const jlt_chart *chart = system->flow.chart;

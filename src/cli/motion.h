@@ -105,6 +105,9 @@ jlt_exit jlt_motion_start(double *q, const jlt_system *system, const char *text)
 /** Check, before anything is written, that an orbit can begin at each of these starts, shape (count,), as typed. */
 jlt_exit jlt_motion_check_starts(const jlt_system *system, const char *const *starts, size_t count);
 
+/** Exit with what is wrong in the text of a grid, whatever the section's coordinates are: before any table is compiled. */
+void jlt_motion_typed(const char *grid, const char *option);
+
 /** Read the axes of a grid over the section, shape (dim,), from `text`, the value of `option`. A COUNTxCOUNT grid covers, in each
  *  coordinate, the period of an angle, or the interval that the levels leave on a section that tables describe; on other sections
  *  coordinates that are not angles need NAME=LOW:HIGH:COUNT. A grid of NAME=... must name all coordinates. text NULL: all

@@ -154,6 +154,9 @@ static jlt_exit read_levels(jlt_motion_plane *out, const jlt_motion_options *opt
     double guesses[JLT_CHART_STATES_MAX];
 
     out->level_count = (unsigned)list->count;
+    if (list->count > 0 && d->integral_count > JLT_CHART_INTEGRALS_MAX)
+        return jlt_command_fail(JLT_EXIT_INPUT, "--level: %s has %u integrals; levels are served of tables with up to %d", d->model,
+                                d->integral_count, JLT_CHART_INTEGRALS_MAX);
     for (size_t i = 0; i < list->count; i++) {
         if (i == JLT_INVARIANTS_MAX)
             return jlt_command_fail(JLT_EXIT_INPUT, "--level: at most %d levels at once", JLT_INVARIANTS_MAX);

@@ -8,7 +8,7 @@ enum { JLT_SIMULATE_COURSES_MAX = 9 };
 
 typedef struct {
     jlt_session session;
-    const char *times_text, *tier, *compare; /* options as typed; NULL: not given */
+    const char *times_text, *until_text, *every_text, *tier, *compare; /* options as typed; NULL: not given */
     double until, every; /* times, in the table's unit; NaN: not given */
     bool track, project;
 

@@ -41,8 +41,7 @@ static void tell_untracked(const jlt_descriptor *d)
     }
 }
 
-/* Name the integrals that come out as no number where the states are numbers. Kernels share divisions, so that one integral that
- * divides by zero may take others with it. */
+/* Name the integrals that come out as no number where the states are numbers. */
 static void tell_unvalued(const jlt_simulate_request *r)
 {
     const jlt_course_row *row = &r->last;
@@ -52,8 +51,8 @@ static void tell_unvalued(const jlt_simulate_request *r)
         if (!isfinite(row->x[i])) return;
     for (unsigned i = 0; i < jlt_course_integrals(r->courses[0]); i++)
         if (isnan(row->drift[i]))
-            fprintf(stderr, "jellett: %s has no value by t = %.10g, as it, or an integral that shares a division with it, divides "
-                    "by zero: its drift is empty\n", jlt_course_integral(r->courses[0], i), row->t);
+            fprintf(stderr, "jellett: %s has no value by t = %.10g (it is not a number): its drift is empty\n",
+                    jlt_course_integral(r->courses[0], i), row->t);
 }
 
 void jlt_simulate_closing_words(const jlt_simulate_request *r)

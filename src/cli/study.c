@@ -109,7 +109,7 @@ static jlt_exit count_inner(jlt_study *self)
 {
     jlt_grid_axis axes[JLT_STUDY_OVER_MAX] = { 0 };
     const jlt_scene_option *option = &self->job->options[self->dealt];
-    size_t count = 0;
+    size_t count;
     jlt_exit code;
 
     self->inner = 1;
@@ -117,12 +117,7 @@ static jlt_exit count_inner(jlt_study *self)
     if (strchr(option->value, '@') != NULL)
         return refuse(self, option->line, "'%s' is a part of a grid, and a study is dealt out by itself: leave out '%s'",
                       option->name, strchr(option->value, '@'));
-    if (strchr(option->value, '=') == NULL) { /* COUNTxCOUNT */
-        count = 1;
-        for (const char *c = option->value; *c != '\0'; c++) count += *c == 'x';
-        if (count > JLT_STUDY_OVER_MAX) count = JLT_STUDY_OVER_MAX;
-    }
-    code = jlt_grid_parse(axes, &count, JLT_STUDY_OVER_MAX, option->value, option->name);
+    code = jlt_grid_read(axes, &count, JLT_STUDY_OVER_MAX, option->value, option->name);
     return code == JLT_EXIT_DONE ? jlt_grid_size(&self->inner, axes, count, option->value, option->name) : code;
 }
 

@@ -7,7 +7,7 @@
 
 #include <stddef.h>
 
-enum { JLT_BALL_SIZE_MAX = 16 };
+enum { JLT_BALL_SIZE_MAX = 32 };
 
 /* An exact input: the fraction "p/q" or "p", or if there is none, the double as it is. */
 typedef struct {

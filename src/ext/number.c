@@ -75,12 +75,18 @@ static bool read_plain(fmpq_t value, const char *text, size_t length)
     return good;
 }
 
+static double nearest(const fmpz_t numerator, const fmpz_t denominator)
+{
+    JLT_SCOPED(arf, quotient);
+
+    (void)arf_fmpz_div_fmpz(quotient, numerator, denominator, 53, ARF_RND_NEAR);
+    return arf_get_d(quotient, ARF_RND_NEAR);
+}
+
 static jlt_status round_nearest(double *result, const fmpq_t value)
 {
-    JLT_SCOPED(arf, nearest);
+    const double rounded = nearest(fmpq_numref(value), fmpq_denref(value));
 
-    (void)arf_fmpz_div_fmpz(nearest, fmpq_numref(value), fmpq_denref(value), 53, ARF_RND_NEAR);
-    const double rounded = arf_get_d(nearest, ARF_RND_NEAR);
     if (!fmpq_is_zero(value) && !isnormal(rounded)) return JLT_ERR_NONFINITE;
     *result = rounded;
     return JLT_OK;
@@ -158,6 +164,22 @@ jlt_status jlt_number_between(double *value, const char *low, size_t low_length,
         st = round_nearest(value, first);
     }
     return st;
+}
+
+jlt_status jlt_number_multiples(double *values, const char *text, size_t length, size_t parts, size_t count)
+{
+    JLT_SCOPED(fmpq, part);
+    JLT_SCOPED(fmpz, multiple);
+    const jlt_status st = parts > 0 ? read_fraction(part, text, length) : JLT_ERR_ARG;
+
+    if (st != JLT_OK) return st;
+    fmpz_set_ui(multiple, parts);
+    fmpq_div_fmpz(part, part, multiple);
+    for (size_t k = 0; k < count; k++) {
+        fmpz_mul_ui(multiple, fmpq_numref(part), k);
+        values[k] = nearest(multiple, fmpq_denref(part));
+    }
+    return JLT_OK;
 }
 
 jlt_status jlt_number_fraction(char **fraction, const char *text, size_t length)

@@ -6,8 +6,6 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { PARAMS_MAX = 256 };
-
 size_t jlt_descriptor_count(void)
 {
     return jlt_registry_count;
@@ -37,12 +35,10 @@ const jlt_descriptor *jlt_descriptor_find(const char *model, const char *variant
 
 static bool serves(const jlt_descriptor *descriptor, const double *params)
 {
-    double imposed[PARAMS_MAX];
-    double state[PARAMS_MAX] = { 0 };
+    double imposed[JLT_DESCRIPTOR_VALUES_MAX];
 
     if (descriptor->impose == NULL) return true;
-    if (descriptor->param_count > PARAMS_MAX || descriptor->state_count > PARAMS_MAX) return false;
-    descriptor->impose(state, params, imposed);
+    descriptor->impose(NULL, params, imposed);
     for (unsigned i = 0; i < descriptor->param_count; i++)
         if (imposed[i] != params[i] && !(isnan(imposed[i]) && isnan(params[i]))) return false;
     return true;

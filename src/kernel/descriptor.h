@@ -7,6 +7,9 @@
 
 #include <stdbool.h>
 
+/* The most states, parameters, integrals of a table: it has at most as many quantities, and as many claims. */
+enum { JLT_DESCRIPTOR_VALUES_MAX = 4096 };
+
 /* The built-in descriptors, 0 <= index < jlt_descriptor_count(); those of one model stand together, its general field first.
  * jlt_descriptor_at returns NULL beyond the last. */
 size_t jlt_descriptor_count(void);

@@ -5,12 +5,11 @@
 
 #include <stdbool.h>
 
-#include "core/status.h"
-#include "kernel_abi.h"
+#include "kernel/descriptor.h"
 
 /** JLT_WAY_VALUES_MAX: the most states (lifted roots included) or parameters of a table at either end of a way.
  *  JLT_WAY_TABLES_MAX: the most loaded tables. */
-enum { JLT_WAY_VALUES_MAX = 256, JLT_WAY_TABLES_MAX = 16 };
+enum { JLT_WAY_VALUES_MAX = JLT_DESCRIPTOR_VALUES_MAX, JLT_WAY_TABLES_MAX = 16 };
 
 /** Tables loaded beside the built-in ones: their general fields, each in its own time. */
 typedef struct {

@@ -42,4 +42,14 @@ said 'of 1 of 1 orbits it is not known whether the model holds'
 [ "$(tail -1 out | cut -d, -f6)" = "" ] || fail "a least value is told where one is missing: $(tail -1 out)"
 run fates ./large.tt --section x=900 --direction both --grid v=800:801:2 --returns 1
 said 'of 2 it is not known'
+
+# What divides by zero leaves the values of what is observed, kept and held beside it: u = 0, w = 1, x = cos t, v = -sin t.
+printf '%s\n' 'model apart' 'state x' 'state v' 'state u' 'state w' 'eq x = v' 'eq v = -x' 'eq u = 0*u' 'eq w = 0*w' \
+    'integral A = (x^2 + v^2)/u' 'integral B = (x^2 + v^2)/w' 'integral C = (u + 1)/w^2' 'observe P = x/u' 'observe Q = v/w' \
+    'valid first : 3 + v/w > 0' 'valid second : 1 + x/u > 0' > apart.tt
+run simulate ./apart.tt --start x=1,v=0,u=0,w=1 --times 1 --tol 1e-15
+awk -F, '/^1,/ { exit !($6 == "" && $7 < 1e-14 && $7 != "" && $8 == 0 && $8 != "" && $10 == $3) }' out ||
+    fail "a value is lost beside a division by zero: $(tail -1 out)"
+said 'A has no value by t = 1 (it is not a number): its drift is empty'
+! grep -qE '(B|C|first) has no value' err || fail "a value is said to be missing: $(cat err)"
 exit $status

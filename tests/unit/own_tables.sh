@@ -138,6 +138,14 @@ for command in "orbits --period 1" "lyapunov --returns 2" "fates --returns 2" "s
     [ "$(objects)" -eq "$before" ] || fail "$command has other kernels than section"
 done
 
+# What is wrong with a grid as typed is said before anything is compiled.
+for command in "transfer --boxes" "separation --cells" "section --grid" "fates --grid" "lyapunov --grid" "orbits --grid"; do
+    # shellcheck disable=SC2086
+    expect 3 "'4y4' is no whole number from 1 to 1000000000" env XDG_CACHE_HOME="$PWD/unused" \
+        jellett ${command% *} ./oval.tt --section v=0 ${command#* } 4y4
+done
+[ ! -e unused ] || fail "a table is compiled for a grid that is none"
+
 # A section's own table that lacks a parameter of the model is told which record to write.
 printf 'model ring\nparam c\nstate x\nstate v\nstate y\neq x = v\neq v = -x\neq y = 1 - c*y\n'\
 'section level : by ring_section.tt at y = 0 with x = x, v = v\n' > ring.tt
@@ -240,6 +248,29 @@ expect 0 '^t,x,y(,drift_I[0-9]+){10},fate$' jellett simulate ./ten.tt --start x=
 awk -F, '/^1,/ { for (i = 4; i <= 13; i++) bad += !($i != "" && $i < 1e-14) } END { exit !(NF == 14 && !bad) }' out ||
     fail "ten integrals drift: $(tail -1 out)"
 
+# Hundreds of parameters and integrals: 299 springs are one of 0.299. Oracle: scipy's DOP853 for x'' = -x - 0.299 x^3 - k1 x'.
+{
+    printf '%s\n' 'model many' 'state x' 'state v'
+    for i in {1..300}; do echo "param k$i"; done
+    printf '%s\n' 'variant free : k1 = 0' 'equilibria rest : x = 0, v = 0' 'eq x = v' 'eq v = -x - k1*v'
+    for i in {2..300}; do echo " - k$i*x^3"; done
+    echo 'integral E = v^2/2 + x^2/2'
+    for i in {2..300}; do echo " + k$i*x^4/4"; done
+    echo ' when k1 = 0'
+    for i in {1..300}; do echo "default k$i = 1/1000"; done
+} > many.tt
+expect 0 '^1,0.43777324025' jellett simulate ./many.tt --start x=1,v=0 --times 1
+expect 0 '^1,0.43758976000' jellett simulate ./many.tt --start x=1,v=0 --times 1 --set k1=0
+grep -q '"variant":"free"' out || fail "a variant of 300 parameters does not serve: $(tail -1 out)"
+expect 0 '^family *rest' jellett eigen ./many.tt
+expect 0 'checks hold, 0 fail' jellett verify ./many.tt --samples 4
+{
+    printf '%s\n' 'model kept' 'state x' 'state v' 'state u' 'eq x = v' 'eq v = -x' 'eq u = 0*u'
+    for i in {1..300}; do echo "integral I$i = $i*(x^2 + v^2)"; done
+} > kept.tt
+expect 0 '^1,0.5403023058681' jellett simulate ./kept.tt --start x=1,v=0,u=1 --times 1
+expect 3 "levels are served of tables with up to 64" jellett section ./kept.tt --section v=0 --level I1=1 --solve x=1 --start u=1
+
 # Names of 63 characters run along axes, as the language has them.
 name=angular_velocity_about_the_axis_of_the_largest_moment_of_inerti
 stiff=stiffness_${name#??????????}
@@ -271,11 +302,28 @@ expect 3 "the section has no coordinate 'foo'" jellett drift --start eta=0.1,gam
 # More states than eigenvalues of equilibria are looked for in.
 {
     echo 'model chain'
-    for i in {1..17}; do echo "state x$i"; done
-    for i in {1..17}; do echo "eq x$i = -x$i"; done
-    echo "equilibria rest : x1 = 0$(printf ', x%d = 0' {2..17})"
+    for i in {1..33}; do echo "state x$i"; done
+    for i in {1..33}; do echo "eq x$i = -x$i"; done
+    echo "equilibria rest : x1 = 0$(printf ', x%d = 0' {2..33})"
 } > chain.tt
-expect 3 "chain has 17 states; verify serves up to 16" jellett verify ./chain.tt
+expect 3 "chain has 33 states; verify serves up to 32" jellett verify ./chain.tt
+expect 3 "chain has 33 states; eigen serves up to 32" jellett eigen ./chain.tt
+
+# As many as there may be: 16 equal masses between walls, joined by springs, swing with 2 sin(k pi/34).
+{
+    echo 'model masses'
+    for i in {0..17}; do [ $i -eq 0 ] || [ $i -eq 17 ] || printf 'state q%d\nstate p%d\n' $i $i; done
+    for i in {1..16}; do
+        printf 'eq q%d = p%d\neq p%d = -2*q%d' $i $i $i $i
+        [ $i -eq 1 ] || printf ' + q%d' $((i - 1))
+        [ $i -eq 16 ] || printf ' + q%d' $((i + 1))
+        echo
+    done
+} > masses.tt
+expect 0 '^verdict *centre' jellett eigen ./masses.tt
+awk '/eigenvalues, with/ { on = 1; next } /other routes/ { on = 0 } on && $2 ~ /^[+]/ { k++; omega = 2*sin(k*atan2(0, -1)/34)
+        bad += $1 != 0 || (substr($2, 2) - omega)^2 > 1e-30 } END { exit !(k == 16 && !bad) }' out ||
+    fail "sixteen masses: $(grep -A34 'eigenvalues, with' out)"
 
 # Densities are compared at parameters of the domain: e < 1, and H > 0, as no state has y^2 < H otherwise.
 printf '%s\n' 'model eccentric' 'param e >= 0' 'state v' 'state E' 'angle c s = cos(E) sin(E)' 'domain ellipse : 1 - e > 0' \

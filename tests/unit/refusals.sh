@@ -81,6 +81,7 @@ refuse 2 "the tier quadrature takes no steps: leave out --project" jellett simul
 refuse 3 "more points than can be counted" jellett rod --start "$start" --sweep \
     omega_n=1:2:4194304,v_nu=0:1:4194304,gamma3=0:0.1:2097152
 refuse 3 "more points than can be counted" jellett fates --sweep E=1:2:4194304,G=0:1:2097152,a3=0:1:2097152
+refuse 3 "has 1000000000000000000 points; at most 1000000000000 are computed" jellett section --grid 1000000000x1000000000
 refuse 2 "--hold keeps coordinates of --start" jellett orbits --hold eta
 refuse 2 "--start and --grid exclude each other" jellett orbits --start "$point" --grid 3x3
 refuse 2 "--start and --grid exclude each other" jellett lyapunov --start "$point" --grid 3x3

@@ -36,6 +36,16 @@ jellett rod --start $start --sweep a3=0.1:0.7:7 > "$scratch/out"
 jellett rod --start $start --sweep omega_n=1/3:1:3 > "$scratch/out"
 [ "$(rows)" = "0.3333333333333333 0.6666666666666666 1 " ] || fail "rod: prints $(rows)"
 [ "$(claims omega_n)" -eq 0 ] || fail "rod: the header claims a value of omega_n"
+# Times are multiples of the step as typed, each rounded once; a hundredth of T ends at T.
+decay=$scratch/decay.tt
+printf 'model decay\nstate x\neq x = -x\n' > "$decay"
+jellett simulate "$decay" --start x=1 --until -0.7 --every 0.1 > "$scratch/out"
+[ "$(rows)" = "0 -0.1 -0.2 -0.3 -0.4 -0.5 -0.6 -0.7 " ] || fail "simulate --every 0.1: times $(rows)"
+jellett simulate "$decay" --start x=1 --until 1/3 --every 1/9 > "$scratch/out"
+[ "$(rows)" = "0 0.1111111111111111 0.2222222222222222 0.3333333333333333 " ] || fail "simulate --every 1/9: times $(rows)"
+jellett simulate "$decay" --start x=1 --until 0.7 > "$scratch/out"
+[ "$(rows)" = "$(awk 'BEGIN { for (k = 0; k <= 100; k++) printf "%.15g ", k*7/1000 }')" ] ||
+    fail "simulate --until 0.7: times $(rows)"
 jellett fates --grid 2x2 --returns 2 --sweep E=1.1:1.7:7 > "$scratch/out" 2> /dev/null
 [ "$(rows)" = "1.1 1.2 1.3 1.4 1.5 1.6 1.7 " ] || fail "fates: prints $(rows)"
 [ "$(claims E)" -eq 0 ] && [ "$(claims G)" -eq 2 ] || fail "fates: the header claims a value of E"
