@@ -49,7 +49,7 @@ bool ttc_subcase_solve(ttc_subcase *subcase, ttc_id *lead, ttc_task *task, const
  *  count. Returns false, with nothing done, if it is no such sum, or TTC_NONE. */
 bool ttc_subcase_split(ttc_subcase *subcase, ttc_task *task, ttc_id sum);
 
-/** The same for a factor of the last goal: as the goal has it, as a polynomial, or as a square and a rest never of the other
+/** The same for a factor of the last goal: as the goal has it, as a polynomial, or as an even power and a rest never of the other
  *  sign. is_alone: the goal has no other factor. */
 bool ttc_subcase_split_factor(ttc_subcase *subcase, ttc_task *task, const fmpz_mpoly_t factor, bool is_alone);
 
