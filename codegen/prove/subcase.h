@@ -53,6 +53,10 @@ bool ttc_subcase_split(ttc_subcase *subcase, ttc_task *task, ttc_id sum);
  *  sign. is_alone: the goal has no other factor. */
 bool ttc_subcase_split_factor(ttc_subcase *subcase, ttc_task *task, const fmpz_mpoly_t factor, bool is_alone);
 
+/** Add as goals that each angle, one to three, of which an expression uses the cosine or sine, is a multiple of a quarter turn: there
+ *  sums of these have their extreme values. Returns false, and the subcase is invalid, if there are no angles, or more. */
+bool ttc_subcase_add_turns(ttc_subcase *subcase, ttc_task *task, ttc_id expression);
+
 /** Make the field of a subcase, without conditions, the task's field and ring until it is closed. choices: signs of roots whose
  *  radicand is a square, see ttc_ring. Returns false when memory is out. */
 bool ttc_subcase_open(ttc_task *task, const ttc_subcase *subcase, unsigned choices);

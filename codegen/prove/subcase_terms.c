@@ -1,4 +1,4 @@
-/* Levels that are zero only where all their terms, or even powers of which they consist, are. */
+/* Levels that are zero only where all their terms, or even powers of which they consist, are; levels that are tried. */
 #include "prove/signs.h"
 #include "prove/subcase.h"
 
@@ -129,4 +129,19 @@ bool ttc_subcase_split_factor(ttc_subcase *b, ttc_task *task, const fmpz_mpoly_t
     if (b->is_degenerate && !b->is_orphan && task->claim->kind == TTC_CLAIM_INVARIANT) return false;
     return ttc_subcase_split(b, task, as_written(task, b->goals[b->goal_count - 1], factor, is_alone)) ||
            ttc_subcase_split(b, task, ttc_subcase_expression(task, factor)) || split_powers(b, task, factor);
+}
+
+bool ttc_subcase_add_turns(ttc_subcase *b, ttc_task *task, ttc_id expression)
+{
+    enum { MOST = 3 };
+    const ttc_model *model = task->model;
+    const size_t before = b->goal_count, room = sizeof b->goals / sizeof *b->goals;
+    for (uint32_t i = 0; i < model->symbol_count; i++) {
+        const ttc_symbol_entry *cosine = &model->symbols[i];
+        if (cosine->kind != TTC_COSINE) continue;
+        if (!ttc_model_depends(model, expression, i) && !ttc_model_depends(model, expression, cosine->partner)) continue;
+        if (b->goal_count == room || b->goal_count - before == MOST) return false;
+        b->goals[b->goal_count++] = ttc_multiply(model->graph, cosine->node, model->symbols[cosine->partner].node);
+    }
+    return b->goal_count > before;
 }
