@@ -226,7 +226,7 @@ static void meet(cover *c, const ttc_subcase *b)
     ttc_ratio_init(task->ring, &value);
     fmpz_mpoly_init(norm, task->ring->context);
     ttc_evaluate(task->field, &value, b->goals[b->goal_count - 1]);
-    if (task->ring->status == TTC_RING_OK) ttc_ratio_norm(task->ring, norm, &value);
+    if (task->ring->status == TTC_RING_OK) ttc_subcase_level(task, norm, &value);
     ttc_ring_status status = task->ring->status;
     if (ttc_ring_has_no_value(status)) {
         c->why_empty = ttc_ring_status_text(status);

@@ -101,6 +101,17 @@ static slong choose_variable(ttc_task *task, const fmpz_mpoly_t factor, ulong *d
     return best;
 }
 
+void ttc_subcase_level(ttc_task *task, fmpz_mpoly_t level, const ttc_ratio *value)
+{
+    const fmpz_mpoly_ctx_struct *context = task->ring->context;
+    ulong degree = 0;
+    slong variable = choose_variable(task, value->numerator, &degree);
+    if (variable >= 0) fmpz_mpoly_get_coeff_vars_ui(level, value->numerator, &variable, &degree, 1, context);
+    if (variable >= 0 && !(ttc_conditions_signs(&task->domain, level) & TTC_CAN_BE_ZERO))
+        fmpz_mpoly_set(level, value->numerator, context);
+    else ttc_ratio_norm(task->ring, level, value);
+}
+
 static ttc_id coefficient_node(ttc_task *task, const fmpz_mpoly_t factor, slong variable, ulong exponent)
 {
     fmpz_mpoly_t coefficient;
