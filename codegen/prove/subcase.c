@@ -101,13 +101,26 @@ static slong choose_variable(ttc_task *task, const fmpz_mpoly_t factor, ulong *d
     return best;
 }
 
+/* Returns true for a state on which no function of the table depends: it may be bound to what uses functions and roots. */
+static bool is_free_state(ttc_task *task, slong variable)
+{
+    const ttc_model *model = task->model;
+    const size_t symbol = ttc_valuation_symbol(task->field, variable);
+    if (symbol >= model->symbol_count || model->symbols[symbol].kind != TTC_STATE) return false;
+    for (uint32_t i = 0; i < model->symbol_count; i++)
+        if (model->symbols[i].kind != TTC_ROOT && ttc_symbol_is_function(model->symbols[i].kind) &&
+            ttc_model_depends(model, model->symbols[i].node, (uint32_t)symbol))
+            return false;
+    return true;
+}
+
 void ttc_subcase_level(ttc_task *task, fmpz_mpoly_t level, const ttc_ratio *value)
 {
     const fmpz_mpoly_ctx_struct *context = task->ring->context;
     ulong degree = 0;
     slong variable = choose_variable(task, value->numerator, &degree);
     if (variable >= 0) fmpz_mpoly_get_coeff_vars_ui(level, value->numerator, &variable, &degree, 1, context);
-    if (variable >= 0 && !(ttc_conditions_signs(&task->domain, level) & TTC_CAN_BE_ZERO))
+    if (variable >= 0 && is_free_state(task, variable) && !(ttc_conditions_signs(&task->domain, level) & TTC_CAN_BE_ZERO))
         fmpz_mpoly_set(level, value->numerator, context);
     else ttc_ratio_norm(task->ring, level, value);
 }
