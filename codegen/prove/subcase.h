@@ -40,9 +40,9 @@ ttc_id ttc_subcase_expression(ttc_task *task, const fmpz_mpoly_t polynomial);
 /* The product of all factors but number `one`, each once, as an expression; TTC_NONE if there are no others. one = -1: of all. */
 ttc_id ttc_subcase_others(ttc_task *task, const fmpz_mpoly_factor_t factors, slong one);
 
-/* A polynomial that is zero where a value is: its numerator, if that can be solved for a state on which no function depends, and
- * whose leading coefficient cannot vanish; else the numerator's norm, which is free of roots, and zero where some conjugate of the
- * value is. */
+/* A polynomial that is zero where a value is: its numerator, if that has roots and can be solved for a state on which no function
+ * depends and whose leading coefficient cannot vanish, and is linear in it, or has many roots, or a norm that cannot be solved;
+ * else the norm, free of roots, which is zero where some conjugate of the value is, and shows squares that roots hide. */
 void ttc_subcase_level(ttc_task *task, fmpz_mpoly_t level, const ttc_ratio *value);
 
 /** Add the solution of factor = 0, in the ring of the task's field, for a symbol in which it is linear or quadratic: a state, else
