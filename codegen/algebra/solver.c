@@ -236,7 +236,7 @@ static void state_circular(question *q, const ttc_ratio *a, const ttc_ratio *f, 
     ttc_ratio_clear(ring, &bound);
 }
 
-/* Of a variable that is a function: a = log(e), else e = cos(a) or sin(a). Returns its kind, TTC_PI for what has no argument. */
+/* Of a variable that is a function: a = log(e), returns TTC_EXP; e = cos(a) or sin(a), returns its kind. Else returns TTC_PI. */
 static ttc_symbol_kind read_function(question *q, slong v, ttc_ratio *a, ttc_ratio *e)
 {
     ttc_valuation *valuation = q->point->valuation;
@@ -245,7 +245,7 @@ static ttc_symbol_kind read_function(question *q, slong v, ttc_ratio *a, ttc_rat
     if (entry->kind == TTC_PI) return TTC_PI;
     ttc_evaluate(valuation, entry->kind == TTC_LOG ? e : a, entry->definition);
     ttc_ratio_set_variable(q->point->ring, entry->kind == TTC_LOG ? a : e, v);
-    return entry->kind;
+    return entry->kind == TTC_LOG ? TTC_EXP : entry->kind;
 }
 
 /* Bounds of a function, and of log(e/f) = log(e) - log(f) with others: of two exponentials that is greater whose exponent is. */
@@ -258,10 +258,10 @@ static void state_function(question *q, slong v, const bool *stated)
     ttc_ratio_init(ring, &b);
     ttc_ratio_init(ring, &f);
     const ttc_symbol_kind kind = read_function(q, v, &a, &e);
-    if (kind == TTC_EXP || kind == TTC_LOG) state_exponential(q, &a, &e);
+    if (kind == TTC_EXP) state_exponential(q, &a, &e);
     else if (kind != TTC_PI) state_circular(q, &a, &e, kind == TTC_SINE);
-    for (slong w = 0; (kind == TTC_EXP || kind == TTC_LOG) && w < (slong)ring->variable_count; w++) {
-        if (w == v || !stated[w] || read_function(q, w, &b, &f) != kind) continue;
+    for (slong w = 0; kind == TTC_EXP && w < (slong)ring->variable_count; w++) {
+        if (w == v || !stated[w] || read_function(q, w, &b, &f) != TTC_EXP) continue;
         ttc_ratio_subtract(ring, &b, &a, &b);
         ttc_ratio_divide(ring, &f, &e, &f);
         state_exponential(q, &b, &f);

@@ -172,6 +172,14 @@ static ttc_proof_ending ending_of(read_result result, int status, const char *wo
 
 static int table_seconds(int claim_seconds) { return 5 * claim_seconds / 2; }
 
+/* Of the seconds left for the table, those that a claim may not take, as others are open: most of them need little. */
+static double reserved(const bool *settled, size_t count, int claim_seconds, double seconds)
+{
+    double open = -1;
+    for (size_t i = 0; i < count; i++) open += !settled[i];
+    return fmin(open * claim_seconds / 40, seconds / 2);
+}
+
 static void give_up(ttc_proof_run *run, bool *settled, int claim_seconds, ttc_proof_ending ending, int status, const char *words)
 {
     char text[WORDS_SIZE + 80];
@@ -244,7 +252,8 @@ static bool employ(ttc_proof_run *run, bool *settled, int claim_seconds, double 
     close(words[1]);
     const bool ok = worker > 0 && clock_getcpuclockid(worker, &b.processor) == 0;
     while (ok && result == READ_DONE && first_open(settled, count) < count) {
-        b.processor_end = fmin(time_of(b.processor) + claim_seconds, *seconds);
+        b.processor_end = fmin(time_of(b.processor) + claim_seconds,
+                               *seconds - reserved(settled, count, claim_seconds, *seconds));
         b.clock_end = time_of(CLOCK_MONOTONIC) + (double)PATIENCE * claim_seconds;
         result = receive_proof(verdicts[0], run, settled, &b);
     }

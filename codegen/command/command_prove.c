@@ -26,11 +26,10 @@ static size_t print_kernels(const ttc_proof_report *report, size_t first)
     return i - 1;
 }
 
-/* Print what backs a verdict; without --verbose only points that refute, and notes on densities that are not smooth. */
+/* Print what backs a verdict; without --verbose only points that refute, and notes but those on densities that are smooth. */
 static void print_backing(const ttc_proof *proof, bool verbose)
 {
-    bool is_density = strcmp(proof->kind, "measure") == 0;
-    if (proof->note != NULL && (verbose || (is_density && !proof->has_smooth_density))) printf("\n            %s", proof->note);
+    if (proof->note != NULL && (verbose || !proof->has_smooth_density)) printf("\n            %s", proof->note);
     if (proof->point != NULL && (verbose || proof->status == TTC_REFUTED))
         printf("\n            %s %s", proof->status == TTC_REFUTED ? "false at" : "for one at", proof->point);
     if (proof->relies_on_solver && verbose) printf("\n            relies on the solver for real arithmetic");

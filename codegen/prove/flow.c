@@ -77,18 +77,19 @@ bool ttc_task_moves(ttc_task *task, const ttc_ratio *ratio)
     return false;
 }
 
-/* Refute the claim at a real point of the leaf at which the first or second derivative by time of an expression is not zero that is
- * zero on the level: it is zero on the leaf, and not along the orbit of this point. */
+/* Refute the claim at a real point of the leaf at which a derivative by time of an expression is not zero that is zero on the
+ * level: it is zero on the leaf, and not along the orbit of this point. */
 static void refute_along_orbit(ttc_task *task, ttc_id derivative, const char *part)
 {
+    static const char *const orders[] = { "", "second ", "third ", "fourth " };
     ttc_ratio value;
     ttc_ratio_init(task->ring, &value);
-    for (int order = 1; order <= 2 && derivative != TTC_NONE && ttc_task_open(task); order++) {
+    for (size_t i = 0; i < sizeof orders / sizeof *orders && derivative != TTC_NONE && ttc_task_open(task); i++) {
         derivative = ttc_derive_field(task->model, derivative);
         ttc_evaluate(task->field, &value, derivative);
         if (ttc_task_open(task) && ttc_task_search(task, &value, TTC_IS_NONZERO, NULL) == TTC_POINT_FOUND)
-            ttc_task_require_zero(task, &value, "the set is left: %s by time of %s%s",
-                                  order == 1 ? "derivative" : "second derivative", part, task->claim->name);
+            ttc_task_require_zero(task, &value, "the set is left: %sderivative by time of %s%s", orders[i], part,
+                                  task->claim->name);
     }
     ttc_ratio_clear(task->ring, &value);
 }

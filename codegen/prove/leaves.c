@@ -154,13 +154,12 @@ static void descend_apart(cover *c, const ttc_subcase *b)
     ttc_task *task = c->task;
     ttc_valuation *field = task->field;
     ttc_conditions domain = task->domain;
-    ttc_ring *ring = task->ring;
     task->field = NULL;
     task->ring = NULL;
     descend(c, b);
     task->field = field;
     task->domain = domain;
-    task->ring = ring;
+    task->ring = ttc_valuation_ring(field);
 }
 
 /* Solve factor = 0 for a symbol, and descend; then, if the leading coefficient can vanish, descend with that as one more goal. The
@@ -227,7 +226,7 @@ static void meet(cover *c, const ttc_subcase *b)
     ttc_ratio_init(task->ring, &value);
     fmpz_mpoly_init(norm, task->ring->context);
     ttc_evaluate(task->field, &value, b->goals[b->goal_count - 1]);
-    if (task->ring->status == TTC_RING_OK) ttc_ratio_norm(task->ring, norm, &value);
+    if (task->ring->status == TTC_RING_OK) ttc_subcase_level(task, norm, &value);
     ttc_ring_status status = task->ring->status;
     if (ttc_ring_has_no_value(status)) {
         c->why_empty = ttc_ring_status_text(status);
@@ -322,15 +321,16 @@ static void draw_verdict(cover *c)
 }
 
 /* Where what must not be zero is zero, a claim is false. Such points are often no rational numbers, and are not found as points of
- * a larger set; so what is not settled is looked at once more with this as a level of its own. */
-static void look_at_zeros(cover *c, ttc_subcase *start)
+ * a larger set; so what is not settled is looked at once more with this as a level of its own, then at quarter turns of angles. */
+static void look_at_zeros(cover *c, const ttc_subcase *start)
 {
     const ttc_id zero = c->task->unexcluded;
-    if (c->task->status != TTC_UNSETTLED || zero == TTC_NONE) return;
-    if (start->goal_count == sizeof start->goals / sizeof *start->goals) return;
-    start->goals[start->goal_count++] = zero;
+    ttc_subcase level = *start, turns = *start;
+    if (zero == TTC_NONE || start->goal_count == sizeof start->goals / sizeof *start->goals) return;
+    level.goals[level.goal_count++] = zero;
     c->task->is_at_zeros = c->task->is_lower = true;
-    descend(c, start);
+    if (c->task->status == TTC_UNSETTLED) descend(c, &level);
+    if (c->task->status == TTC_UNSETTLED && ttc_subcase_add_turns(&turns, c->task, zero)) descend(c, &turns);
 }
 
 /* Prove the claim where denominators put aside are zero, as k^2 is in the normal form of 1/(1 + r) for r^2 = 1 + k^2; on these

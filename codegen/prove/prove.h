@@ -39,7 +39,8 @@ typedef struct {
     ttc_proof_ending ending;
     char *remainder;   /* refuted: the value that is not zero or not positive, as text; not settled: the reason; else NULL */
     char *point;       /* proved: a point of the domain that meets the claim's conditions; refuted: one at which it is false */
-    char *note;        /* of a measure: where its density is positive and smooth, zero, negative, or has poles; else NULL */
+    char *note;        /* of a measure: where its density is positive and smooth, zero, negative, or has poles; of an integral that
+                          is constant on a level which was split: this; else NULL */
     bool has_smooth_density; /* a proved measure whose density is positive and smooth on the whole domain */
     bool relies_on_solver;   /* that some point does not exist rests on the solver for real arithmetic alone */
     double seconds;

@@ -41,8 +41,9 @@ void ttc_prove_integral(ttc_task *task)
     ttc_id rate = ttc_derive_field(task->model, claim->expression);
     bool is_zero = ttc_task_open(task) && ttc_task_is_zero_for_any_roots(task, rate);
     ttc_evaluate(task->field, &value, claim->expression);
-    const bool constant = ttc_task_open(task) && !task->is_thin && !ttc_task_moves(task, &value);
-    if (constant && ttc_task_open(task) && ttc_task_may_have_point(task))
+    const bool constant = ttc_task_open(task) && !ttc_task_moves(task, &value);
+    task->varies |= !constant;
+    if (constant && !task->is_thin && ttc_task_open(task) && ttc_task_may_have_point(task))
         ttc_task_unsettle(task, "%s is constant%s, whatever the motion: being an integral says nothing", claim->name,
                           task->ring->choice_count > 0 ? " on a part of the domain" : "");
     if (!is_zero && !ttc_task_refute_at_point(task, rate, "the rate")) {

@@ -55,6 +55,7 @@ struct ttc_task {
     size_t map_count;
     size_t kept;    /* number of leaves that the flow was shown to keep, or whose image was shown to have its dimension */
     char why_empty[160]; /* why the last leaf without points has none; "" if that is not evident */
+    bool varies;       /* an integral changes with the states on some leaf */
     bool is_integral;  /* an invariant whose level is kept as one of an integral: what is left to show is that it has a point */
     ttc_id unexcluded; /* an expression that must not be zero, and may be for all that is known; TTC_NONE: none */
     ttc_id aside[8];   /* expressions that normal forms divide by: where those from aside_first on are zero, the claim is still to

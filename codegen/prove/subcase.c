@@ -101,6 +101,49 @@ static slong choose_variable(ttc_task *task, const fmpz_mpoly_t factor, ulong *d
     return best;
 }
 
+/* Returns true for a state on which no function of the table depends: it may be bound to what uses functions and roots. */
+static bool is_free_state(ttc_task *task, slong variable)
+{
+    const ttc_model *model = task->model;
+    const size_t symbol = ttc_valuation_symbol(task->field, variable);
+    if (symbol >= model->symbol_count || model->symbols[symbol].kind != TTC_STATE) return false;
+    for (uint32_t i = 0; i < model->symbol_count; i++)
+        if (model->symbols[i].kind != TTC_ROOT && ttc_symbol_is_function(model->symbols[i].kind) &&
+            ttc_model_depends(model, model->symbols[i].node, (uint32_t)symbol))
+            return false;
+    return true;
+}
+
+/* Returns true if each factor of a polynomial has a variable to solve for. */
+static bool is_solvable(ttc_task *task, const fmpz_mpoly_t polynomial)
+{
+    fmpz_mpoly_factor_t factors;
+    ulong degree;
+    fmpz_mpoly_factor_init(factors, task->ring->context);
+    bool solvable = fmpz_mpoly_factor(factors, polynomial, task->ring->context) != 0;
+    for (slong i = 0; solvable && i < factors->num; i++) solvable = choose_variable(task, factors->poly + i, &degree) >= 0;
+    fmpz_mpoly_factor_clear(factors, task->ring->context);
+    return solvable;
+}
+
+void ttc_subcase_level(ttc_task *task, fmpz_mpoly_t level, const ttc_ratio *value)
+{
+    enum { FEW = 2 };
+    const fmpz_mpoly_ctx_struct *context = task->ring->context;
+    ulong degree = 0;
+    size_t roots = 0;
+    slong variable = choose_variable(task, value->numerator, &degree);
+    for (size_t i = 0; i < task->ring->generator_count; i++)
+        roots += fmpz_mpoly_degree_si(value->numerator, task->ring->generators[i].variable, context) > 0;
+    bool is_direct = roots > 0 && variable >= 0 && is_free_state(task, variable);
+    if (is_direct) fmpz_mpoly_get_coeff_vars_ui(level, value->numerator, &variable, &degree, 1, context);
+    is_direct = is_direct && !(ttc_conditions_signs(&task->domain, level) & TTC_CAN_BE_ZERO);
+    const bool is_sure = is_direct && (degree == 1 || roots > FEW);
+    if (!is_sure) ttc_ratio_norm(task->ring, level, value);
+    if (is_sure || (is_direct && task->ring->status == TTC_RING_OK && !is_solvable(task, level)))
+        fmpz_mpoly_set(level, value->numerator, context);
+}
+
 static ttc_id coefficient_node(ttc_task *task, const fmpz_mpoly_t factor, slong variable, ulong exponent)
 {
     fmpz_mpoly_t coefficient;

@@ -40,6 +40,11 @@ ttc_id ttc_subcase_expression(ttc_task *task, const fmpz_mpoly_t polynomial);
 /* The product of all factors but number `one`, each once, as an expression; TTC_NONE if there are no others. one = -1: of all. */
 ttc_id ttc_subcase_others(ttc_task *task, const fmpz_mpoly_factor_t factors, slong one);
 
+/* A polynomial that is zero where a value is: its numerator, if that has roots and can be solved for a state on which no function
+ * depends and whose leading coefficient cannot vanish, and is linear in it, or has many roots, or a norm that cannot be solved;
+ * else the norm, free of roots, which is zero where some conjugate of the value is, and shows squares that roots hide. */
+void ttc_subcase_level(ttc_task *task, fmpz_mpoly_t level, const ttc_ratio *value);
+
 /** Add the solution of factor = 0, in the ring of the task's field, for a symbol in which it is linear or quadratic: a state, else
  *  a parameter, level or cosine. lead: the leading coefficient as an expression; a number if it cannot vanish. Returns false if
  *  there is no solution or no room for it; the subcase is then invalid. */
@@ -49,9 +54,13 @@ bool ttc_subcase_solve(ttc_subcase *subcase, ttc_id *lead, ttc_task *task, const
  *  count. Returns false, with nothing done, if it is no such sum, or TTC_NONE. */
 bool ttc_subcase_split(ttc_subcase *subcase, ttc_task *task, ttc_id sum);
 
-/** The same for a factor of the last goal: as the goal has it, as a polynomial, or as a square and a rest never of the other
+/** The same for a factor of the last goal: as the goal has it, as a polynomial, or as an even power and a rest never of the other
  *  sign. is_alone: the goal has no other factor. */
 bool ttc_subcase_split_factor(ttc_subcase *subcase, ttc_task *task, const fmpz_mpoly_t factor, bool is_alone);
+
+/** Add as goals that each angle, one to three, of which an expression uses the cosine or sine, is a multiple of a quarter turn:
+ *  there sums of these have their extreme values. Returns false, and the subcase is invalid, if there are no angles, or more. */
+bool ttc_subcase_add_turns(ttc_subcase *subcase, ttc_task *task, ttc_id expression);
 
 /** Make the field of a subcase, without conditions, the task's field and ring until it is closed. choices: signs of roots whose
  *  radicand is a square, see ttc_ring. Returns false when memory is out. */

@@ -1,4 +1,4 @@
-/* Levels that are zero only where all their terms, or squares of which they consist, are. */
+/* Levels that are zero only where all their terms, or even powers of which they consist, are; levels that are tried. */
 #include "prove/signs.h"
 #include "prove/subcase.h"
 
@@ -54,32 +54,38 @@ static ttc_id as_written(ttc_task *task, ttc_id goal, const fmpz_mpoly_t factor,
     return written;
 }
 
-/* Complete a square: p = a v^2 + b v + c in a variable v, where a is of one sign and not zero, so that
- * 4 a p = (2 a v + b)^2 - (b^2 - 4 a c). root = 2 a v + b, rest = b^2 - 4 a c. Returns the sign of a; 0: there is no such v. */
-static unsigned complete_square(const ttc_task *task, const fmpz_mpoly_t p, fmpz_mpoly_t root, fmpz_mpoly_t rest)
+/* Complete a power: p = a v^d + b v^(d-1) + ... in a variable v, where d is even, and a is of one sign and not zero, so that
+ * (d!)^d a^(d-1) p = root^d - rest with root = (d-1)! (d a v + b), if v is not left in rest; it never is where d = 2.
+ * Returns the sign of a; 0: there is no such v. */
+static unsigned complete_power(const ttc_task *task, const fmpz_mpoly_t p, fmpz_mpoly_t root, fmpz_mpoly_t rest)
 {
+    enum { GREATEST = 8, LONGEST = 12 };
     const fmpz_mpoly_ctx_struct *context = task->ring->context;
     unsigned sign = 0;
     fmpz_mpoly_t lead;
     fmpz_mpoly_init(lead, context);
     for (slong v = 0; v < (slong)task->ring->variable_count && sign == 0; v++) {
-        ulong exponent = 2;
-        if (fmpz_mpoly_degree_si(p, v, context) != 2 || ttc_ring_is_generator(task->ring, v)) continue;
+        const slong d = fmpz_mpoly_degree_si(p, v, context);
+        const ulong exponent = (ulong)d;
+        if (d < 2 || d > GREATEST || d % 2 != 0 || ttc_ring_is_generator(task->ring, v)) continue;
         fmpz_mpoly_get_coeff_vars_ui(lead, p, &v, &exponent, 1, context);
         const unsigned signs = ttc_conditions_signs(&task->domain, lead);
         if (signs != TTC_CAN_BE_POSITIVE && signs != TTC_CAN_BE_NEGATIVE) continue;
-        sign = signs;
-        fmpz_mpoly_derivative(root, p, v, context);
-        fmpz_mpoly_mul(rest, root, root, context);
+        fmpz_mpoly_set(root, p, context);
+        for (slong k = 1; k < d; k++) fmpz_mpoly_derivative(root, root, v, context);
+        if (d > 2 && fmpz_mpoly_length(root, context) > LONGEST) continue;
+        fmpz_mpoly_pow_ui(rest, root, exponent, context);
+        fmpz_mpoly_pow_ui(lead, lead, exponent - 1, context);
         fmpz_mpoly_mul(lead, lead, p, context);
-        fmpz_mpoly_scalar_mul_si(lead, lead, 4, context);
+        for (slong k = 0; k < d * d; k++) fmpz_mpoly_scalar_mul_si(lead, lead, 1 + k % d, context);
         fmpz_mpoly_sub(rest, rest, lead, context);
+        if (fmpz_mpoly_degree_si(rest, v, context) < 1) sign = signs;
     }
     fmpz_mpoly_clear(lead, context);
     return sign;
 }
 
-/* Returns true if a polynomial is nowhere of this sign, by the signs of its factors and by squares. */
+/* Returns true if a polynomial is nowhere of this sign, by the signs of its factors and by even powers. */
 static bool is_never(const ttc_task *task, const fmpz_mpoly_t p, unsigned sign)
 {
     ttc_ratio whole;
@@ -91,21 +97,21 @@ static bool is_never(const ttc_task *task, const fmpz_mpoly_t p, unsigned sign)
     if (never) return true;
     fmpz_mpoly_init(root, task->ring->context);
     fmpz_mpoly_init(rest, task->ring->context);
-    const unsigned other = complete_square(task, p, root, rest);
+    const unsigned other = complete_power(task, p, root, rest);
     never = other != 0 && other != sign && is_never(task, rest, TTC_CAN_BE_POSITIVE);
     fmpz_mpoly_clear(rest, task->ring->context);
     fmpz_mpoly_clear(root, task->ring->context);
     return never;
 }
 
-/* Add as goals a root and a rest that is never positive, where the square of the root less the rest is a multiple of the factor. */
-static bool split_squares(ttc_subcase *b, ttc_task *task, const fmpz_mpoly_t factor)
+/* Add as goals a root and a rest that is never positive; an even power of the root less the rest is a multiple of the factor. */
+static bool split_powers(ttc_subcase *b, ttc_task *task, const fmpz_mpoly_t factor)
 {
     fmpz_mpoly_t root, rest;
     fmpz_mpoly_init(root, task->ring->context);
     fmpz_mpoly_init(rest, task->ring->context);
     bool splits = counts_points(task) && b->goal_count + 2 <= sizeof b->goals / sizeof *b->goals &&
-                  complete_square(task, factor, root, rest) != 0 && is_never(task, rest, TTC_CAN_BE_POSITIVE);
+                  complete_power(task, factor, root, rest) != 0 && is_never(task, rest, TTC_CAN_BE_POSITIVE);
     const ttc_id first = splits ? ttc_subcase_expression(task, root) : TTC_NONE;
     const ttc_id second = splits ? ttc_subcase_expression(task, rest) : TTC_NONE;
     splits = first != TTC_NONE && second != TTC_NONE;
@@ -122,5 +128,20 @@ bool ttc_subcase_split_factor(ttc_subcase *b, ttc_task *task, const fmpz_mpoly_t
     /* That no component was skipped is told of solved levels, whose leaves have the dimensions of complex ones. */
     if (b->is_degenerate && !b->is_orphan && task->claim->kind == TTC_CLAIM_INVARIANT) return false;
     return ttc_subcase_split(b, task, as_written(task, b->goals[b->goal_count - 1], factor, is_alone)) ||
-           ttc_subcase_split(b, task, ttc_subcase_expression(task, factor)) || split_squares(b, task, factor);
+           ttc_subcase_split(b, task, ttc_subcase_expression(task, factor)) || split_powers(b, task, factor);
+}
+
+bool ttc_subcase_add_turns(ttc_subcase *b, ttc_task *task, ttc_id expression)
+{
+    enum { MOST = 3 };
+    const ttc_model *model = task->model;
+    const size_t before = b->goal_count, room = sizeof b->goals / sizeof *b->goals;
+    for (uint32_t i = 0; i < model->symbol_count; i++) {
+        const ttc_symbol_entry *cosine = &model->symbols[i];
+        if (cosine->kind != TTC_COSINE) continue;
+        if (!ttc_model_depends(model, expression, i) && !ttc_model_depends(model, expression, cosine->partner)) continue;
+        if (b->goal_count == room || b->goal_count - before == MOST) return false;
+        b->goals[b->goal_count++] = ttc_multiply(model->graph, cosine->node, model->symbols[cosine->partner].node);
+    }
+    return b->goal_count > before;
 }

@@ -51,6 +51,24 @@ static void hang(void)
 
 static void doze(void) { sleep(SHORT + 1); }
 
+static void late_claims_leave_time_for_others(void **unused)
+{
+    static const char late[] = "model guarded\nstate x\neq x = -x\nreduction a : onto a.tt with x = x\n"
+                               "reduction b : onto a.tt with x = x\nreduction c : onto a.tt with x = x\nrate d : x = -x\n";
+    misfortune what = hang;
+    ttc_diagnostics *diagnostics = ttc_diagnostics_create();
+    ttc_model *model = ttc_model_parse(late, strlen(late), "guarded.tt", diagnostics);
+    (void)unused;
+    assert_non_null(model);
+    ttc_proof_report *report = ttc_prove_guarded(model, SHORT, resolve, &what);
+    assert_non_null(report);
+    for (size_t i = 0; i < 3; i++) assert_int_equal(report->proofs[i].ending, TTC_ENDED_LATE);
+    assert_int_equal(report->proofs[3].status, TTC_PROVED);
+    ttc_proof_report_destroy(report);
+    ttc_model_destroy(model);
+    ttc_diagnostics_destroy(diagnostics);
+}
+
 static void expect(misfortune what, int seconds, ttc_proof_ending ending, const char *reason)
 {
     ttc_diagnostics *diagnostics = ttc_diagnostics_create();
@@ -108,6 +126,7 @@ int main(void)
         cmocka_unit_test(a_fault_is_no_bound),
         cmocka_unit_test(memory_is_bounded),
         cmocka_unit_test(time_is_bounded),
+        cmocka_unit_test(late_claims_leave_time_for_others),
         cmocka_unit_test(a_claim_that_waits_is_not_late),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -209,6 +209,16 @@ static void claims_that_say_nothing_are_errors(void **state)
 }
 
 /* x' = y, y' = x^2: y -> -y reverses, x -> -x does not; z -> -z alone must map the whole field. */
+static void an_integral_that_is_constant_on_split_levels_is_proved_with_a_note(void **state)
+{
+    static const char table[] = "model m\nstate x\nstate y\nstate z\neq x = -y*z\neq y = x*z\neq z = 0\n"
+                                "invariant circle = (x^2 + y^2 - 1)^2 + z^2\nintegral square = x^2 + y^2 modulo circle\n"
+                                "integral place = x modulo circle\n";
+    (void)state;
+    expect(table, "integral", "square", TTC_PROVED, "constant on each part of its level, whatever the motion");
+    expect(table, "integral", "place", TTC_PROVED, "x = 0"); /* moves with the state, and rests, as z = 0 */
+}
+
 static void a_reversor_must_hold_in_every_equation(void **state)
 {
     (void)state;
@@ -351,6 +361,7 @@ int main(void)
         cmocka_unit_test(a_characteristic_polynomial_is_fixed_up_to_a_factor_free_of_lambda),
         cmocka_unit_test(an_invariant_has_a_cofactor_without_pole_on_its_level),
         cmocka_unit_test(claims_that_say_nothing_are_errors),
+        cmocka_unit_test(an_integral_that_is_constant_on_split_levels_is_proved_with_a_note),
         cmocka_unit_test(a_reversor_must_hold_in_every_equation),
         cmocka_unit_test(a_reversor_maps_roots_by_their_radicands),
         cmocka_unit_test(angles_obey_their_circle_and_nothing_else),

@@ -160,6 +160,12 @@ static const mistake mistakes[] = {
       "9:8: warning: the defaults lie outside the domain: 3 - b > 0 does not hold" },
     { HEAD "default a = 2\ndomain near : 1/(a - 2) > 0\n",
       "8:8: warning: the defaults lie outside the domain: 1/(a - 2) > 0 does not hold" },
+    { "model t\nparam a\nroot r = sqrt(a^2 - 4)\nstate x\neq x = r\ndefault a = 2\n",
+      "3:6: warning: the defaults lie outside the domain: what r is the root of is not positive" },
+    { "model t\nparam a\nlet b = 1/(a - 2)\nstate x\neq x = b*x\ndefault a = 2\n",
+      "5:4: warning: the defaults lie outside the domain: the equation of x divides by zero" },
+    { "model t\nparam a\nstate x in (a, 1)\neq x = 1\ndefault a = 1\n",
+      "3:7: warning: the defaults lie outside the domain: the interval of x is empty" },
 
     /* equations */
     { HEAD "eq x = a\n", "7:4: error: a second equation for 'x' (first in line 5)" },
