@@ -112,7 +112,7 @@ static jlt_status to_section(jlt_map *self, jlt_outcome *outcome, const double *
     return outcome->end == JLT_END_OBSERVER ? JLT_ERR_DOMAIN : JLT_ERR_NO_CONVERGENCE;
 }
 
-/* Follow the orbit to the section; where tangent vectors grew far beyond what is left of them, again with what keeps their digits. */
+/* Follow the orbit to the section; where tangent vectors grew far beyond what is left of them, again so that they keep digits. */
 static jlt_status follow(jlt_map *self, jlt_outcome *outcome, const double *start, int time_direction)
 {
     static const double far = 64; /* ordinary returns have ratios of 1 to 3, passages close to a singularity of 1e3 to 1e12 */

@@ -3,9 +3,9 @@
  *
  *  - A tangent vector grows with the field along it, a part that the return map's projection along the field removes. It is taken
  *    out on the way.
- *  - States count as small by sizes in which the field's Jacobian is balanced: near a singularity at a distance r these are as r and
- *    as the speed there, while a state itself is as large as anywhere. A tangent vector's components count by the same sizes,
- *    relative to its largest. */
+ *  - States count as small by sizes in which the field's Jacobian is balanced: near a singularity at a distance r these are as r
+ *    and as the speed there, while a state itself may be as large as anywhere. A tangent vector's components count by the same
+ *    sizes, relative to its largest. */
 #ifndef JLT_DYNAMICS_PASSAGE_H
 #define JLT_DYNAMICS_PASSAGE_H
 

@@ -69,8 +69,8 @@ printf '%s\n' 'model relaxation' 'param mu' 'state x' 'state y' 'eq x = + y' 'eq
 jellett section ./relaxation.tt --section x=0 --start y=1 --returns 2 --check > out 2> err ||
     fail "--check where DP is 0: $(cat err)"
 
-# A branch of Hill's problem runs into a collision. Its orbit at J = -1.84407479 passes at 8.3e-7, where tangent vectors are 1e7 times
-# as long as at the return; by Taylor series of 40 terms in quadruple precision it starts at 0.50966440460483458 and has the trace
+# A branch of Hill's problem runs into a collision. Its orbit at J = -1.84407479 passes at 8.3e-7, where tangent vectors are 1e7
+# times as long as at the return; by Taylor series of 40 terms in quadruple precision it starts at 0.50966440460483458 and has the trace
 # -262.39643163. A tolerance turns the orbit by 1e-6 there, and each half of it has tangents of 1.6e3 beside DP's 2.6e2: 1e-6 times
 # 1.6e3^2/2.6e2 of a trace if errors of states counted as far away, 1e-6 of it where they are relative to the distance. Later orbits
 # pass at 1e-8; who reads their multipliers is told.
@@ -81,8 +81,8 @@ branch=(jellett continue ./hill.tt --section y=0 --start x=0.5,u=0 --level J=-2.
 expect 0 'from -1.8[0-9]* on det DP differs from what flux and divergence make it by up to' "${branch[@]}" --along J=-3:-1
 expect 0 'branch 0: the range ends' "${branch[@]}" --along J=-3:-2
 for method in gauss dop853; do
-    jellett orbits ./hill.tt --section y=0 --solve v=1 --level J=-1.84407479 --start x=0.5096644046,u=0 --period 1 --method $method \
-        --tol 1e-12 > out 2> err || fail "$method, Hill's orbit: $(cat err)"
+    jellett orbits ./hill.tt --section y=0 --solve v=1 --level J=-1.84407479 --start x=0.5096644046,u=0 --period 1 \
+        --method $method --tol 1e-12 > out 2> err || fail "$method, Hill's orbit: $(cat err)"
     tail -1 out | awk -F, '{ exit !($5 > -262.3975 && $5 < -262.3955 && $2 > 0.509664403 && $2 < 0.509664406) }' ||
         fail "$method: the trace is $(tail -1 out | cut -d, -f5), not -262.39643163"
 done
