@@ -70,10 +70,10 @@ jellett section ./relaxation.tt --section x=0 --start y=1 --returns 2 --check > 
     fail "--check where DP is 0: $(cat err)"
 
 # A branch of Hill's problem runs into a collision. Its orbit at J = -1.84407479 passes at 8.3e-7, where tangent vectors are 1e7
-# times as long as at the return; by Taylor series of 40 terms in quadruple precision it starts at 0.50966440460483458 and has the trace
-# -262.39643163. A tolerance turns the orbit by 1e-6 there, and each half of it has tangents of 1.6e3 beside DP's 2.6e2: 1e-6 times
-# 1.6e3^2/2.6e2 of a trace if errors of states counted as far away, 1e-6 of it where they are relative to the distance. Later orbits
-# pass at 1e-8; who reads their multipliers is told.
+# times as long as at the return. By Taylor series of 40 terms in quadruple precision it starts at 0.50966440460483458 and has the
+# trace -262.39643163. A tolerance turns the orbit by 1e-6 there, and each half of it has tangents of 1.6e3 beside DP's 2.6e2: a
+# hundredth of the trace, if errors of states counted as far away, and 1e-8 of it where they are relative to the distance; room is
+# for a hundred steps. Later orbits pass at 1e-8; who reads their multipliers is told.
 printf '%s\n' 'model hill' 'state x' 'state y' 'state u' 'state v' 'root r = sqrt(x^2 + y^2)' 'eq x = u' 'eq y = v' \
     'eq u = 2*v + 3*x - x/r^3' 'eq v = -2*u - y/r^3' 'integral J = (u^2 + v^2)/2 - 3*x^2/2 - 1/r' \
     'reversor y -> -y, u -> -u' > hill.tt
