@@ -57,6 +57,14 @@ for step in 0.05 0.02; do
     tail -1 log | grep -q 'not followed: what begins at 1 .* --generations 4$' || fail "cascade: $(tail -1 log)"
 done
 
+# Lorenz's cycle around one wing sinks below z = 19 at rho = 24.07403, far from any bifurcation: its multiplier is 1.0286668 there,
+# by the section z = 22.5 too. Where it touches the section the branch ends: down to a part of 2e-5 of the velocity that crosses,
+# multipliers err by the residual, 1e-10, over that part at most.
+jellett continue lorenz --set rho=20 --section z=19 --start x=10,y=15 --along rho=13:25 -o rows.csv 2> log || fail "touching: $?"
+grep -q 'branch 0: no shorter step converges' log || fail "touching: $(cat log)"
+awk -F, '/^[0-9]/ && $2 > 24.07402 { n++; if ($17 != "" || ($8 - 1.0286668)^2 > 5e-6^2) wrong = 1 }
+    END { exit !(n > 3) || wrong }' rows.csv || fail "a cycle that touches the section: $(tail -3 rows.csv)"
+
 # Two bifurcations within one step: the edges of the second and the third gap of Mathieu's equation, at its characteristic values
 # b2, a2, b3 and a3 for q = 1 (SciPy), where the orbit x = 0 has trace 2, and -2; and the folds of p = x^3 - e x.
 cat > mathieu.tt <<'TABLE'
