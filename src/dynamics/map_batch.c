@@ -16,7 +16,6 @@ enum { D = JLT_CHART_DIM_MAX };
  * and where a return takes ten times the usual steps. */
 static const double root_floor = 1e-9;
 static const size_t most_steps = 1000;
-static const double lost = 1e3; /* tolerances: a return whose DP contradicts its flux by more is made again alone */
 
 /* What is asked for. returns: of the point with the most; flow_of, each, directions: flow, returns and direction of time of each
  * point, NULL where that is the first flow, `returns`, `direction` for all. */
@@ -42,8 +41,7 @@ typedef struct {
     size_t *case_of; /* the point's flow */
     double *starts;  /* (BLOCK, columns) */
     double *flux;    /* at the starts */
-    bool *is_on_way, /* the lane has ended before its return; its start is replaced by the point where it ended */
-        *is_lost;    /* its return is not stored */
+    bool *is_on_way; /* the lane has ended before its return; its start is replaced by the point where it ended */
 } worker;
 
 struct jlt_map_batch {
@@ -74,9 +72,8 @@ static jlt_status hire(worker *out, const jlt_map_batch *batch)
     out->point = calloc(BLOCK, sizeof *out->point);
     out->starts = calloc((size_t)BLOCK * batch->columns, sizeof *out->starts);
     out->flux = calloc(BLOCK, sizeof *out->flux);
-    out->is_on_way = calloc(2 * BLOCK, sizeof *out->is_on_way);
+    out->is_on_way = calloc(BLOCK, sizeof *out->is_on_way);
     out->case_of = calloc(BLOCK, sizeof *out->case_of);
-    out->is_lost = out->is_on_way + BLOCK;
     if (out->point == NULL || out->starts == NULL || out->flux == NULL || out->is_on_way == NULL || out->case_of == NULL)
         return JLT_ERR_NOMEM;
     return jlt_map_create(&out->alone, batch->flows);
@@ -198,20 +195,16 @@ static void arrive(const worker *self, size_t lane, const double *varied, double
     const size_t point = self->point[lane];
     const jlt_flow *flow = flow_of(self, point);
     const unsigned n = flow->chart->states, d = flow->chart->dim;
-    double q[D], slope[D * D];
+    double slope[D * D];
     jlt_map_return arrival;
 
-    out->status[point] = jlt_map_return_end(&arrival, q, slope, flow, varied, self->flux[lane]);
+    out->status[point] = jlt_map_return_end(&arrival, out->q + point * d, slope, flow, varied, self->flux[lane]);
     if (out->status[point] != JLT_OK) return;
-    const double defect = (fabs(arrival.determinant) - arrival.flux_determinant) / (arrival.size > 0 ? arrival.size : 1);
-    self->is_lost[lane] = !(fabs(defect) < lost * self->batch->map.tolerance);
-    if (self->is_lost[lane]) return;
-    memcpy(out->q + point * d, q, d * sizeof *q);
     jlt_map_return_restore(slope, flow->chart);
     add(self, point,
         &(jlt_map_batch_return){ out->q + point * d, slope, arrival.flux_determinant, ldexp(t, flow->units.time),
                                  varied[n * (1 + d)] },
-        arrival.determinant, defect);
+        arrival.determinant, (fabs(arrival.determinant) - arrival.flux_determinant) / (arrival.size > 0 ? arrival.size : 1));
 }
 
 static int keep_row(void *context, size_t lane, size_t number, const double *x)
@@ -284,7 +277,7 @@ static size_t lift(const worker *self, size_t first, size_t count, size_t number
         out->status[i] = jlt_map_return_start(start, &self->flux[lanes], flow_of(self, i), out->q + i * d);
         if (out->status[i] != JLT_OK) continue;
         start[columns - 1] = 0;
-        self->is_on_way[lanes] = self->is_lost[lanes] = false;
+        self->is_on_way[lanes] = false;
         self->case_of[lanes] = flow_index(self, i);
         self->point[lanes++] = i;
         out->status[i] = JLT_ERR_NO_CONVERGENCE; /* until it has its return */
@@ -306,8 +299,6 @@ static jlt_status one_return(worker *self, size_t first, size_t count, size_t nu
     const jlt_status st = jlt_batch_section(&map, self->starts, lanes, 1, keep_row, keep_end, self, NULL);
     for (size_t lane = 0; st == JLT_OK && lane < lanes; lane++)
         if (self->is_on_way[lane]) go_on(self, lane);
-    for (size_t lane = 0; st == JLT_OK && lane < lanes; lane++)
-        if (self->is_lost[lane]) go_alone(self, self->point[lane]);
     return st;
 }
 

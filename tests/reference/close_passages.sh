@@ -88,6 +88,15 @@ for method in gauss dop853; do
 done
 grep -q 'det DP differs' err && fail "an orbit far from the collision is told to have lost digits: $(cat err)"
 
+# In lanes such returns are left to the method of a single orbit: ln |DP|/T beside that orbit, by the same series.
+for how in '' '--method gauss'; do
+    jellett lyapunov ./hill.tt --section y=0 --solve v=1 --level J=-1.84407479 --grid x=0.5096644:0.5096645:2,u=0:1e-7:2 $how \
+        --returns 1 > out 2> err || fail "exponents beside Hill's orbit: $(cat err)"
+    awk -F, '/^0.5096644,0,/ { first = $3 } /^0.5096645,1e-07,/ { last = $3 }
+        END { exit !((first - 1.764313)^2 < 1e-10 && (last - 1.764307)^2 < 1e-10) }' out ||
+        fail "exponents beside Hill's orbit, $how: $(tail -4 out)"
+done
+
 # The unit circle, in the plane z = 0: multipliers exp(-4 pi) and exp(-pi).
 cat > plane.tt << 'T'
 model plane
