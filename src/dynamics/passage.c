@@ -32,10 +32,14 @@ jlt_status jlt_passage_keep(jlt_orbit *orbit, const jlt_varied *varied)
     memcpy(x, stepper->x, varied->field.dim * sizeof *x);
     jlt_varied_linear(varied, x, both);
     JLT_PASS(jlt_eigen_balance(size, both + n, n));
-    for (unsigned i = 0; i < n; i++) counted[i] = fmax(fabs(x[i]), fmax(varied->scale[i], JLT_STEPPER_SCALE_LEAST));
+    for (unsigned i = 0; i < n; i++) {
+        const double declared = varied->scale[i] == 1 && i < varied->field.sized ? stepper->size : varied->scale[i];
+        counted[i] = fmax(fabs(x[i]), fmax(declared, JLT_STEPPER_SCALE_LEAST));
+    }
     fit(size, counted, n);
     for (unsigned i = 0; i < n; i++) speed += both[i] / size[i] * (both[i] / size[i]);
-    memcpy(scale, size, n * sizeof *scale);
+    for (unsigned i = 0; i < n; i++) /* relative errors stay so */
+        scale[i] = varied->scale[i] > 0 ? size[i] : JLT_STEPPER_SCALE_LEAST;
     scale[varied->field.dim - 1] = 1;
     for (unsigned k = 1; k <= varied->tangents; k++) {
         double *y = x + k * n, along = 0, largest = 0;
