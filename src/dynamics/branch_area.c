@@ -345,6 +345,8 @@ jlt_status jlt_branch_area_to(jlt_branch_area *areas, const jlt_branch *branch, 
                               const double *q, size_t count, jlt_map_batch *maps)
 {
     const jlt_chart *chart = jlt_map_batch_flow(maps)->chart;
+    const double tolerance = jlt_map_batch_tolerance(maps);
+    const int units = chart->scale[0] + chart->scale[1]; /* of areas */
     size_t joint_count = 0, part_count = 0;
     jlt_branch_area now = { .area = 0 };
 
@@ -372,7 +374,7 @@ jlt_status jlt_branch_area_to(jlt_branch_area *areas, const jlt_branch *branch, 
         if (k + 1 == joint_count) break;
         jlt_chart_difference(chart, chord, list[k + 1].q, list[k].q);
         now.area += list[k].area + cross(now.at, chord) / 2;
-        now.error += list[k].error;
+        now.error += list[k].error + ldexp(tolerance * jlt_chart_distance(chart, list[k].q, list[k + 1].q), units);
         for (int c = 0; c < 2; c++) now.at[c] += chord[c];
     }
     return JLT_OK;

@@ -8,7 +8,8 @@
 typedef struct {
     double at[2]; /* displacement of the point, added up along the branch: angles are not wrapped */
     double area;  /* integral of (x dy - y dx)/2 along the branch */
-    double error; /* of the area by interpolation: estimates (see jlt_branch_area_to) summed over pieces */
+    double error; /* of the area: by interpolation, estimates (see jlt_branch_area_to) summed over pieces; and by points that are
+                     off by one tolerance across the branch: the tolerance times its length */
 } jlt_branch_area;
 
 /** Integrate along a branch from the first of some of its points to each of them. The branch's polygon is too coarse for that: a

@@ -219,14 +219,34 @@ static bool closes(const runner *self, const place *from, double step, const jlt
     return false;
 }
 
+static double trace_of(const place *at, unsigned d)
+{
+    double trace = 0;
+
+    for (unsigned i = 0; i < d; i++) trace += at->at.slope[i * d + i];
+    return trace;
+}
+
+/* Whether the trace at `next` differs from that on the line through the two places before it, or without `before` from that at
+ * `here`, by no more than half of the trace, or of 2: multipliers that turn farther may have been on the unit circle at 1 or -1 on
+ * the way. */
+static bool resolves(const place *before, const place *here, const place *next, unsigned d)
+{
+    const double was = trace_of(here, d), is = trace_of(next, d);
+    const double slope = before != NULL ? (was - trace_of(before, d)) / (here->arc - before->arc) : 0;
+
+    return fabs(is - was - slope * (next->arc - here->arc)) <= fmax(2, fmax(fabs(was), fabs(is))) / 2;
+}
+
 /* Find the next place, halving *step until it follows the branch. Returns false if none does; *end, or *st = NOMEM, says why. */
-static bool next_place(const runner *self, place *next, double *step, unsigned *iterations, const place *here, jlt_status *st,
-                       jlt_continuation_end *end)
+static bool next_place(const runner *self, place *next, double *step, unsigned *iterations, const place *before, const place *here,
+                       jlt_status *st, jlt_continuation_end *end)
 {
     for (; *step >= self->options.step_min; *step /= 2) {
         *st = jlt_continuation_step_to(self, next, here, *step, iterations);
         if (*st == JLT_ERR_NOMEM) return false;
-        if (*st == JLT_OK && *iterations <= 7 && follows(self, here, next, *step)) return true;
+        if (*st == JLT_OK && *iterations <= 7 && follows(self, here, next, *step)
+            && (*step < 2 * self->options.step_min || resolves(before, here, next, self->d))) return true;
         *st = JLT_OK;
         *end = interrupted(self) ? JLT_CONTINUATION_INTERRUPT : JLT_CONTINUATION_STUCK;
         if (*end == JLT_CONTINUATION_INTERRUPT) return false;
@@ -295,7 +315,7 @@ jlt_status jlt_continuation_run(jlt_continuation_end *end, const jlt_family *fam
     for (size_t count = 1; count < self.options.points_max; count++) {
         unsigned iterations = 0;
         double value;
-        if (!next_place(&self, &next, &step, &iterations, &here, &st, end)) {
+        if (!next_place(&self, &next, &step, &iterations, count > 1 ? &before : NULL, &here, &st, end)) {
             if (st == JLT_OK && *end == JLT_CONTINUATION_STUCK && is_at_limit(&self, &here)) *end = JLT_CONTINUATION_RANGE;
             break;
         }

@@ -150,6 +150,35 @@ jlt_status jlt_continuation_step_measure(const jlt_continuation_runner *self, jl
     return JLT_OK;
 }
 
+/* The least part of the velocity that crosses the section at the points of the orbit at u; 0 if there is none. */
+static double least_crossing(const jlt_continuation_runner *self, const double *u)
+{
+    double q[JLT_CHART_DIM_MAX], least;
+    jlt_image image;
+    jlt_map *map;
+
+    if (self->family->map_at(self->family->context, &map, u[self->d] * self->options.scale) != JLT_OK) return 0;
+    jlt_chart_unscaled(&self->chart, q, u);
+    least = jlt_periodic_crossing(jlt_map_flow(map), q);
+    for (size_t k = 1; least > 0 && k < self->period; k++) {
+        if (jlt_map_point(map, &image, q, 1, 1) != JLT_OK) return 0;
+        memcpy(q, image.q, self->d * sizeof *q);
+        least = fmin(least, jlt_periodic_crossing(jlt_map_flow(map), q));
+    }
+    return least;
+}
+
+/* Whether the residual is as small as noise allows where DP is large only because the orbit almost touches the section: then the
+ * multipliers, which are not, are known no better than the residual times |DP|. */
+static bool is_on_section(const jlt_continuation_runner *self, const jlt_continuation_equation *at, const double *u)
+{
+    const double allowed = at->noise * at->scale * least_crossing(self, u);
+    double residual = 0;
+
+    for (unsigned i = 0; i < self->d; i++) residual = fmax(residual, fabs(at->f[i]));
+    return residual < allowed;
+}
+
 /* Test functions at a point, in the order of jlt_bifurcation from FOLD. NaN: does not apply. */
 static void test_functions(double test[4], const jlt_continuation_equation *at, const double *tangent, bool symmetric, unsigned d)
 {
@@ -171,6 +200,7 @@ jlt_status jlt_continuation_step_to(const jlt_continuation_runner *self, jlt_con
 
     for (unsigned i = 0; i <= d; i++) next.u[i] = from->u[i] + step * from->tangent[i];
     JLT_PASS(jlt_continuation_step_correct(self, next.u, &next.at, from->tangent, iterations));
+    if (!is_on_section(self, &next.at, next.u)) return JLT_ERR_NO_CONVERGENCE;
     JLT_PASS(tangent_at(self, next.tangent, &next.at, from->tangent));
     test_functions(next.test, &next.at, next.tangent, next.symmetric, d);
     *out = next;

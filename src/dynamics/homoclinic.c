@@ -44,6 +44,15 @@ static void begin_refinement(refinement *self, const jlt_homoclinic *at)
     self->best.residual = INFINITY;
 }
 
+/* By how much a tangent's direction turns, in section coordinates, for a unit of error across it, in scaled ones. */
+static double turn_of(const double *tangent, const jlt_chart *chart)
+{
+    const double scaled = hypot(ldexp(tangent[0], -chart->scale[0]), ldexp(tangent[1], -chart->scale[1]));
+    const double ratio = scaled / hypot(tangent[0], tangent[1]);
+
+    return ldexp(ratio * ratio, chart->scale[0] + chart->scale[1]);
+}
+
 /* Judge a trial by its points and tangents, shape (2, 2) each, on the unstable and on the stable branch, and set the next trial. */
 static void take_step(refinement *self, const jlt_chart *chart, const double q[2][2], const double tangent[2][2])
 {
@@ -60,6 +69,7 @@ static void take_step(refinement *self, const jlt_chart *chart, const double q[2
     best->sigma_unstable = self->sigma[0];
     best->sigma_stable = self->sigma[1];
     memcpy(best->q, q[0], sizeof best->q);
+    best->turn = turn_of(du, chart) + turn_of(ds, chart);
     best->angle = inner > 0 || (inner == 0 && cross > 0) ? atan2(cross, inner) : atan2(-cross, -inner);
     /* u + du x = s + ds y */
     self->sigma[0] += (gap[0] * ds[1] - gap[1] * ds[0]) / cross;
@@ -162,7 +172,8 @@ static jlt_status angles_again(jlt_homoclinic *points, size_t count, const jlt_b
 }
 
 /* Set angle_error to twice the largest change of the angle by another tolerance, by a beginning nearer to the saddle, and by both
- * another tolerance and bent branches: where only rounding is left, one of them alone may happen to change little. */
+ * another tolerance and bent branches; to what an error of one tolerance in both tangents makes, if that is more: all changes may
+ * happen to be small. */
 static jlt_status angle_errors(jlt_homoclinic *points, size_t count, const jlt_branch *const branches[2], jlt_map_batch *fine,
                                jlt_map_batch *coarse)
 {
@@ -173,7 +184,10 @@ static jlt_status angle_errors(jlt_homoclinic *points, size_t count, const jlt_b
     JLT_PASS(angles_again(points, count, branches, coarse, false, false, room));
     JLT_PASS(angles_again(points, count, branches, fine, false, true, room));
     JLT_PASS(angles_again(points, count, branches, coarse, true, false, room));
-    for (size_t i = 0; i < count; i++) points[i].angle_error *= 2;
+    for (size_t i = 0; i < count; i++) {
+        const double least = jlt_map_batch_tolerance(fine) * points[i].turn;
+        points[i].angle_error = points[i].angle_error < least / 2 ? least : 2 * points[i].angle_error; /* may be NaN */
+    }
     return JLT_OK;
 }
 

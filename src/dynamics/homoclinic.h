@@ -12,7 +12,8 @@ typedef struct {
     double sigma_unstable, sigma_stable; /* parameters on the two branches */
     double angle;       /* from the unstable to the stable tangent as lines, in (-pi/2, pi/2], in section coordinates */
     double angle_error; /* twice the largest change of angle by a tolerance ten times larger, also on bent branches, or by branches
-                           that begin nearer to the saddle */
+                           that begin nearer to the saddle; at least the tolerance times `turn` */
+    double turn;        /* of the angle, for a unit of error across both tangents in scaled coordinates */
     double residual;    /* distance of the two branches' points after refinement */
     struct {
         double q[2], sigma[2];
@@ -22,7 +23,8 @@ typedef struct {
                            unstable branch, > 0 where it lies to the left of the unstable branch; NaN until it is measured, for the
                            last crossing, where the two branches wind around an angle a different number of times, and where a
                            branch has no points in between */
-    double lobe_error;  /* by interpolation; jlt_separatrices_cross adds four times the change of the lobe for the points `again` */
+    double lobe_error;  /* by interpolation and tolerance (jlt_branch_area); jlt_separatrices_cross adds twice the change of the
+                           lobe for the points `again` */
 } jlt_homoclinic;
 
 /** Find all crossings of two polygons and refine each by Newton's method on the branches, with tangents from the variational
@@ -46,7 +48,7 @@ JLT_CHECKED jlt_status jlt_homoclinic_find(jlt_homoclinic **points, size_t *coun
 JLT_CHECKED jlt_status jlt_homoclinic_reflect(jlt_homoclinic **out, const jlt_homoclinic *points, size_t count,
                                               const jlt_chart *chart);
 
-/** Set `lobe`, and the part of lobe_error by interpolation, of crossings in order, shape (count,), from their areas. */
+/** Set `lobe`, and the part of lobe_error that their areas have, of crossings in order, shape (count,), from their areas. */
 void jlt_homoclinic_measure_lobes(jlt_homoclinic *points, size_t count, const jlt_chart *chart);
 
 #endif

@@ -7,6 +7,7 @@
 #include "dynamics/chart_crossing.h"
 #include "dynamics/linear.h"
 #include "dynamics/map_return.h"
+#include "dynamics/passage.h"
 #include "dynamics/varied.h"
 #include "integrate/rest.h"
 
@@ -19,6 +20,7 @@ struct jlt_map {
     jlt_orbit *orbit;
     jlt_section *section; /* for returns without derivative */
     bool is_slow;         /* as `watch` found last */
+    bool keeps;           /* jlt_passage_keep after every step */
     double most, least;   /* largest and smallest size of a tangent vector on the way; 1 is counted too */
     double swing;         /* largest |integral of the divergence| on the way, at least 1 */
     size_t steps;         /* of the stepper before the return */
@@ -42,6 +44,7 @@ static int watch(void *context, jlt_orbit *orbit)
     }
     self->swing = fmax(self->swing, fabs(stepper->x[self->varied.field.dim - 1]));
     if (root >= 0 && fabs(stepper->x[root]) < root_floor) return 1;
+    if (self->keeps && jlt_passage_keep(orbit, &self->varied) != JLT_OK) return 1;
     if (stepper->steps % SLOW_STEPS != 0) return 0;
     const bool was_slow = self->is_slow;
     self->is_slow = jlt_rest_is_slower(self->flow.field, stepper->x, stepper->size, jlt_rest_slow(stepper->asked))
@@ -90,7 +93,7 @@ const jlt_flow *jlt_map_flow(const jlt_map *self)
     return &self->flow;
 }
 
-static jlt_status to_section(jlt_map *self, jlt_outcome *outcome, int time_direction)
+static jlt_status to_section(jlt_map *self, jlt_outcome *outcome, const double *start, int time_direction)
 {
     jlt_event events[JLT_CHART_EVENTS_MAX];
     const unsigned count = jlt_chart_events(self->flow.chart, events, self->flow.direction);
@@ -98,6 +101,8 @@ static jlt_status to_section(jlt_map *self, jlt_outcome *outcome, int time_direc
                                          self->flow.max_steps };
     const double t_max = self->flow.t_max == 0 ? INFINITY : ldexp(self->flow.t_max, -self->flow.units.time);
 
+    JLT_PASS(jlt_orbit_start(self->orbit, 0, start, time_direction));
+    if (self->keeps) JLT_PASS(jlt_passage_keep(self->orbit, &self->varied));
     self->is_slow = false;
     self->most = self->least = self->swing = 1;
     self->steps = jlt_orbit_stepper(self->orbit)->steps;
@@ -105,6 +110,23 @@ static jlt_status to_section(jlt_map *self, jlt_outcome *outcome, int time_direc
     if (outcome->end == JLT_END_EVENT) return JLT_OK;
     if (outcome->end == JLT_END_TIME) return JLT_ERR_BUDGET;
     return outcome->end == JLT_END_OBSERVER ? JLT_ERR_DOMAIN : JLT_ERR_NO_CONVERGENCE;
+}
+
+/* Follow the orbit to the section; where tangent vectors grew far beyond what is left of them, again so that they keep digits. */
+static jlt_status follow(jlt_map *self, jlt_outcome *outcome, const double *start, int time_direction)
+{
+    static const double far = 64; /* ordinary returns have ratios of 1 to 3, passages close to a singularity of 1e3 to 1e12 */
+    const unsigned n = self->flow.field->dim;
+    double left = 1;
+
+    self->keeps = false;
+    JLT_PASS(to_section(self, outcome, start, time_direction));
+    for (unsigned i = n; i < n * (1 + self->flow.chart->dim); i++) left = fmax(left, fabs(outcome->x[i]));
+    if (!(self->most > far * left)) return JLT_OK;
+    self->keeps = true;
+    if (to_section(self, outcome, start, time_direction) == JLT_OK) return JLT_OK;
+    self->keeps = false;
+    return to_section(self, outcome, start, time_direction);
 }
 
 /* A bound on a return's defect, whose terms are at most `part` of DP's size. Every step errs by one tolerance in every component,
@@ -148,8 +170,7 @@ static jlt_status advance(jlt_map *self, jlt_image *image, int time_direction)
     jlt_outcome outcome;
 
     JLT_PASS(jlt_map_return_start(start, &flux, &self->flow, image->q));
-    JLT_PASS(jlt_orbit_start(self->orbit, 0, start, time_direction));
-    JLT_PASS(to_section(self, &outcome, time_direction));
+    JLT_PASS(follow(self, &outcome, start, time_direction));
     JLT_PASS(jlt_map_return_end(&arrival, image->q, slope, &self->flow, outcome.x, flux));
     const double size = arrival.size > 0 ? arrival.size : 1; /* a DP that is 0 in doubles has no defect */
     const double defect = (fabs(arrival.determinant) - arrival.flux_determinant) / size;
@@ -173,8 +194,7 @@ jlt_status jlt_map_resume(jlt_map *self, double *x, double *t, int time_directio
 {
     jlt_outcome outcome;
 
-    JLT_PASS(jlt_orbit_start(self->orbit, 0, x, time_direction));
-    JLT_PASS(to_section(self, &outcome, time_direction));
+    JLT_PASS(follow(self, &outcome, x, time_direction));
     memcpy(x, outcome.x, self->varied.field.dim * sizeof *x);
     *t = outcome.t;
     return JLT_OK;

@@ -328,6 +328,8 @@ static jlt_status work(worker *self, size_t count, size_t block, size_t *next)
 
 const jlt_flow *jlt_map_batch_flow(const jlt_map_batch *self) { return self->flows; }
 
+double jlt_map_batch_tolerance(const jlt_map_batch *self) { return self->map.tolerance; }
+
 static jlt_status apply(jlt_map_batch *self, const jlt_map_images *out, const double *q, size_t count, const request *wanted)
 {
     const unsigned d = self->flows->chart->dim;

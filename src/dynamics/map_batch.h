@@ -72,4 +72,7 @@ JLT_CHECKED jlt_status jlt_map_batch_apply_flows(jlt_map_batch *self, const jlt_
 /** The flows by index: the first, then those added. */
 const jlt_flow *jlt_map_batch_flow(const jlt_map_batch *self);
 
+/** The tolerance of all of them, the default where the flow has none. */
+double jlt_map_batch_tolerance(const jlt_map_batch *self);
+
 #endif

@@ -124,16 +124,33 @@ jlt_status jlt_periodic_measure(jlt_map *map, jlt_periodic *io)
     return JLT_OK;
 }
 
+/* The part of the velocity that crosses the section at q, whose state becomes x, its speed *speed; 0: negligible, or no state. */
+static double crossing(double *x, double *speed, const jlt_flow *flow, const double *q)
+{
+    const jlt_chart *chart = flow->chart;
+    double f[JLT_CHART_STATES_MAX];
+
+    if (chart->lift(chart, x, NULL, q) != JLT_OK) return 0;
+    flow->field->call(x, flow->field->p, f);
+    *speed = jlt_chart_speed(chart, x, f);
+    const double across = fabs(ldexp(f[chart->column], -chart->column_scale));
+    return across > in_section * *speed ? across / *speed : 0;
+}
+
+double jlt_periodic_crossing(const jlt_flow *flow, const double *q)
+{
+    double x[JLT_CHART_STATES_MAX], speed;
+
+    return crossing(x, &speed, flow, q);
+}
+
 bool jlt_periodic_moves(const jlt_flow *flow, const jlt_periodic *orbit)
 {
     const jlt_chart *chart = flow->chart;
-    double x[JLT_CHART_STATES_MAX], f[JLT_CHART_STATES_MAX], q[D], speed = 0;
+    double x[JLT_CHART_STATES_MAX], q[D], speed = 0;
 
     for (size_t k = orbit->period; k-- > 0;) { /* the first point last */
-        if (chart->lift(chart, x, NULL, orbit->points + k * chart->dim) != JLT_OK) return false;
-        flow->field->call(x, flow->field->p, f);
-        speed = jlt_chart_speed(chart, x, f);
-        if (fabs(ldexp(f[chart->column], -chart->column_scale)) <= in_section * speed) return false;
+        if (!(crossing(x, &speed, flow, orbit->points + k * chart->dim) > 0)) return false;
     }
     jlt_chart_scaled(chart, q, orbit->points);
     return speed / jlt_field_time_rate(flow->field, x) * ldexp(orbit->T, -flow->units.time) / (double)orbit->period >

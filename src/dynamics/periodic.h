@@ -56,6 +56,10 @@ JLT_CHECKED jlt_status jlt_periodic_rotate(jlt_map *map, jlt_periodic *io, size_
 /** The least number of returns after which points, shape (period, dim), repeat. */
 size_t jlt_periodic_primitive(const jlt_chart *chart, const double *points, size_t period);
 
+/** The part of an orbit's velocity at q, shape (dim,), that crosses the section. 0 if q has no state, or if the part is so small
+ *  that the orbit may lie in the section. */
+double jlt_periodic_crossing(const jlt_flow *flow, const double *q);
+
 /** Whether period, points and T describe a true orbit. False if it lies in the section, which it then leaves and meets again by
  *  rounding alone; or if |f| T is negligible: where the flow is tangent to the section an orbit returns at once, and every such
  *  point looks fixed; or if a point has no state. */

@@ -159,10 +159,8 @@ static jlt_status measure_lobes(jlt_separatrices *self, jlt_map_batch *maps)
     return JLT_OK;
 }
 
-/* Add to lobe_error four times the change of each lobe along bent branches from seeds twice as large, with polygons of their own:
- * it shows the errors of points, seeds and interpolation together. Four is not derived: at some tolerances the change is by chance
- * less than the error. Of 144 lobes with known areas, by which four was chosen, twice the change left out 8 and three times 2; of
- * 144 others, at other tolerances, seeds and spacings, four times it left out 2, by a quarter of the bar. */
+/* Add to lobe_error twice the change of each lobe along bent branches from seeds twice as large, with polygons of their own: it
+ * shows the errors of points, seeds and interpolation together, but may happen to be small. */
 static jlt_status find_lobe_errors(jlt_separatrices *self, jlt_map_batch *maps)
 {
     jlt_separatrices other = { .chart = self->chart, .growth = self->growth };
@@ -193,7 +191,7 @@ static jlt_status find_lobe_errors(jlt_separatrices *self, jlt_map_batch *maps)
     for (int i = 0; st == JLT_OK && i < 4; i++)
         for (size_t n = 0; n < self->count[i / 2][i % 2]; n++) {
             jlt_homoclinic *point = &self->crossings[i / 2][i % 2][n];
-            point->lobe_error += 4 * fabs(other.crossings[i / 2][i % 2][n].lobe - point->lobe);
+            point->lobe_error += 2 * fabs(other.crossings[i / 2][i % 2][n].lobe - point->lobe);
         }
     jlt_separatrices_clear(&other);
     jlt_map_destroy(map);

@@ -76,6 +76,21 @@ done:
     return st;
 }
 
+jlt_status jlt_eigen_balance(double *size, const double *a, size_t n)
+{
+    jlt_status st = JLT_OK;
+
+    if (!all_finite(a, n * n)) return JLT_ERR_NONFINITE;
+    jlt_gsl_quiet();
+    gsl_matrix *work = gsl_matrix_alloc(n, n);
+    if (work == NULL) return JLT_ERR_NOMEM;
+    memcpy(work->data, a, n * n * sizeof *a);
+    gsl_vector_view sizes = gsl_vector_view_array(size, n);
+    st = status_of(gsl_linalg_balance_matrix(work, &sizes.vector));
+    gsl_matrix_free(work);
+    return st;
+}
+
 jlt_status jlt_eigen_polynomial_roots(double *re, double *im, const double *coefficients, size_t n)
 {
     jlt_status st = JLT_ERR_NOMEM;

@@ -17,6 +17,10 @@ JLT_CHECKED jlt_status jlt_eigen_values(double *re, double *im, const double *a,
  *  0. Errors: NONFINITE, NO_CONVERGENCE, NOMEM. Accuracy: a k-fold root keeps 1/k of the digits. */
 JLT_CHECKED jlt_status jlt_eigen_polynomial_roots(double *re, double *im, const double *coefficients, size_t n);
 
+/** Sizes of the states, powers of two, in which a real n x n matrix, dx/dt = a x, has entries of like size: it is balanced.
+ *  Out: size, shape (n,). Errors: NONFINITE, NOMEM. Source: Golub, Van Loan, Matrix Computations, 7.5.7. */
+JLT_CHECKED jlt_status jlt_eigen_balance(double *size, const double *a, size_t n);
+
 /** Sort eigenvalues by (re, im), ascending. In/out: re, im, and error unless NULL, shape (n,). Cost: n^2. */
 void jlt_eigen_sort(double *re, double *im, double *error, size_t n);
 

@@ -18,6 +18,9 @@
 /** The factor by which a state's relative error may be larger beside a larger state: six bits, less than two digits. */
 enum { JLT_BATCH_SPREAD = 64 };
 
+/** Longer tangent vectors may be those of a close passage, in which lanes lose more digits than a return may. */
+enum { JLT_BATCH_STRETCHED = 10000 };
+
 enum { JLT_BATCH_STATES_MAX = 16 /* of a field */, JLT_BATCH_COLUMNS_MAX = 64, JLT_BATCH_CONDITIONS_MAX = 16 };
 
 /** How a lane's orbit ended. */
@@ -26,7 +29,8 @@ typedef enum {
     JLT_LANE_ROOT,    /* the lifted root fell below root_floor and all else has come to rest: near a pole; go on from there with a
                          scalar method */
     JLT_LANE_DOMAIN,  /* the orbit would have left the domain, or may have: go on from there with a scalar method */
-    JLT_LANE_STALLED, /* the step fell below what time resolves, or a value is not finite */
+    JLT_LANE_STALLED, /* the step fell below what time resolves, a value is not finite, or a tangent vector has more than
+                         JLT_BATCH_STRETCHED times its length: go on from there with a scalar method */
     JLT_LANE_BUDGET   /* max_steps are spent on one return */
 } jlt_lane_end;
 

@@ -81,5 +81,5 @@ jlt_status jlt_invariant_watch_step(jlt_invariant_watch *self, const jlt_invaria
     memcpy(x, stepper->x, dim * sizeof *x);
     for (unsigned k = 0; k < dim; k++) size[k] = isfinite(stepper->scale[k]) ? fmax(fabs(x[k]), stepper->scale[k]) : 0;
     jlt_invariant_restore(x, of, self->level, size, dim);
-    return jlt_stepper_replace(stepper, x);
+    return jlt_stepper_replace(stepper, x, NULL);
 }

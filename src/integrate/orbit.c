@@ -97,6 +97,11 @@ void jlt_orbit_observe(jlt_orbit *self, jlt_observer observer, void *context)
     self->observer_context = context;
 }
 
+jlt_status jlt_orbit_replace(jlt_orbit *self, const double *x, const double *scale)
+{
+    return jlt_stepper_replace(self->stepper, x, scale);
+}
+
 const jlt_stepper *jlt_orbit_stepper(const jlt_orbit *self)
 {
     return self->stepper;

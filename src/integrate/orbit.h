@@ -71,6 +71,9 @@ JLT_CHECKED jlt_status jlt_orbit_start(jlt_orbit *self, double t, const double *
 /** From now on call `observer` with `context` after every accepted step; NULL: no more. */
 void jlt_orbit_observe(jlt_orbit *self, jlt_observer observer, void *context);
 
+/** For an observer: replace the point and the scales, as jlt_stepper_replace. No event may depend on what is changed. */
+JLT_CHECKED jlt_status jlt_orbit_replace(jlt_orbit *self, const double *x, const double *scale);
+
 enum { JLT_ORBIT_EVENTS_MAX = 16 };
 
 /** Go on to the next crossing of one of the events, shape (count,), to physical time t_end (+-INFINITY: no end), or into the

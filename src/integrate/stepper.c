@@ -120,11 +120,13 @@ jlt_status jlt_stepper_start(jlt_stepper *self, double t, const double *x, doubl
     return self->method->start(self);
 }
 
-jlt_status jlt_stepper_replace(jlt_stepper *self, const double *x)
+jlt_status jlt_stepper_replace(jlt_stepper *self, const double *x, const double *scale)
 {
     if (!all_finite(x, self->field->dim)) return JLT_ERR_NONFINITE;
+    if (scale != NULL) memcpy(self->scale, scale, self->field->dim * sizeof *scale);
+    for (unsigned i = 0; i < self->field->dim; i++)
+        if (x[i] < self->x[i] || x[i] > self->x[i]) self->x_low[i] = 0;
     memcpy(self->x, x, self->field->dim * sizeof *x);
-    memset(self->x_low, 0, self->field->dim * sizeof *self->x_low);
     jlt_field_rates(self->field, self->f, self->x);
     self->evaluations++;
     self->dense_ready = false;

@@ -77,9 +77,10 @@ static inline double jlt_stepper_unit(const jlt_stepper *self, unsigned i)
     return self->scale[i] > JLT_STEPPER_SCALE_LEAST && self->scale[i] < INFINITY ? self->scale[i] : 1;
 }
 
-/** Replace the point by x, shape (dim,), a state near it (a projection). Time, counters and the proposed step stay, and the
- *  last step's polynomial is changed to end at x. Errors: NONFINITE. Cost: 1 evaluation; msadams starts again at order 1. */
-JLT_CHECKED jlt_status jlt_stepper_replace(jlt_stepper *self, const double *x);
+/** Replace the point by x, shape (dim,), a state near it (a projection), and the scales by `scale`, shape (dim,), unless NULL.
+ *  Time, counters and the proposed step stay, and the last step's polynomial is changed to end at x. Errors: NONFINITE. Cost: 1
+ *  evaluation; msadams starts again at order 1. */
+JLT_CHECKED jlt_status jlt_stepper_replace(jlt_stepper *self, const double *x, const double *scale);
 
 /** Make one accepted step, |h| <= limit in tau. On failure the point is that of the last accepted step.
  *  Errors: NONFINITE, no step however short gives finite values; NO_PROGRESS, tau + h = tau; NO_CONVERGENCE, of a partial step

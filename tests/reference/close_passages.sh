@@ -69,15 +69,33 @@ printf '%s\n' 'model relaxation' 'param mu' 'state x' 'state y' 'eq x = + y' 'eq
 jellett section ./relaxation.tt --section x=0 --start y=1 --returns 2 --check > out 2> err ||
     fail "--check where DP is 0: $(cat err)"
 
-# A branch of Hill's problem runs into a collision; its last orbits pass at 4e-5, where multipliers lose all digits: the trace at
-# J = -1.84407479 is -262.4, by Taylor series of 26 terms in 30 digits, and comes out as some -300. Who reads it is told.
+# A branch of Hill's problem runs into a collision. Its orbit at J = -1.84407479 passes at 8.3e-7, where tangent vectors are 1e7
+# times as long as at the return. By Taylor series of 40 terms in quadruple precision it starts at 0.50966440460483458 and has the
+# trace -262.39643163. A tolerance turns the orbit by 1e-6 there, and each half of it has tangents of 1.6e3 beside DP's 2.6e2: a
+# hundredth of the trace, if errors of states counted as far away, and 1e-8 of it where they are relative to the distance; room is
+# for a hundred steps. Later orbits pass at 1e-8; who reads their multipliers is told.
 printf '%s\n' 'model hill' 'state x' 'state y' 'state u' 'state v' 'root r = sqrt(x^2 + y^2)' 'eq x = u' 'eq y = v' \
     'eq u = 2*v + 3*x - x/r^3' 'eq v = -2*u - y/r^3' 'integral J = (u^2 + v^2)/2 - 3*x^2/2 - 1/r' \
     'reversor y -> -y, u -> -u' > hill.tt
 branch=(jellett continue ./hill.tt --section y=0 --start x=0.5,u=0 --level J=-2.2 --solve v=1)
 expect 0 'from -1.8[0-9]* on det DP differs from what flux and divergence make it by up to' "${branch[@]}" --along J=-3:-1
 expect 0 'branch 0: the range ends' "${branch[@]}" --along J=-3:-2
+for method in gauss dop853; do
+    jellett orbits ./hill.tt --section y=0 --solve v=1 --level J=-1.84407479 --start x=0.5096644046,u=0 --period 1 \
+        --method $method --tol 1e-12 > out 2> err || fail "$method, Hill's orbit: $(cat err)"
+    tail -1 out | awk -F, '{ exit !($5 > -262.3975 && $5 < -262.3955 && $2 > 0.509664403 && $2 < 0.509664406) }' ||
+        fail "$method: the trace is $(tail -1 out | cut -d, -f5), not -262.39643163"
+done
 grep -q 'det DP differs' err && fail "an orbit far from the collision is told to have lost digits: $(cat err)"
+
+# In lanes such returns are left to the method of a single orbit: ln |DP|/T beside that orbit, by the same series.
+for how in '' '--method gauss'; do
+    jellett lyapunov ./hill.tt --section y=0 --solve v=1 --level J=-1.84407479 --grid x=0.5096644:0.5096645:2,u=0:1e-7:2 $how \
+        --returns 1 > out 2> err || fail "exponents beside Hill's orbit: $(cat err)"
+    awk -F, '/^0.5096644,0,/ { first = $3 } /^0.5096645,1e-07,/ { last = $3 }
+        END { exit !((first - 1.764313)^2 < 1e-10 && (last - 1.764307)^2 < 1e-10) }' out ||
+        fail "exponents beside Hill's orbit, $how: $(tail -4 out)"
+done
 
 # The unit circle, in the plane z = 0: multipliers exp(-4 pi) and exp(-pi).
 cat > plane.tt << 'T'

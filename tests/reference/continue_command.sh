@@ -57,6 +57,26 @@ for step in 0.05 0.02; do
     tail -1 log | grep -q 'not followed: what begins at 1 .* --generations 4$' || fail "cascade: $(tail -1 log)"
 done
 
+# The orbit of Henon and Heiles along the axis of symmetry turns ever faster as its energy comes to 1/6: all values of 6 H at which
+# its trace is 2 or -2, by SciPy, of which a step far from the end leaps over two or four.
+printf '%s\n' 'model axis' 'state x' 'state y' 'state px' 'state py' 'eq x = px' 'eq y = py' 'eq px = - x - 2*x*y' \
+    'eq py = - y - x^2 + y^2' 'integral H = (px^2 + py^2)/2 + (x^2 + y^2)/2 + x^2*y - y^3/3' > axis.tt
+jellett continue ./axis.tt --section y=0 --solve py=0.3 --level H=0.05 --start x=0,px=0 --along H=0.01:0.166666 -o rows.csv \
+    2> log || fail "the axis: status $?"
+awk -F, '/^0,/ && $17 != "" { printf "%.9f %s\n", 6*$2, $17 }' rows.csv > found
+printf '%s\n' '0.811715516 period doubling' '0.915214413 period doubling' '0.969309091 branch point' '0.986709235 branch point' \
+    '0.995013005 period doubling' '0.997849055 period doubling' '0.999187843 branch point' '0.999649824 branch point' \
+    '0.999867627 period doubling' '0.999942925 period doubling' '0.999978420 branch point' '0.999990695 branch point' > wanted
+cmp -s found wanted || fail "the axis: $(diff found wanted)"
+
+# Lorenz's cycle around one wing sinks below z = 19 at rho = 24.07403, far from any bifurcation: its multiplier is 1.0286668 there,
+# by the section z = 22.5 too. Where it touches the section the branch ends: down to a part of 2e-5 of the velocity that crosses,
+# multipliers err by the residual, 1e-10, over that part at most.
+jellett continue lorenz --set rho=20 --section z=19 --start x=10,y=15 --along rho=13:25 -o rows.csv 2> log || fail "touching: $?"
+grep -q 'branch 0: no shorter step converges' log || fail "touching: $(cat log)"
+awk -F, '/^[0-9]/ && $2 > 24.07402 { n++; if ($17 != "" || ($8 - 1.0286668)^2 > 5e-6^2) wrong = 1 }
+    END { exit !(n > 3) || wrong }' rows.csv || fail "a cycle that touches the section: $(tail -3 rows.csv)"
+
 # Two bifurcations within one step: the edges of the second and the third gap of Mathieu's equation, at its characteristic values
 # b2, a2, b3 and a3 for q = 1 (SciPy), where the orbit x = 0 has trace 2, and -2; and the folds of p = x^3 - e x.
 cat > mathieu.tt <<'TABLE'
