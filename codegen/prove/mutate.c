@@ -15,10 +15,12 @@ typedef struct {
 static bool is_mark(const ttc_token *token, char mark) { return token->kind == TTC_TOKEN_MARK && *token->text == mark; }
 static bool is_sign(const ttc_token *token) { return is_mark(token, '+') || is_mark(token, '-'); }
 
-/* Add both mutants of the term that consists of tokens first to last, its sign included if it has one. */
+/* Add both mutants of the term that consists of tokens first to last, its sign included if it has one; none of the term 0, which
+ * would be the same table. */
 static bool add_mutants(mutation *m, size_t first, size_t last)
 {
     const ttc_token *tokens = m->tokens;
+    if (last == first + is_sign(&tokens[first]) && tokens[last].length == 1 && *tokens[last].text == '0') return true;
     const char *start = tokens[first].text, *end = tokens[last].text + tokens[last].length;
     for (int dropped = 0; dropped < 2; dropped++) {
         ttc_mutant *grown = ttc_array_more(m->report->mutants, m->report->count, sizeof *grown);
