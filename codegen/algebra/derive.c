@@ -54,7 +54,8 @@ static ttc_id slope(void *context, uint32_t symbol)
     return d->slopes[symbol];
 }
 
-ttc_id ttc_derive_along(const ttc_model *model, ttc_id id, const ttc_id *direction)
+/* Derivative of `id` along a direction, shape (state_count,), the rate of each state; TTC_NONE stands for zero. */
+static ttc_id derive_along(const ttc_model *model, ttc_id id, const ttc_id *direction)
 {
     direction_slopes d = { .model = model };
     ttc_id result = TTC_NONE;
@@ -75,7 +76,7 @@ ttc_id ttc_derive_field(const ttc_model *model, ttc_id id)
     ttc_id *field = calloc(model->state_count + 1, sizeof *field);
     if (field == NULL) return TTC_NONE;
     for (size_t i = 0; i < model->state_count; i++) field[i] = ttc_model_field(model, i);
-    ttc_id rate = ttc_derive_along(model, id, field);
+    ttc_id rate = derive_along(model, id, field);
     free(field);
     return rate;
 }
@@ -85,7 +86,7 @@ ttc_id ttc_derive_state(const ttc_model *model, ttc_id id, size_t state)
     ttc_id *axis = calloc(model->state_count + 1, sizeof *axis);
     if (axis == NULL) return TTC_NONE;
     axis[state] = ttc_integer(model->graph, 1);
-    ttc_id rate = ttc_derive_along(model, id, axis);
+    ttc_id rate = derive_along(model, id, axis);
     free(axis);
     return rate;
 }

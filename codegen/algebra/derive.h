@@ -4,11 +4,7 @@
 
 #include "read/model.h"
 
-/** Derivative of `id` along a direction, through definitions by the chain rule.
- *  direction: shape (state_count,), the rate of each state; TTC_NONE stands for zero.
- *  Returns TTC_NONE on failure; ttc_graph_error() then says why. */
-ttc_id ttc_derive_along(const ttc_model *model, ttc_id id, const ttc_id *direction);
-
+/* Derivatives, through definitions by the chain rule. TTC_NONE on failure; ttc_graph_error() then says why. */
 ttc_id ttc_derive_field(const ttc_model *model, ttc_id id);                   /* d(id)/dt along the equations */
 ttc_id ttc_derive_state(const ttc_model *model, ttc_id id, size_t state);     /* partial derivative by state number `state` */
 

@@ -68,6 +68,20 @@ arb_srcptr ttc_check_at(ttc_check *check, ttc_id id)
     return jet;
 }
 
+arb_ptr ttc_check_bindings(ttc_check *check, const ttc_bindings *map)
+{
+    arb_ptr values = _arb_vec_init((long)map->count);
+    for (size_t i = 0; i < map->count; i++) {
+        arb_srcptr value = ttc_check_at(check, map->items[i].expression);
+        if (value == NULL) {
+            _arb_vec_clear(values, (long)map->count);
+            return NULL;
+        }
+        arb_set(values + i, value);
+    }
+    return values;
+}
+
 bool ttc_check_rate(ttc_check *check, arb_t out, ttc_id id)
 {
     long precision = ttc_probe_precision(check->probe);

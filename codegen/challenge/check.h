@@ -39,6 +39,9 @@ void ttc_check_violate(ttc_check *check, const char *what, const char *name);
 /* The value and derivatives of an expression, as from ttc_probe_at. Returns NULL if there are none: the point is undefined. */
 arb_srcptr ttc_check_at(ttc_check *check, ttc_id id);
 
+/* The values of what bindings set, shape (count,), for _arb_vec_clear. Returns NULL if one has none: the point is undefined. */
+arb_ptr ttc_check_bindings(ttc_check *check, const ttc_bindings *map);
+
 /* d(expression)/dt = gradient . f. Returns false if it has no value: the point is undefined. */
 bool ttc_check_rate(ttc_check *check, arb_t out, ttc_id id);
 

@@ -99,16 +99,11 @@ void ttc_check_positive_claim(ttc_check *check)
 static bool move_to_image(ttc_check *check)
 {
     const ttc_bindings *map = &check->claim->bindings;
-    arb_ptr images = _arb_vec_init((long)map->count);
-    bool good = true;
-    for (size_t i = 0; good && i < map->count; i++) {
-        arb_srcptr image = ttc_check_at(check, map->items[i].expression);
-        good = image != NULL;
-        if (good) arb_set(images + i, image);
-    }
-    for (size_t i = 0; good && i < map->count; i++) ttc_probe_set(check->probe, map->items[i].symbol, images + i);
+    arb_ptr images = ttc_check_bindings(check, map);
+    if (images == NULL) return false;
+    for (size_t i = 0; i < map->count; i++) ttc_probe_set(check->probe, map->items[i].symbol, images + i);
     _arb_vec_clear(images, (long)map->count);
-    return good;
+    return true;
 }
 
 /* DS f at the point, shape (states,) */

@@ -36,14 +36,9 @@ static void check_conditions_on_parameters(ttc_check *check)
 void ttc_check_variant(ttc_check *check)
 {
     const ttc_bindings *map = &check->model->variants[check->index].bindings;
-    arb_ptr images = _arb_vec_init((long)map->count);
-    bool good = true;
-    for (size_t i = 0; good && i < map->count; i++) {
-        arb_srcptr image = ttc_check_at(check, map->items[i].expression);
-        good = image != NULL;
-        if (good) arb_set(images + i, image);
-    }
-    for (size_t i = 0; good && i < map->count; i++) {
+    arb_ptr images = ttc_check_bindings(check, map);
+    if (images == NULL) return;
+    for (size_t i = 0; i < map->count; i++) {
         const ttc_symbol_entry *entry = &check->model->symbols[map->items[i].symbol];
         if (entry->sign == TTC_POSITIVE) ttc_check_positive(check, images + i, "not positive in the variant:", entry->name);
         if (entry->sign == TTC_NONNEGATIVE && arb_is_negative(images + i))
@@ -52,7 +47,7 @@ void ttc_check_variant(ttc_check *check)
             ttc_check_violate(check, "zero in the variant:", entry->name);
         ttc_probe_set(check->probe, map->items[i].symbol, images + i);
     }
-    if (good) check_conditions_on_parameters(check);
+    check_conditions_on_parameters(check);
     _arb_vec_clear(images, (long)map->count);
 }
 

@@ -129,12 +129,13 @@ static json_t *mutants_json(const ttc_model *model, const ttc_mutation_report *r
                                         mutant->dropped ? "dropped" : "flipped", "fate", fate_name(mutant->fate),
                                         "refuted", mutant->refuted));
     }
-    return json_pack("{s:s, s:s, s:o, s:{s:I, s:I, s:I, s:I}}", "model", model->name, "hash", model->sha256, "mutants",
-                     mutants, "totals", "mutants", (json_int_t)report->count, "refuted", (json_int_t)report->refuted,
-                     "survived", (json_int_t)report->survived, "unreadable", (json_int_t)report->unreadable);
+    return json_pack("{s:s, s:s, s:s?, s:o, s:{s:I, s:I, s:I, s:I}}", "model", model->name, "hash", model->sha256, "broken",
+                     report->broken, "mutants", mutants, "totals", "mutants", (json_int_t)report->count, "refuted",
+                     (json_int_t)report->refuted, "survived", (json_int_t)report->survived, "unreadable",
+                     (json_int_t)report->unreadable);
 }
 
-/* A survivor means that a claim is missing: exit status 1, as for a claim that fails. */
+/* A survivor means that a claim is missing: exit status 1, as for a claim that fails, by which mutants cannot be judged. */
 static int mutate(const ttc_model *model, bool json, json_t *reports)
 {
     ttc_mutation_report *report = NULL;
@@ -143,8 +144,11 @@ static int mutate(const ttc_model *model, bool json, json_t *reports)
         return TTC_EXIT_MEMORY;
     }
     if (json) json_array_append_new(reports, mutants_json(model, report));
-    else print_mutants(model, report);
-    int status = report->survived > 0 ? TTC_EXIT_REFUTED : TTC_EXIT_DONE;
+    else if (report->broken == NULL) print_mutants(model, report);
+    if (report->broken != NULL)
+        fprintf(stderr, "%s: error: the claim '%s' is refuted of the table itself, and would seem to notice every mutant: correct "
+                "it\n", model->file, report->broken);
+    int status = report->survived > 0 || report->broken != NULL ? TTC_EXIT_REFUTED : TTC_EXIT_DONE;
     ttc_mutation_report_destroy(report);
     return status;
 }

@@ -3,7 +3,8 @@
  *  Quantities are what monomials of an ansatz are made of: every state, root and function of the table that changes along the
  *  motion. They are variables and generators of the ring of the plain valuation under conditions on parameters, which knows
  *  relations between functions. A point gives each a nonzero value, such that the square of each root is its radicand: a
- *  homomorphism of the ring into the field, defined where no denominator that occurs vanishes. */
+ *  homomorphism of the ring into the field, defined where no denominator that occurs vanishes. Below, and wherever points are
+ *  drawn, source is the state of the random numbers. */
 #ifndef TTC_FLOW_H
 #define TTC_FLOW_H
 

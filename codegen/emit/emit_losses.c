@@ -2,8 +2,6 @@
 #include "emit/emit.h"
 #include "fields/survey.h"
 
-static bool is_nonnegative(ttc_field *field, ttc_id id) { return ttc_extent_is_nonnegative(ttc_field_extent(field, id)); }
-
 /* Whether no term of a sum is ever negative. */
 static bool has_nonnegative_terms(ttc_field *field, ttc_id sum)
 {
@@ -11,7 +9,7 @@ static bool has_nonnegative_terms(ttc_field *field, ttc_id sum)
     if (ttc_kind_of(graph, sum) != TTC_SUM || fmpq_sgn(ttc_coefficient(graph, sum)) < 0) return false;
     for (size_t i = 0; i < ttc_part_count(graph, sum); i++) {
         ttc_part part = ttc_part_at(graph, sum, i);
-        if (fmpq_sgn(part.coefficient) < 0 || !is_nonnegative(field, part.id)) return false;
+        if (fmpq_sgn(part.coefficient) < 0 || !ttc_extent_is_nonnegative(ttc_field_extent(field, part.id))) return false;
     }
     return true;
 }

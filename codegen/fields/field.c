@@ -11,13 +11,11 @@ static const ttc_binding *binding_of(const ttc_variant *variant, uint32_t symbol
     return NULL;
 }
 
-static ttc_id resolve(ttc_field *field, uint32_t symbol);
-
-static ttc_id resolve_symbol(void *context, uint32_t symbol) { return resolve(context, symbol); }
+static ttc_id resolve(void *context, uint32_t symbol);
 
 ttc_id ttc_field_specialise(ttc_field *field, ttc_id expression)
 {
-    ttc_id id = ttc_substitute(field->graph, expression, resolve_symbol, field);
+    ttc_id id = ttc_substitute(field->graph, expression, resolve, field);
     field->failed |= id == TTC_NONE;
     return id;
 }
@@ -49,8 +47,9 @@ static ttc_role role_of(ttc_symbol_kind function)
 }
 
 /* The node that represents a symbol of the model in this field. Role and definition of the symbol are set at the first call. */
-static ttc_id resolve(ttc_field *field, uint32_t symbol)
+static ttc_id resolve(void *context, uint32_t symbol)
 {
+    ttc_field *field = context;
     ttc_field_symbol *s = field->symbols + symbol;
     const ttc_symbol_entry *entry = field->model->symbols + symbol;
     if (s->node != TTC_NONE) return s->node;

@@ -1,5 +1,6 @@
 #include "prove/image.h"
 
+#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -45,21 +46,28 @@ bool ttc_angle_cosine(const ttc_model *table, uint32_t state, uint32_t *cosine)
     return false;
 }
 
+bool ttc_refuse(char *reason, size_t size, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(reason, size, format, arguments);
+    va_end(arguments);
+    return false;
+}
+
 bool ttc_image_has_states(const ttc_image *image, const ttc_model *table, const char *file, char *reason, size_t size)
 {
     for (size_t i = 0; i < table->state_count; i++) {
         const ttc_symbol_entry *entry = table->symbols + table->states[i];
         const size_t k = ttc_image_state(image, table, i);
         uint32_t cosine;
-        *reason = '\0';
-        if (k == image->count) snprintf(reason, size, "the state %s of %s is given no way back", entry->name, file);
-        else if (image->forms[k] == TTC_GIVEN_ROOT)
-            snprintf(reason, size, "%s is a state of %s, and no root", entry->name, file);
-        else if (image->forms[k] == TTC_GIVEN_ANGLE && !ttc_angle_cosine(table, table->states[i], &cosine))
-            snprintf(reason, size, "%s is an angle, and %s has no record 'angle' for it", entry->name, file);
-        else if (image->forms[k] == TTC_GIVEN_ANGLE && (entry->low != TTC_NONE || entry->high != TTC_NONE))
-            snprintf(reason, size, "%s is an angle, which has no interval in %s", entry->name, file);
-        if (*reason != '\0') return false;
+        if (k == image->count) return ttc_refuse(reason, size, "the state %s of %s is given no way back", entry->name, file);
+        if (image->forms[k] == TTC_GIVEN_ROOT)
+            return ttc_refuse(reason, size, "%s is a state of %s, and no root", entry->name, file);
+        if (image->forms[k] == TTC_GIVEN_ANGLE && !ttc_angle_cosine(table, table->states[i], &cosine))
+            return ttc_refuse(reason, size, "%s is an angle, and %s has no record 'angle' for it", entry->name, file);
+        if (image->forms[k] == TTC_GIVEN_ANGLE && (entry->low != TTC_NONE || entry->high != TTC_NONE))
+            return ttc_refuse(reason, size, "%s is an angle, which has no interval in %s", entry->name, file);
     }
     return true;
 }

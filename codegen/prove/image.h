@@ -2,6 +2,7 @@
 #ifndef TTC_IMAGE_H
 #define TTC_IMAGE_H
 
+#include "base/text.h"
 #include "read/model.h"
 
 /* Index, in image->names, of the table's i-th state, or of a name; image->count if it is not there. */
@@ -18,6 +19,9 @@ uint32_t ttc_param_of(const ttc_model *model, const char *name);
 
 /* Find the cosine whose argument is this state. Returns false if there is none. */
 bool ttc_angle_cosine(const ttc_model *table, uint32_t state, uint32_t *cosine);
+
+/* Write reason, shape (size,), as printf does, and return false. */
+TTC_PRINTF(3, 4) bool ttc_refuse(char *reason, size_t size, const char *format, ...);
 
 /** Returns true if the image gives every state of the table, and the table has a record `angle`, and no interval, for those given
  *  as angles. Otherwise reason, shape (size,), says why not; file: the name of the table in it. */

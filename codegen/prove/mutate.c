@@ -15,10 +15,12 @@ typedef struct {
 static bool is_mark(const ttc_token *token, char mark) { return token->kind == TTC_TOKEN_MARK && *token->text == mark; }
 static bool is_sign(const ttc_token *token) { return is_mark(token, '+') || is_mark(token, '-'); }
 
-/* Add both mutants of the term that consists of tokens first to last, its sign included if it has one. */
+/* Add both mutants of the term that consists of tokens first to last, its sign included if it has one; none of the term 0, which
+ * would be the same table. */
 static bool add_mutants(mutation *m, size_t first, size_t last)
 {
     const ttc_token *tokens = m->tokens;
+    if (last == first + is_sign(&tokens[first]) && tokens[last].length == 1 && *tokens[last].text == '0') return true;
     const char *start = tokens[first].text, *end = tokens[last].text + tokens[last].length;
     for (int dropped = 0; dropped < 2; dropped++) {
         ttc_mutant *grown = ttc_array_more(m->report->mutants, m->report->count, sizeof *grown);
@@ -141,11 +143,11 @@ static bool prove_sections(const ttc_model *mutated, ttc_resolver resolver, void
     return ok;
 }
 
-static bool prove_mutant(const ttc_model *model, ttc_resolver resolver, void *context, ttc_mutant *mutant)
+/* Prove the claims of a text, NULL when memory is out, which is freed here: a mutant of the model, or the model itself. */
+static bool prove_text(const ttc_model *model, char *text, ttc_resolver resolver, void *context, ttc_mutant *mutant)
 {
     bool done = false;
     ttc_proof_report *report = NULL;
-    char *text = mutant_text(model, mutant);
     ttc_diagnostics *diagnostics = ttc_diagnostics_create();
     ttc_model *mutated = NULL;
     if (text == NULL || diagnostics == NULL) goto done;
@@ -173,14 +175,17 @@ bool ttc_mutate(const ttc_model *model, ttc_resolver resolver, void *context, tt
     *report = NULL;
     bool ok = false;
     mutation m = { .model = model };
+    ttc_mutant itself = { 0 };
     ttc_diagnostics *diagnostics = ttc_diagnostics_create();
     m.report = calloc(1, sizeof *m.report);
     if (diagnostics == NULL || m.report == NULL) goto done;
     m.tokens = ttc_lex(model->text, strlen(model->text), diagnostics);
-    if (m.tokens == NULL || !find_terms(&m)) goto done;
+    if (m.tokens == NULL || !prove_text(model, strdup(model->text), resolver, context, &itself)) goto done;
+    m.report->broken = itself.refuted;
+    if (m.report->broken == NULL && !find_terms(&m)) goto done;
     for (size_t i = 0; i < m.report->count; i++) {
         ttc_mutant *mutant = &m.report->mutants[i];
-        if (!prove_mutant(model, resolver, context, mutant)) goto done;
+        if (!prove_text(model, mutant_text(model, mutant), resolver, context, mutant)) goto done;
         m.report->refuted += mutant->fate == TTC_MUTANT_REFUTED;
         m.report->survived += mutant->fate == TTC_MUTANT_SURVIVED;
         m.report->unreadable += mutant->fate == TTC_MUTANT_UNREADABLE;
@@ -200,5 +205,6 @@ void ttc_mutation_report_destroy(ttc_mutation_report *report)
     if (report == NULL) return;
     for (size_t i = 0; i < report->count; i++) free(report->mutants[i].refuted);
     free(report->mutants);
+    free(report->broken);
     free(report);
 }

@@ -19,6 +19,7 @@ typedef struct {
 typedef struct {
     ttc_mutant *mutants; /* in order of place; of each term first the flipped, then the dropped one */
     size_t count, refuted, survived, unreadable;
+    char *broken; /* a claim that is refuted of the table itself, so that mutants would tell nothing, and none is made; else NULL */
 } ttc_mutation_report;
 
 /** Make every mutant of the terms of equations, lets and roots, sums in parentheses included, and prove the claims of each until

@@ -1,7 +1,5 @@
 #include "prove/section_chart.h"
 
-#include <stdarg.h>
-#include <stdio.h>
 #include <string.h>
 
 uint32_t ttc_section_place(const ttc_model *model, const ttc_section *section, const ttc_model *chart, size_t i)
@@ -29,15 +27,6 @@ typedef struct {
     size_t size;
 } fitting;
 
-TTC_PRINTF(2, 3) static bool refuse(const fitting *f, const char *format, ...)
-{
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(f->reason, f->size, format, arguments);
-    va_end(arguments);
-    return false;
-}
-
 static bool coordinates_fit(const fitting *f)
 {
     const ttc_image *image = &f->section->image;
@@ -45,7 +34,7 @@ static bool coordinates_fit(const fitting *f)
     if (!ttc_image_has_states(image, f->chart, f->file, f->reason, f->size)) return false;
     for (size_t k = 0; k < image->count; k++)
         if (!ttc_model_find_symbol(f->chart, image->names[k], &symbol) || f->chart->symbols[symbol].kind != TTC_STATE)
-            return refuse(f, "%s is no state of %s", image->names[k], f->file);
+            return ttc_refuse(f->reason, f->size, "%s is no state of %s", image->names[k], f->file);
     return true;
 }
 
@@ -55,18 +44,19 @@ static bool params_fit(const fitting *f)
     const ttc_image *image = &f->section->image;
     for (size_t k = 0; k < image->level_count; k++)
         if (ttc_param_of(chart, image->levels[k]) == UINT32_MAX)
-            return refuse(f, "%s is no parameter of %s", image->levels[k], f->file);
+            return ttc_refuse(f->reason, f->size, "%s is no parameter of %s", image->levels[k], f->file);
     for (size_t k = 0; k < image->level_count; k++)
         if (ttc_param_of(model, image->levels[k]) != UINT32_MAX)
-            return refuse(f, "%s, a level of %s, is a parameter of %s as well", image->levels[k], f->file, model->name);
+            return ttc_refuse(f->reason, f->size, "%s, a level of %s, is a parameter of %s as well", image->levels[k], f->file,
+                              model->name);
     for (size_t i = 0; i < chart->param_count; i++) {
         const ttc_symbol_entry *entry = chart->symbols + chart->params[i];
         const uint32_t place = ttc_section_place(model, f->section, chart, i);
         bool is_root;
         if (ttc_image_param(model, model->claims + f->section->claim, image, chart, i, &is_root) == TTC_NONE)
-            return refuse(f, "the parameter %s of %s is given no value", entry->name, f->file);
+            return ttc_refuse(f->reason, f->size, "the parameter %s of %s is given no value", entry->name, f->file);
         if (place < model->param_count && model->symbols[model->params[place]].sign != entry->sign)
-            return refuse(f, "the parameter %s has another condition in %s", entry->name, f->file);
+            return ttc_refuse(f->reason, f->size, "the parameter %s has another condition in %s", entry->name, f->file);
     }
     return true;
 }
@@ -82,17 +72,19 @@ static bool lift_fits(const fitting *f)
 {
     const ttc_model *model = f->model;
     const ttc_lift *lift = &f->chart->lift;
-    if (lift->file == NULL) return refuse(f, "%s is no table of coordinates: it has no 'lift'", f->file);
+    if (lift->file == NULL) return ttc_refuse(f->reason, f->size, "%s is no table of coordinates: it has no 'lift'", f->file);
     for (size_t i = 0; i < lift->bindings.count; i++)
         if (!is_root_or_state(model, lift->names[i]))
-            return refuse(f, "%s, which %s lifts, is no state or root of %s", lift->names[i], f->file, model->name);
+            return ttc_refuse(f->reason, f->size, "%s, which %s lifts, is no state or root of %s", lift->names[i], f->file,
+                              model->name);
     for (size_t i = 0; i < model->state_count; i++)
         if (ttc_chart_lift(f->chart, model->symbols[model->states[i]].name) == TTC_NONE)
-            return refuse(f, "the state %s is not lifted in %s", model->symbols[model->states[i]].name, f->file);
+            return ttc_refuse(f->reason, f->size, "the state %s is not lifted in %s", model->symbols[model->states[i]].name,
+                              f->file);
     for (size_t i = 0; i < model->time_count; i++)
         for (size_t k = 0; k < model->times[i].lifted_count; k++)
             if (ttc_chart_lift(f->chart, model->symbols[model->times[i].lifted[k]].name) == TTC_NONE)
-                return refuse(f, "the root %s, a state in the time %s, is not lifted in %s",
+                return ttc_refuse(f->reason, f->size, "the root %s, a state in the time %s, is not lifted in %s",
                               model->symbols[model->times[i].lifted[k]].name, model->times[i].name, f->file);
     return true;
 }

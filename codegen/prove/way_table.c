@@ -1,7 +1,5 @@
 #include "prove/way_table.h"
 
-#include <stdarg.h>
-#include <stdio.h>
 #include <string.h>
 
 ttc_id ttc_given_for(const ttc_claim *claim, const char *name)
@@ -18,15 +16,6 @@ typedef struct {
     char *reason;
     size_t size;
 } fitting;
-
-TTC_PRINTF(2, 3) static bool refuse(const fitting *f, const char *format, ...)
-{
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(f->reason, f->size, format, arguments);
-    va_end(arguments);
-    return false;
-}
 
 static bool descends(const fitting *f) { return f->model->claims[f->way->claim].kind == TTC_CLAIM_DESCENT; }
 
@@ -48,8 +37,8 @@ static bool find_back(const fitting *f, uint32_t *back)
             *back = i;
             return true;
         }
-    return refuse(f, "%s has no %s that gives all states of %s", f->file, descends(f) ? "embedding" : "reduction onto a table",
-                  f->model->name);
+    return ttc_refuse(f->reason, f->size, "%s has no %s that gives all states of %s", f->file,
+                      descends(f) ? "embedding" : "reduction onto a table", f->model->name);
 }
 
 static bool names_fit(const fitting *f)
@@ -61,17 +50,19 @@ static bool names_fit(const fitting *f)
         const bool known = ttc_model_find_symbol(f->table, image->names[k], &symbol);
         const ttc_symbol_kind kind = known ? f->table->symbols[symbol].kind : TTC_LET;
         if (kind != TTC_STATE && kind != TTC_PARAM && (kind != TTC_ROOT || descends(f)))
-            return refuse(f, "%s is no state%s or parameter of %s", image->names[k], descends(f) ? "" : ", root", f->file);
+            return ttc_refuse(f->reason, f->size, "%s is no state%s or parameter of %s", image->names[k],
+                              descends(f) ? "" : ", root", f->file);
         if (kind == TTC_PARAM && image->forms[k] == TTC_GIVEN_ANGLE)
-            return refuse(f, "%s is a parameter of %s, and no angle", image->names[k], f->file);
+            return ttc_refuse(f->reason, f->size, "%s is a parameter of %s, and no angle", image->names[k], f->file);
     }
     for (size_t k = 0; k < image->level_count; k++)
         if (ttc_param_of(f->table, image->levels[k]) == UINT32_MAX)
-            return refuse(f, "%s is no parameter of %s", image->levels[k], f->file);
+            return ttc_refuse(f->reason, f->size, "%s is no parameter of %s", image->levels[k], f->file);
     for (size_t i = 0; i < f->table->param_count; i++) {
         bool is_root;
         if (ttc_image_param(f->model, f->model->claims + f->way->claim, image, f->table, i, &is_root) == TTC_NONE)
-            return refuse(f, "the parameter %s of %s is given no value", f->table->symbols[f->table->params[i]].name, f->file);
+            return ttc_refuse(f->reason, f->size, "the parameter %s of %s is given no value",
+                              f->table->symbols[f->table->params[i]].name, f->file);
     }
     return true;
 }
@@ -83,8 +74,8 @@ static bool roots_fit(const fitting *f, const ttc_claim *back)
         for (size_t k = 0; k < model->times[i].lifted_count; k++) {
             const char *root = model->symbols[model->times[i].lifted[k]].name;
             if (ttc_given_for(back, root) == TTC_NONE)
-                return refuse(f, "the root %s, a state in the time %s, is not given by %s of %s", root, model->times[i].name,
-                              back->name, f->file);
+                return ttc_refuse(f->reason, f->size, "the root %s, a state in the time %s, is not given by %s of %s", root,
+                                  model->times[i].name, back->name, f->file);
         }
     return true;
 }
@@ -92,7 +83,8 @@ static bool roots_fit(const fitting *f, const ttc_claim *back)
 bool ttc_way_fits(const ttc_model *model, const ttc_way *way, const ttc_model *table, uint32_t *back, char *reason, size_t size)
 {
     const fitting f = { model, table, way, model->claims[way->claim].target, reason, size };
-    if (table->equation_count == 0) return refuse(&f, "%s is a table of coordinates, in which nothing moves", f.file);
+    if (table->equation_count == 0)
+        return ttc_refuse(f.reason, f.size, "%s is a table of coordinates, in which nothing moves", f.file);
     return find_back(&f, back) && names_fit(&f) && roots_fit(&f, table->claims + *back);
 }
 

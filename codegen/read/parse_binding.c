@@ -9,11 +9,7 @@ bool ttc_parse_bindings(ttc_parser *parser, ttc_bindings *bindings, unsigned kin
     do {
         uint32_t symbol;
         const ttc_token *name = ttc_parse_name(parser, expected);
-        if (name == NULL) return false;
-        if (!ttc_parse_find(parser, name, &symbol)) {
-            ttc_parse_unknown(parser, name);
-            return false;
-        }
+        if (name == NULL || !ttc_parse_known(parser, name, &symbol)) return false;
         const ttc_symbol_entry *entry = parser->model->symbols + symbol;
         if ((kinds & 1u << entry->kind) == 0)
             return ttc_parse_error(parser, ttc_token_place(name), "'%s' cannot be set here (expected %s)", entry->name, expected);

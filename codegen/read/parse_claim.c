@@ -54,11 +54,7 @@ static bool parse_map(ttc_parser *parser, ttc_claim *claim)
     do {
         uint32_t symbol;
         const ttc_token *name = ttc_parse_name(parser, "a state");
-        if (name == NULL) return false;
-        if (!ttc_parse_find(parser, name, &symbol)) {
-            ttc_parse_unknown(parser, name);
-            return false;
-        }
+        if (name == NULL || !ttc_parse_known(parser, name, &symbol)) return false;
         const ttc_symbol_entry *entry = parser->model->symbols + symbol;
         ttc_place place = ttc_token_place(name);
         if (entry->kind != TTC_STATE) return ttc_parse_error(parser, place, "'%s' is not a state (expected one)", entry->name);

@@ -252,10 +252,7 @@ bool ttc_parse_quantity(ttc_parser *parser, const ttc_token *keyword)
 static bool parse_equation_state(ttc_parser *parser, const ttc_token *name, uint32_t *state, size_t *position)
 {
     ttc_model *model = parser->model;
-    if (!ttc_parse_find(parser, name, state)) {
-        ttc_parse_unknown(parser, name);
-        return false;
-    }
+    if (!ttc_parse_known(parser, name, state)) return false;
     for (*position = 0; *position < model->state_count; (*position)++)
         if (model->states[*position] == *state) return true;
     return ttc_parse_error(parser, ttc_token_place(name), "'%s' is not a state (expected one)", model->symbols[*state].name);
@@ -331,11 +328,7 @@ bool ttc_parse_default(ttc_parser *parser)
     do {
         uint32_t symbol;
         const ttc_token *name = ttc_parse_name(parser, "a parameter's name");
-        if (name == NULL) return false;
-        if (!ttc_parse_find(parser, name, &symbol)) {
-            ttc_parse_unknown(parser, name);
-            return false;
-        }
+        if (name == NULL || !ttc_parse_known(parser, name, &symbol)) return false;
         ttc_symbol_entry *entry = parser->model->symbols + symbol;
         ttc_place place = ttc_token_place(name);
         if (entry->kind != TTC_PARAM) return ttc_parse_error(parser, place, "'%s' is not a parameter (expected one)", entry->name);

@@ -58,11 +58,7 @@ static bool parse_lifted(ttc_parser *parser, ttc_time *time)
     do {
         uint32_t symbol;
         const ttc_token *name = ttc_parse_name(parser, "a root");
-        if (name == NULL) return false;
-        if (!ttc_parse_find(parser, name, &symbol)) {
-            ttc_parse_unknown(parser, name);
-            return false;
-        }
+        if (name == NULL || !ttc_parse_known(parser, name, &symbol)) return false;
         parser->used[symbol] = 1;
         if (parser->model->symbols[symbol].kind != TTC_ROOT)
             return ttc_parse_error(parser, ttc_token_place(name), "'%s' is not a root (expected one)",
@@ -128,11 +124,7 @@ static bool parse_elimination(ttc_parser *parser, const ttc_token *name)
     elimination->place = ttc_token_place(name);
 
     const ttc_token *state = ttc_parse_name(parser, "the state to eliminate");
-    if (state == NULL) return false;
-    if (!ttc_parse_find(parser, state, &elimination->state)) {
-        ttc_parse_unknown(parser, state);
-        return false;
-    }
+    if (state == NULL || !ttc_parse_known(parser, state, &elimination->state)) return false;
     if (model->symbols[elimination->state].kind != TTC_STATE)
         return ttc_parse_error(parser, ttc_token_place(state), "'%s' is not a state (expected one)",
                                model->symbols[elimination->state].name);

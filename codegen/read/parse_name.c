@@ -139,6 +139,13 @@ void ttc_parse_unknown(ttc_parser *parser, const ttc_token *name)
     }
 }
 
+bool ttc_parse_known(ttc_parser *parser, const ttc_token *name, uint32_t *symbol)
+{
+    const bool found = ttc_parse_find(parser, name, symbol);
+    if (!found) ttc_parse_unknown(parser, name);
+    return found;
+}
+
 bool ttc_parse_pi(ttc_parser *parser, const ttc_token *name, uint32_t *symbol)
 {
     if (!ttc_token_is(name, "pi") || find_definition(parser, name) != NULL) return false;

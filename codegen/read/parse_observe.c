@@ -51,8 +51,7 @@ bool ttc_parse_observe(ttc_parser *parser)
         ttc_id definition = ttc_parse_expression(parser);
         parser->may_rate = false;
         if (!ttc_parse_define(parser, name, TTC_LET, definition, &symbol) || definition == TTC_NONE) return false;
-    } else if (!ttc_parse_find(parser, name, &symbol)) {
-        ttc_parse_unknown(parser, name);
+    } else if (!ttc_parse_known(parser, name, &symbol)) {
         return false;
     }
     ttc_symbol_entry *entry = parser->model->symbols + symbol;

@@ -7,13 +7,9 @@
 static bool parse_symbol(ttc_parser *parser, const char *expected, const ttc_token **name, uint32_t *symbol)
 {
     *name = ttc_parse_name(parser, expected);
-    if (*name == NULL) return false;
-    if (ttc_parse_find(parser, *name, symbol)) {
-        parser->used[*symbol] = 1;
-        return true;
-    }
-    ttc_parse_unknown(parser, *name);
-    return false;
+    if (*name == NULL || !ttc_parse_known(parser, *name, symbol)) return false;
+    parser->used[*symbol] = 1;
+    return true;
 }
 
 static bool is_number(const ttc_model *model, ttc_id id)

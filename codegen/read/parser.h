@@ -94,6 +94,7 @@ bool ttc_parse_measure(ttc_parser *parser, ttc_id id, ttc_place place);
 /* Names. */
 /* Find a symbol of the table; the indeterminate lambda is none. */
 bool ttc_parse_find(const ttc_parser *parser, const ttc_token *name, uint32_t *symbol);
+bool ttc_parse_known(ttc_parser *parser, const ttc_token *name, uint32_t *symbol); /* the same, with a report */
 bool ttc_parse_define(ttc_parser *parser, const ttc_token *name, ttc_symbol_kind kind, ttc_id definition, uint32_t *symbol);
 /* If the name is pi and no record of the table defines it, define it as the number pi; otherwise return false without a report. */
 bool ttc_parse_pi(ttc_parser *parser, const ttc_token *name, uint32_t *symbol);

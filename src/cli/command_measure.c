@@ -138,7 +138,7 @@ static void write_text(FILE *stream, const jlt_measure_finding *f)
     const jlt_descriptor *d = f->instance->descriptor;
     char trace[JLT_DIGITS_SIZE];
 
-    fprintf(stream, "%s: %s\nkernels      %s, table %.12s\nparameters  ", d->model, d->title,
+    fprintf(stream, "%s%s%s\nkernels      %s, table %.12s\nparameters  ", d->model, *d->title == '\0' ? "" : ": ", d->title,
             d->variant[0] == '\0' ? "general" : d->variant, d->sha256);
     jlt_decimal_write_named(stream, d->params, f->instance->params, d->param_count);
     fputc('\n', stream);

@@ -194,7 +194,7 @@ static void print_descriptor(FILE *stream, const jlt_descriptor *d, bool first)
     char name[128];
 
     if (first) {
-        fprintf(stream, "%s: %s\n  table %s\n  %s\n", d->model, d->title, d->sha256, d->generator);
+        fprintf(stream, "%s%s%s\n  table %s\n  %s\n", d->model, *d->title == '\0' ? "" : ": ", d->title, d->sha256, d->generator);
         print_quantities(stream, "states", d->states, d->state_count);
         print_quantities(stream, "parameters", d->params, d->param_count);
         if (d->observe_count > 0) print_quantities(stream, "observed", d->observes, d->observe_count);

@@ -108,8 +108,8 @@ static void report_text(FILE *stream, const jlt_verify_run *run)
 {
     const jlt_descriptor *d = run->descriptor;
 
-    fprintf(stream, "%s: %s\ntable %s, %s; seed %llu, %zu samples\n\n", d->model, d->title, d->sha256, d->generator,
-            (unsigned long long)run->seed, run->samples);
+    fprintf(stream, "%s%s%s\ntable %s, %s; seed %llu, %zu samples\n\n", d->model, *d->title == '\0' ? "" : ": ", d->title,
+            d->sha256, d->generator, (unsigned long long)run->seed, run->samples);
     write_proofs(stream, run->proofs);
     fprintf(stream, "\n(b) Equilibria through the compiled kernels\n");
     if (run->family_count == 0) fprintf(stream, "\n  the table has no family of equilibria\n");

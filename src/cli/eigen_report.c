@@ -150,7 +150,7 @@ void jlt_eigen_write_text(FILE *stream, const jlt_eigen_row *row)
     const jlt_descriptor *d = row->descriptor;
     const jlt_linearization *r = &row->found.result;
 
-    fprintf(stream, "%s: %s\n", d->model, d->title);
+    fprintf(stream, "%s%s%s\n", d->model, *d->title == '\0' ? "" : ": ", d->title);
     fprintf(stream, "kernels      %s, table %.12s\n", r->descriptor->variant[0] == '\0' ? "general" : r->descriptor->variant,
             d->sha256);
     write_values(stream, "parameters", d->params, row->params, r->texts == NULL ? NULL : r->texts->param, d->param_count);

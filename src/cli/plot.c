@@ -289,7 +289,7 @@ static void write_panels(FILE *stream, const jlt_plot *self)
     const unsigned lines = write_title(stream, self);
     if (self->stacked)
         fprintf(stream, " margins %.4f,%.4f,%.4f,%.4f spacing 0,%.4f", 6 * x, 1 - 6 * x, 3.8 * y, 1 - (1.1 + 1.2 * lines) * y,
-                0.8 * y);
+                1.15 * y);
     fputc('\n', stream);
 }
 

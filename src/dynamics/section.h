@@ -16,7 +16,7 @@ typedef struct {
                                          field->jacobian do */
     const jlt_method *method;         /* default: the first of the table */
     double tolerance;                 /* see integrate/method.h; default JLT_ORBIT_TOLERANCE */
-    jlt_direction direction;          /* crossings that count, for growing t; JLT_BOTH is both */
+    jlt_direction direction;          /* crossings that count, for growing t; default JLT_BOTH */
     size_t max_steps;                 /* of the integrator, for one return; default 10^5 */
     double t_max;                     /* physical time for one return; default: no limit */
     jlt_invariants kept;              /* after every step the state is put back onto the start's levels of these; zero: none */

@@ -49,7 +49,7 @@ void jlt_surface_arrange(double *out, const jlt_surface *surface, const double *
 
 /** Make the system with the most special kernel that holds for the values; where no coordinate has a unit, its flow counts in units
  *  of the problem. Out: *out, NULL on failure; destroy with jlt_system_destroy. In: surface; values, shape (count,), both copied;
- *  options, of which chart, field and rhs_jacobian are not read; NULL: all defaults (upward crossings).
+ *  options, of which chart, field and rhs_jacobian are not read; NULL: all defaults, but upward crossings alone.
  *  Errors: DOMAIN, NONFINITE, a value; EMPTY, no state of the section has these levels; ARG, its points are not crossed in the
  *  direction of options; UNSUPPORTED, no Jacobian; NOMEM; as jlt_chart_section_init. */
 JLT_CHECKED jlt_status jlt_surface_system(jlt_system **out, const jlt_surface *surface, const double *values,

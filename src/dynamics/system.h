@@ -35,7 +35,7 @@ const jlt_descriptor *jlt_system_regular(const jlt_descriptor *descriptor);
 /** The section x[column] = level of any kernel. In a time that lifts roots these are not among the coordinates. Out: *out, NULL
  *  on failure; destroy with jlt_system_destroy. In: params, shape (param_count,), in the table's order and units; signs, +1 or
  *  -1 for each state but lifted roots, if the model is reversible by x -> signs * x, else NULL; options, of which chart, field
- *  and rhs_jacobian are not read; NULL: all defaults (upward crossings). Errors: ARG; UNSUPPORTED, no Jacobian; DOMAIN,
+ *  and rhs_jacobian are not read; NULL: all defaults, but upward crossings alone. Errors: ARG; UNSUPPORTED, no Jacobian; DOMAIN,
  *  NONFINITE; NOMEM. */
 JLT_CHECKED jlt_status jlt_system_plane(jlt_system **out, const jlt_descriptor *descriptor, const double *params,
                                         unsigned column, double level, const int *signs, const jlt_flow *options);

@@ -50,6 +50,19 @@ static void split(double *left, double *right, const double *b, unsigned degree,
     }
 }
 
+/* Cut b into a left and a right part near the middle, where b is not zero, or for extrema its slope: such a zero would belong to
+ * neither part. There are at most degree zeros, so one of degree + 1 points serves. Returns the point. */
+static double cut(double *left, double *right, const double *b, unsigned degree, bool extrema)
+{
+    double theta = 0.5;
+    split(left, right, b, degree, theta);
+    for (unsigned i = 0; i < degree && right[extrema] == (extrema ? right[0] : 0); i++) {
+        theta *= 0.875;
+        split(left, right, b, degree, theta);
+    }
+    return theta;
+}
+
 unsigned jlt_bernstein_variations(const double *b, unsigned degree)
 {
     unsigned count = 0;
@@ -122,12 +135,8 @@ static void collect(collection *found, const double *b, double from, double widt
         if (changes % 2 == 1) found->roots[found->count++] = from + 0.5 * width;
         return;
     }
-    double left[SIZE], right[SIZE], theta = 0.5;
-    split(left, right, b, degree, theta);
-    if (right[0] == 0) { /* a zero at the cut belongs to neither part: cut elsewhere */
-        theta = 0.4375;
-        split(left, right, b, degree, theta);
-    }
+    double left[SIZE], right[SIZE];
+    const double theta = cut(left, right, b, degree, false);
     collect(found, left, from, width * theta, depth + 1);
     collect(found, right, from + width * theta, width * (1 - theta), depth + 1);
 }
@@ -181,12 +190,8 @@ static void collect_touches(collection *found, const double *b, double bound, do
         if (changes % 2 == 1) found->roots[found->count++] = from + 0.5 * width;
         return;
     }
-    double left[SIZE], right[SIZE], theta = 0.5;
-    split(left, right, b, degree, theta);
-    if (right[1] == right[0]) {
-        theta = 0.4375;
-        split(left, right, b, degree, theta);
-    }
+    double left[SIZE], right[SIZE];
+    const double theta = cut(left, right, b, degree, true);
     collect_touches(found, left, bound, from, width * theta, depth + 1);
     collect_touches(found, right, bound, from + width * theta, width * (1 - theta), depth + 1);
 }

@@ -42,11 +42,6 @@ static bool stepper_slower(const jlt_stepper *stepper, double speed)
     return slower(stepper->f, stepper->x, dim, stepper->size, speed * pace);
 }
 
-static bool is_slow(const jlt_stepper *stepper)
-{
-    return stepper_slower(stepper, jlt_rest_slow(stepper->asked));
-}
-
 /* Whether the orbit decays onto a known equilibrium; limit gets it. A root that goes to 0 leads to a pole, another kind of end. */
 static bool decays_to(jlt_approach *approach, const jlt_stepper *stepper, double *limit)
 {
@@ -80,7 +75,7 @@ static bool is_near(const jlt_stepper *stepper, double *limit)
 
 bool jlt_rest_watch_step(jlt_rest_watch *self, const jlt_stepper *stepper, double *limit)
 {
-    if (!is_slow(stepper)) self->slow_steps = 0;
+    if (!stepper_slower(stepper, jlt_rest_slow(stepper->asked))) self->slow_steps = 0;
     if (++self->slow_steps > SLOW_STEPS && jlt_rest_ends(stepper, limit)) return true;
     return ++self->steps % LOOK_STEPS == 0 && is_near(stepper, limit);
 }

@@ -49,6 +49,34 @@ static void a_term_that_no_claim_sees_survives(void **state)
     ttc_model_destroy(model);
 }
 
+/* A rate that is 0 has no term to flip or drop: such a mutant would be the table itself, and survive whatever is claimed. */
+static void the_term_0_gives_no_mutant(void **state)
+{
+    (void)state;
+    ttc_mutation_report *report = NULL;
+    ttc_model *model = parse_text("model rest\nstate x\nstate y\neq x = 0\neq y =\n + 0\n + x\n"
+                                  "integral X = x\nrate Y : y = x\n");
+    assert_true(ttc_mutate(model, NULL, NULL, &report));
+    assert_int_equal(report->count, 2);
+    assert_int_equal(report->refuted, 2);
+    ttc_mutation_report_destroy(report);
+    ttc_model_destroy(model);
+}
+
+/* x' = y, y' = -x keeps no x^2: every mutant would fail this claim as the table itself does, although nothing else sees y. */
+static void a_claim_that_the_table_fails_judges_no_mutant(void **state)
+{
+    (void)state;
+    ttc_mutation_report *report = NULL;
+    ttc_model *model = parse_text("model broken\nstate x\nstate y\neq x = y\neq y =\n - x\nintegral wrong = x^2\n");
+    assert_true(ttc_mutate(model, NULL, NULL, &report));
+    assert_string_equal(report->broken, "wrong");
+    assert_int_equal(report->count, 0);
+    assert_int_equal(report->refuted, 0);
+    ttc_mutation_report_destroy(report);
+    ttc_model_destroy(model);
+}
+
 /* Terms: y; -x; +x^3/(1 + c), its sum 1 + c; in the let 2*c alone. */
 static void every_term_gives_two_mutants(void **state)
 {
@@ -69,6 +97,8 @@ int main(void)
         cmocka_unit_test(every_mutant_of_the_shipped_tables_is_refuted),
         cmocka_unit_test(a_term_that_no_claim_sees_survives),
         cmocka_unit_test(every_term_gives_two_mutants),
+        cmocka_unit_test(the_term_0_gives_no_mutant),
+        cmocka_unit_test(a_claim_that_the_table_fails_judges_no_mutant),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

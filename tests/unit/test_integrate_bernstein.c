@@ -53,6 +53,19 @@ static void a_zero_at_the_cut_is_found_once(void **unused)
     }
 }
 
+/* (theta - 1/2)(theta - 7/16), exactly: where a zero at 1/2 leads to another cut, that one may be a zero as well. Rounding 1e-16
+ * over the slope 1/16. */
+static void zeros_at_two_cuts_are_two(void **unused)
+{
+    (void)unused;
+    const double b[3] = { 0.21875, -0.25, 0.28125 };
+    double roots[JLT_BERNSTEIN_DEGREE_MAX];
+
+    assert_int_equal(jlt_bernstein_sign_changes(roots, b, 2), 2);
+    assert_near(roots[0], 0.4375, 1e-14);
+    assert_near(roots[1], 0.5, 1e-14);
+}
+
 /* A pair 2e-6 apart: each zero to sqrt-like accuracy, rounding 1e-16 over the slope 2e-6. */
 static void two_near_zeros_are_two_and_a_double_zero_is_none(void **unused)
 {
@@ -152,6 +165,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(all_simple_zeros_inside_are_found_in_order),
         cmocka_unit_test(a_zero_at_the_cut_is_found_once),
+        cmocka_unit_test(zeros_at_two_cuts_are_two),
         cmocka_unit_test(two_near_zeros_are_two_and_a_double_zero_is_none),
         cmocka_unit_test(zeros_at_the_ends_belong_to_nobody),
         cmocka_unit_test(touches_are_the_extrema_within_the_bound_and_no_others),

@@ -29,8 +29,8 @@ set yrange [-0.72:-0.5]
 set xtics 0.5
 set ytics 0.1
 plot file('fig3a_island') with points pt 7 ps 0.12 lc rgb '#c4c4c4' notitle, \
-     file('fig3b_stable') with lines lw 1.1 lc rgb '#d55e00' notitle, \
-     file('fig3b_unstable') with lines lw 1.1 lc rgb '#08306b' notitle, \
-     keyentry with lines lw 3 lc rgb '#08306b' title 'unstable', \
-     keyentry with lines lw 3 lc rgb '#d55e00' title 'stable'
+     file('fig3b_stable') with lines lw 1.1 lc rgb '#0072b2' notitle, \
+     file('fig3b_unstable') with lines lw 1.1 lc rgb '#d55e00' notitle, \
+     keyentry with lines lw 3 lc rgb '#d55e00' title 'unstable', \
+     keyentry with lines lw 3 lc rgb '#0072b2' title 'stable'
 unset multiplot
