@@ -55,15 +55,15 @@ static linear split(const jlt_tier_edges *edges, const double *y)
     return out;
 }
 
-/* w = (level - rest)/slope has a rounding error of about u (|level| + |rest|)/|slope|, and takes over those of the other states,
- * which are known to u of their units. The value is negative where that exceeds about 1000 u max(1, |w|), so that more than three
- * digits are lost: also where level and rest are 0 along the orbit, and w is 0/0 at slope = 0. */
+/* w = (level - rest)/slope has a rounding error of about u (|level| + |rest|)/|slope|. The value is negative where that exceeds
+ * about 1000 u max(1, |w|), so that more than three digits are lost. Where level and rest are 0 along the orbit, w is 0 up to
+ * slope = 0, where it is 0/0: the value is negative where the slope is less than 1e-12 of the others. */
 static double slope_room(void *context, const double *y)
 {
     const linear l = split(((const jlt_tier_edge *)context)->edges, y);
     const double level = l.slope * l.w + l.rest;
 
-    return l.slope * l.slope * (1 + l.w * l.w) - 1e-6 * (level * level + l.rest * l.rest + l.others);
+    return l.slope * l.slope * (1 + l.w * l.w) - 1e-6 * (level * level + l.rest * l.rest) - 1e-24 * l.others;
 }
 
 /* The longest step: three tenths of the time to slope = 0 by linear extrapolation, since the slope may fall faster later. */
