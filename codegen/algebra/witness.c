@@ -357,16 +357,18 @@ static ttc_truth angles_have_their_signs(ttc_witness *point, const ttc_condition
 }
 
 /* What is bound must have a value: where a denominator of its normal form vanishes, no value need meet the levels by which it is
- * bound. */
+ * bound. So must the sine of a bound cosine: it is no function of its angle then. */
 static ttc_truth bound_values_exist(ttc_witness *point)
 {
     ttc_truth truth = TTC_HOLDS;
     ttc_ratio value;
     ttc_ratio_init(point->ring, &value);
     for (uint32_t i = 1; truth == TTC_HOLDS && i < ttc_valuation_model(point->valuation)->symbol_count; i++) {
-        if (!ttc_valuation_is_bound(point->valuation, i) || !ttc_valuation_has_value(point->valuation, i)) continue;
+        const ttc_symbol_entry *entry = &ttc_valuation_model(point->valuation)->symbols[i];
+        const uint32_t symbol = entry->kind == TTC_SINE ? entry->partner : i;
+        if (!ttc_valuation_is_bound(point->valuation, symbol) || !ttc_valuation_has_value(point->valuation, i)) continue;
         ttc_condition defined = { .relation = TTC_IS_NONZERO };
-        ttc_evaluate(point->valuation, &value, ttc_valuation_model(point->valuation)->symbols[i].node);
+        ttc_evaluate(point->valuation, &value, entry->node);
         *defined.polynomial = *value.denominator; /* a shallow copy */
         truth = meets(point, &defined);
     }

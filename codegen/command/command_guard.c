@@ -252,8 +252,8 @@ static bool employ(ttc_proof_run *run, bool *settled, int claim_seconds, double 
     close(words[1]);
     const bool ok = worker > 0 && clock_getcpuclockid(worker, &b.processor) == 0;
     while (ok && result == READ_DONE && first_open(settled, count) < count) {
-        b.processor_end = fmin(time_of(b.processor) + claim_seconds,
-                               *seconds - reserved(settled, count, claim_seconds, *seconds));
+        const double now = time_of(b.processor), left = *seconds - now;
+        b.processor_end = now + fmin(claim_seconds, left - reserved(settled, count, claim_seconds, left));
         b.clock_end = time_of(CLOCK_MONOTONIC) + (double)PATIENCE * claim_seconds;
         result = receive_proof(verdicts[0], run, settled, &b);
     }

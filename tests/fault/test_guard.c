@@ -5,8 +5,10 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <signal.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 #include <unistd.h>
 
 #include <cmocka.h>
@@ -64,6 +66,43 @@ static void late_claims_leave_time_for_others(void **unused)
     assert_non_null(report);
     for (size_t i = 0; i < 3; i++) assert_int_equal(report->proofs[i].ending, TTC_ENDED_LATE);
     assert_int_equal(report->proofs[3].status, TTC_PROVED);
+    ttc_proof_report_destroy(report);
+    ttc_model_destroy(model);
+    ttc_diagnostics_destroy(diagnostics);
+}
+
+static double processor_time(void)
+{
+    struct timespec time;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+    return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
+}
+
+static void work_a_while(void)
+{
+    const double end = processor_time() + 0.65 * SHORT;
+    while (processor_time() < end) continue;
+}
+
+/* Half of the time that is left when a claim begins is its own, however many are open. */
+static void time_that_others_took_is_not_kept_for_them(void **unused)
+{
+    enum { SHORT_CLAIMS = 60, SIZE = 4096 };
+    char many[SIZE] = "model guarded\nstate x\neq x = -x\nreduction a : onto a.tt with x = x\n"
+                      "reduction b : onto a.tt with x = x\n";
+    misfortune what = work_a_while;
+    ttc_diagnostics *diagnostics = ttc_diagnostics_create();
+    (void)unused;
+    for (int i = 0; i < SHORT_CLAIMS; i++) {
+        const size_t length = strlen(many);
+        snprintf(many + length, SIZE - length, "rate d%d : x = -x\n", i);
+    }
+    ttc_model *model = ttc_model_parse(many, strlen(many), "guarded.tt", diagnostics);
+    assert_non_null(model);
+    ttc_proof_report *report = ttc_prove_guarded(model, SHORT, resolve, &what);
+    assert_non_null(report);
+    for (size_t i = 0; i < 2; i++) assert_int_equal(report->proofs[i].ending, TTC_ENDED_BY_VERDICT);
+    for (size_t i = 2; i < report->proof_count; i++) assert_int_equal(report->proofs[i].status, TTC_PROVED);
     ttc_proof_report_destroy(report);
     ttc_model_destroy(model);
     ttc_diagnostics_destroy(diagnostics);
@@ -127,6 +166,7 @@ int main(void)
         cmocka_unit_test(memory_is_bounded),
         cmocka_unit_test(time_is_bounded),
         cmocka_unit_test(late_claims_leave_time_for_others),
+        cmocka_unit_test(time_that_others_took_is_not_kept_for_them),
         cmocka_unit_test(a_claim_that_waits_is_not_late),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
