@@ -42,10 +42,7 @@ typedef struct {
     double reach[JLT_LINEARIZATION_SIZE_MAX]; /* (n,): how far from x_j an equilibrium may lie, see JLT_LINEARIZATION_TOLERANCE */
     double residual_ratio;            /* largest JLT_LINEARIZATION_TOLERANCE |f_i| / sum_j |df_i/dx_j| reach_j, over all f_i that
                                        * are not exactly 0: x counts as an equilibrium if this is at most the tolerance */
-    double jacobian[JLT_LINEARIZATION_SIZE_MAX * JLT_LINEARIZATION_SIZE_MAX]; /* row-major, shape (n, n) */
     size_t integrals;                 /* number of proved integrals of the variant; 0 where one has a pole */
-    jlt_named held[JLT_LINEARIZATION_SIZE_MAX]; /* shape (integrals,) */
-    double gradients[JLT_LINEARIZATION_SIZE_MAX * JLT_LINEARIZATION_SIZE_MAX]; /* their gradients, shape (integrals, n) */
     double charpoly[JLT_LINEARIZATION_SIZE_MAX + 1]; /* monic, highest power first, Faddeev-LeVerrier; the coefficients that
                                                       * integrals force to be zero are exactly zero */
     double charpoly_error[JLT_LINEARIZATION_SIZE_MAX + 1];
@@ -63,6 +60,10 @@ typedef struct {
     jlt_motion motion;                /* proved, or OPEN */
     int obstructs;                    /* the trace differs from zero by more than its error, which excludes a smooth positive
                                        * density if the equilibrium exists; in doubles, the trace is that at the rounded x */
+    /* Matrices come last: a sweep of many points keeps what is before them. */
+    double jacobian[JLT_LINEARIZATION_SIZE_MAX * JLT_LINEARIZATION_SIZE_MAX]; /* row-major, shape (n, n) */
+    jlt_named held[JLT_LINEARIZATION_SIZE_MAX]; /* shape (integrals,) */
+    double gradients[JLT_LINEARIZATION_SIZE_MAX * JLT_LINEARIZATION_SIZE_MAX]; /* their gradients, shape (integrals, n) */
 } jlt_linearization;
 
 const char *jlt_linearization_verdict(jlt_verdict verdict); /* "stable", "unstable", "centre", "not settled" */

@@ -4,6 +4,7 @@
 #include "cli/progress.h"
 
 #include <errno.h>
+#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/mman.h>
@@ -37,21 +38,20 @@ static size_t bytes_of(const jlt_eigen_request *r)
     return sizeof(shared_rows) + r->points * (sizeof(jlt_eigen_row) + numbers_of(r->question.descriptor) * sizeof(double) + 1);
 }
 
-/* Compute row `k` of the grid, on which the last axis runs fastest. */
+/* Compute row `k` of the grid, on which the last axis runs fastest. A table shows no matrices: memory for them is never touched. */
 static void compute_row(shared_rows *all, const jlt_eigen_request *r, size_t k)
 {
     const jlt_descriptor *d = r->question.descriptor;
-    jlt_eigen_row *row = &all->rows[k];
+    double *params = (double *)(all->rows + r->points) + k * numbers_of(d), *x = params + d->param_count;
     double values[JLT_EIGEN_AXES_MAX];
+    jlt_eigen_row row = { .descriptor = d, .params = params, .x = x };
 
-    *row = (jlt_eigen_row){ .descriptor = d }; /* a process that was killed may have begun it */
-    row->params = (double *)(all->rows + r->points) + k * numbers_of(d);
-    row->x = row->params + d->param_count;
-    memcpy(row->params, r->params, d->param_count * sizeof *row->params);
-    memcpy(row->x, r->x, d->state_count * sizeof *row->x);
+    memcpy(params, r->params, d->param_count * sizeof *params);
+    memcpy(x, r->x, d->state_count * sizeof *x);
     jlt_grid_point(values, r->axes, r->axis_count, k);
-    for (size_t i = 0; i < r->axis_count; i++) (r->targets[i].is_state ? row->x : row->params)[r->targets[i].index] = values[i];
-    jlt_equilibrium_compute(&row->found, &r->question, row->params, row->x);
+    for (size_t i = 0; i < r->axis_count; i++) (r->targets[i].is_state ? x : params)[r->targets[i].index] = values[i];
+    jlt_equilibrium_compute(&row.found, &r->question, params, x);
+    memcpy(&all->rows[k], &row, r->json ? sizeof row : offsetof(jlt_eigen_row, found.result.jacobian));
     __atomic_store_n(&all->is_done[k], 1, __ATOMIC_RELEASE);
 }
 

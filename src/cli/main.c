@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Threads that wait for others sleep, unless the environment says otherwise: those that ask again and again take a fifth of the time
- * of short regions, from whatever else runs on the processors. */
+/* Threads that wait for others sleep, unless the environment says otherwise: those that ask again and again take a fifth of the
+ * time of short regions, from whatever else runs on the processors. */
 __attribute__((constructor(101))) static void wait_asleep(void) { setenv("OMP_WAIT_POLICY", "passive", 0); }
 
 static void print_help(FILE *stream)
