@@ -97,9 +97,9 @@ static const struct argp parser = {
     "                    way and the other does not\n"
     "  lobe_error        its error\n\n"
     "Errors are the changes that another tolerance, a beginning nearer to the saddle, and one curved like the manifold make, and, "
-    "for lobes, other points on the branches, and no less than an error of one tolerance makes. Branches grow one point after "
-    "another by --method, each on its own thread. Crossings are refined, and lobes integrated, side by side in lanes, by a method "
-    "that --tol chooses; if --method is given, by that method.\n\n"
+    "for lobes, other points on the branches, and no less than an error of one tolerance makes. Branches grow, crossings are "
+    "refined, and lobes are integrated many points at a time in lanes, by a method that --tol chooses; if --method is given, by "
+    "that method.\n\n"
     "Examples:\n"
     "  jellett manifolds --plot fig3b.svg > branches.csv",
     children, NULL, NULL,
