@@ -59,8 +59,9 @@ static size_t most_steps(double tolerance)
 }
 
 /* The relative rate below which the end at a pole is known at once: the square of the remaining distance is below a hundredth of
- * the tolerance (integrate/approach.h). Ten tolerances at least: explicit methods at their stability limit make errors of a few. */
-static double rest_at_pole(double tolerance) { return fmax(0.01 * sqrt(tolerance), 10 * tolerance); }
+ * the tolerance (integrate/approach.h) where rates of decay are from 0.1 to 2. Ten tolerances at least: explicit methods at their
+ * stability limit make errors of a few. */
+static double rest_at_pole(double tolerance) { return fmax(0.002 * sqrt(tolerance), 10 * tolerance); }
 
 jlt_status jlt_section_batch_create(jlt_section_batch **out, const jlt_flow *flow, const jlt_kernel_batch *kernels,
                                     const jlt_section_batch_options *options)
@@ -89,8 +90,9 @@ jlt_status jlt_section_batch_create(jlt_section_batch **out, const jlt_flow *flo
         .max_steps = flow->max_steps != 0 && flow->max_steps < steps_max ? flow->max_steps : steps_max, .threads = options->threads,
         .project = options->project != NULL ? options->project->descriptor : NULL, .interrupt = flow->interrupt,
     };
-    self->watch = (jlt_batch_watch){ .count = jlt_section_flows_conditions(flow) };
-    if (self->map.kernels != NULL && self->watch.count > 0) {
+    self->watch.count = jlt_section_flows_conditions(flow);
+    self->watch.until_lost = options->watch == JLT_SECTION_BATCH_LOSS && self->watch.count == 1; /* of several the least is named */
+    if (self->map.kernels != NULL && self->watch.count > 0 && options->watch != JLT_SECTION_BATCH_UNWATCHED) {
         self->watch.kernels = jlt_section_flows_watching(flow, kernels);
         self->map.watch = &self->watch;
     }

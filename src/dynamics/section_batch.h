@@ -17,11 +17,19 @@
 #include "dynamics/section.h"
 #include "integrate/batch.h"
 
+/** What rows say of the model's conditions. */
+typedef enum {
+    JLT_SECTION_BATCH_UNWATCHED, /* nothing */
+    JLT_SECTION_BATCH_LOSS,      /* whether one has been lost: `least` <= 0, and no smaller than where it was seen first */
+    JLT_SECTION_BATCH_LEAST      /* the least value */
+} jlt_section_batch_watch;
+
 typedef struct {
     unsigned threads; /* 0 and 1: the caller's alone */
     const jlt_instance *project; /* the flow's instance: lanes restore its integrals, and the relation of a root, at crossings;
                                     NULL: they do not */
     bool backwards;   /* in time */
+    jlt_section_batch_watch watch;
     bool last_only;   /* orbits are read by jlt_section_batch_last alone: no other rows are kept */
     /* Called with the number of returns made since the run began, by all threads; NULL: not called. */
     void (*progress)(void *context, size_t returns);

@@ -82,7 +82,7 @@ jlt_status jlt_orbit_start(jlt_orbit *self, double t, const double *x, int direc
     if (direction != 1 && direction != -1) return JLT_ERR_ARG;
     self->watch_count = self->pending_count = self->next_pending = 0;
     self->cursor = 1;
-    self->pole.ends = false;
+    self->pole = (jlt_pole_verdict){ .ends = false };
     JLT_PASS(jlt_stepper_start(self->stepper, t, x, direction, self->options.first_step));
     jlt_invariant_begin(&self->invariants, &self->options.invariants, self->stepper->x);
     self->pace_step = self->stepper->steps + self->stepper->rejected;

@@ -19,10 +19,12 @@ typedef struct {
     double mu;         /* decay rate of the root, in tau, > 0 */
     double t_end;      /* when ends */
     jlt_approach approach; /* when ends */
+    unsigned near;     /* points near the pole so far; 0 at the start of an orbit */
 } jlt_pole_verdict;
 
 /** Judge the stepper's current point. Cost: none unless the root is below 1e-8 and all rates, relative to jlt_approach_size, below
- *  1e-6 or ten tolerances; then a Jacobian and its eigenvalues. Errors: NO_CONVERGENCE (eigenvalues). */
+ *  1e-6 or ten tolerances; then, at the first such point and every eighth after it, a Jacobian and its eigenvalues. Errors:
+ *  NO_CONVERGENCE (eigenvalues). */
 JLT_CHECKED jlt_status jlt_pole_judge(jlt_pole_verdict *out, const jlt_stepper *stepper);
 
 #endif

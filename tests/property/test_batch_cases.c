@@ -67,7 +67,13 @@ static void gradient_times_m(const double *restrict x, const double *restrict pa
     for (unsigned i = 0; i < STATES; i++) out[i] *= params[0];
 }
 
-typedef enum { PLAIN, PROJECTED, BOUNDED, VARIED, WAYS } way;
+/* A condition that some of the orbits lose on the way, and regain. */
+static void above(const double *restrict x, const double *restrict p, double *restrict out, size_t stride)
+{
+    for (size_t lane = 0; lane < stride; lane++) out[lane] = x[lane] + 0.63 * p[lane];
+}
+
+typedef enum { PLAIN, PROJECTED, BOUNDED, VARIED, LOST, UNTIL_LOST, WAYS } way;
 
 static void run_cases(const jlt_kernel_batch *given, const jlt_batch_case *cases, const size_t *case_of, way kind, unsigned threads,
                       const grid *g, watched_rows *out)
@@ -75,7 +81,7 @@ static void run_cases(const jlt_kernel_batch *given, const jlt_batch_case *cases
     static double starts[ORBITS * COLUMNS];
     jlt_descriptor d = *level();
     jlt_kernel_batch kernels = *given;
-    const jlt_batch_watch watch = { given, d.valid_count };
+    const jlt_batch_watch watch = { &kernels, kind >= LOST ? 1 : d.valid_count, kind == UNTIL_LOST };
     const jlt_domain domain = { .states = STATES, .conditions = 1 };
     const jlt_batch_map map = { .kernels = &kernels,
                                 .cases = cases,
@@ -95,6 +101,7 @@ static void run_cases(const jlt_kernel_batch *given, const jlt_batch_case *cases
     const unsigned columns = jlt_batch_columns(&map);
 
     kernels.domain_values = edge_value;
+    if (kind >= LOST) kernels.valid_values = above;
     kernels.domain_gradients = edge_gradient;
     d.root_relations = relation_times_m;
     d.root_relation_gradients = gradient_times_m;
@@ -149,10 +156,43 @@ static void orbits_under_parameters_of_their_own_go_side_by_side(void **unused)
     assert_true(differ > ORBITS); /* the cases are not all one */
 }
 
+/* Rows of orbits that are watched until a condition is lost are the same, and say the same of whether it is. */
+static void a_condition_lost_is_lost_however_long_it_is_watched(void **unused)
+{
+    static watched_rows whole, until;
+    static grid g;
+    static double blocks[CASES][256], params[CASES][7];
+    jlt_batch_case cases[CASES];
+    unsigned lost = 0, kept = 0, less = 0;
+
+    (void)unused;
+    read_grid("grid_regular_51.csv", &g);
+    make_cases(cases, blocks, params);
+    for (unsigned isa = 0; isa < JLT_ISA_COUNT; isa++) {
+        const jlt_kernel_batch *kernels = level()->batches[isa];
+        if (!jlt_batch_isa_runs(kernels)) continue;
+        run_cases(kernels, cases, NULL, LOST, 1, &g, &whole);
+        run_cases(kernels, cases, NULL, UNTIL_LOST, 1, &g, &until);
+        const size_t least = whole.columns - WATCHED;
+        for (unsigned orbit = 0; orbit < ORBITS; orbit++) {
+            assert_int_equal(whole.made[orbit], until.made[orbit]);
+            for (size_t k = 0; k < whole.made[orbit]; k++) {
+                const double *a = whole.x[orbit][k], *b = until.x[orbit][k];
+                assert_memory_equal(a, b, least * sizeof *a);
+                assert_int_equal(a[least] <= 0, b[least] <= 0);
+                a[least] <= 0 ? lost++ : kept++;
+                less += a[least] < b[least];
+            }
+        }
+    }
+    assert_true(lost > ORBITS && kept > ORBITS && less > 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(orbits_under_parameters_of_their_own_go_side_by_side),
+        cmocka_unit_test(a_condition_lost_is_lost_however_long_it_is_watched),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
