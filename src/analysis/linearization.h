@@ -37,16 +37,12 @@ typedef struct {
     const jlt_descriptor *descriptor; /* the most special variant that holds for the parameters, whose kernels were used */
     const jlt_equilibria *family;     /* the family of the table on which the point lies, or NULL */
     size_t n;
-    double f[JLT_LINEARIZATION_SIZE_MAX];
     double residual;                  /* largest |f_i| */
-    double reach[JLT_LINEARIZATION_SIZE_MAX]; /* (n,): how far from x_j an equilibrium may lie, see JLT_LINEARIZATION_TOLERANCE */
     double residual_ratio;            /* largest JLT_LINEARIZATION_TOLERANCE |f_i| / sum_j |df_i/dx_j| reach_j, over all f_i that
                                        * are not exactly 0: x counts as an equilibrium if this is at most the tolerance */
     size_t integrals;                 /* number of proved integrals of the variant; 0 where one has a pole */
     double charpoly[JLT_LINEARIZATION_SIZE_MAX + 1]; /* monic, highest power first, Faddeev-LeVerrier; the coefficients that
                                                       * integrals force to be zero are exactly zero */
-    double charpoly_error[JLT_LINEARIZATION_SIZE_MAX + 1];
-    double charpoly_formula[JLT_LINEARIZATION_SIZE_MAX + 1]; /* the table's formula, made monic; NaN if it has none */
     double trace, trace_error;        /* the generated divergence */
     double trace_formula;             /* the table's formula; NaN if it has none */
     jlt_deflation eigen;
@@ -55,12 +51,16 @@ typedef struct {
     bool proved;                      /* the verdict is proved; if false, it is a first-order verdict in doubles, or UNDECIDED */
     bool sure;                        /* every number is proved to be the double nearest to the exact value */
     jlt_ball_texts *texts;            /* all numbers as decimals (jlt_ball_texts_destroy); NULL if not asked for */
-    const char *sources[JLT_LINEARIZATION_SIZE_MAX]; /* names of the integrals, indexed by jlt_eigenvalue.source */
     jlt_verdict verdict;
     jlt_motion motion;                /* proved, or OPEN */
     int obstructs;                    /* the trace differs from zero by more than its error, which excludes a smooth positive
                                        * density if the equilibrium exists; in doubles, the trace is that at the rounded x */
-    /* Matrices come last: a sweep of many points keeps what is before them. */
+    /* A sweep of many points keeps what is before these. */
+    double f[JLT_LINEARIZATION_SIZE_MAX];
+    double reach[JLT_LINEARIZATION_SIZE_MAX]; /* (n,): how far from x_j an equilibrium may lie, see JLT_LINEARIZATION_TOLERANCE */
+    double charpoly_error[JLT_LINEARIZATION_SIZE_MAX + 1];
+    double charpoly_formula[JLT_LINEARIZATION_SIZE_MAX + 1]; /* the table's formula, made monic; NaN if it has none */
+    const char *sources[JLT_LINEARIZATION_SIZE_MAX]; /* names of the integrals, indexed by jlt_eigenvalue.source */
     double jacobian[JLT_LINEARIZATION_SIZE_MAX * JLT_LINEARIZATION_SIZE_MAX]; /* row-major, shape (n, n) */
     jlt_named held[JLT_LINEARIZATION_SIZE_MAX]; /* shape (integrals,) */
     double gradients[JLT_LINEARIZATION_SIZE_MAX * JLT_LINEARIZATION_SIZE_MAX]; /* their gradients, shape (integrals, n) */

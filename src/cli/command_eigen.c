@@ -98,6 +98,7 @@ static jlt_exit single(jlt_eigen_request *r)
         free(row);
         return jlt_command_no_memory();
     }
+    const jlt_eigen_rows one = { (const char *)row, sizeof *row, 1 };
     *row = (jlt_eigen_row){ .descriptor = r->question.descriptor, .params = r->params, .x = r->x };
     jlt_equilibrium_compute(&row->found, &r->question, r->params, r->x);
     if (row->found.status != JLT_OK) {
@@ -107,17 +108,17 @@ static jlt_exit single(jlt_eigen_request *r)
         goto done;
     }
     if (r->json) {
-        if (jlt_eigen_write_json(output.stream, row, 1, false) != JLT_OK) {
+        if (jlt_eigen_write_json(output.stream, one, false) != JLT_OK) {
             code = jlt_command_no_memory();
             goto done;
         }
     } else if (r->csv) {
-        jlt_eigen_write_csv(output.stream, r, row, 1);
+        jlt_eigen_write_csv(output.stream, r, one);
     } else {
         jlt_eigen_write_text(output.stream, row);
     }
     code = jlt_stream_deliver(&output, r->common.output);
-    if (code == JLT_EXIT_DONE && r->common.plot != NULL) code = jlt_eigen_draw(r, row, 1);
+    if (code == JLT_EXIT_DONE && r->common.plot != NULL) code = jlt_eigen_draw(r, one);
 done:
     jlt_command_discard(&output);
     jlt_ball_texts_destroy(row->found.result.texts);

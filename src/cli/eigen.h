@@ -33,6 +33,17 @@ typedef struct {
     jlt_equilibrium found;
 } jlt_eigen_row;
 
+/* Rows, one after another in memory. Rows of a table are cut off after found.result.obstructs: it shows nothing behind. */
+typedef struct {
+    const char *first;
+    size_t stride, count; /* stride: bytes from a row to the next */
+} jlt_eigen_rows;
+
+static inline const jlt_eigen_row *jlt_eigen_row_at(jlt_eigen_rows rows, size_t k)
+{
+    return (const void *)(rows.first + k * rows.stride);
+}
+
 /* Add the axes NAME=LOW:HIGH:COUNT,... of --sweep to the request; compute and write a row for each of their points. */
 jlt_exit jlt_eigen_parse_sweep(jlt_eigen_request *request, const char *text);
 jlt_exit jlt_eigen_sweep(const jlt_eigen_request *request);
@@ -41,8 +52,8 @@ jlt_exit jlt_eigen_sweep(const jlt_eigen_request *request);
 enum { JLT_EIGEN_REASON_MAX = 160 };
 void jlt_eigen_reason(char *text, const jlt_eigen_row *row); /* why a row was refused; text: shape (JLT_EIGEN_REASON_MAX,) */
 void jlt_eigen_write_text(FILE *stream, const jlt_eigen_row *row);
-JLT_CHECKED jlt_status jlt_eigen_write_json(FILE *stream, const jlt_eigen_row *rows, size_t count, bool array);
-void jlt_eigen_write_csv(FILE *stream, const jlt_eigen_request *request, const jlt_eigen_row *rows, size_t count);
-jlt_exit jlt_eigen_draw(const jlt_eigen_request *request, const jlt_eigen_row *rows, size_t count);
+JLT_CHECKED jlt_status jlt_eigen_write_json(FILE *stream, jlt_eigen_rows rows, bool array);
+void jlt_eigen_write_csv(FILE *stream, const jlt_eigen_request *request, jlt_eigen_rows rows);
+jlt_exit jlt_eigen_draw(const jlt_eigen_request *request, jlt_eigen_rows rows);
 
 #endif

@@ -19,7 +19,7 @@ static void write_caption(jlt_plot *plot, const jlt_eigen_request *r)
     }
 }
 
-static void write_script(jlt_plot *plot, const jlt_eigen_request *r, const jlt_eigen_row *rows, size_t count)
+static void write_script(jlt_plot *plot, const jlt_eigen_request *r, jlt_eigen_rows rows)
 {
     const jlt_eigen_target *axis = r->axis_count > 0 ? &r->targets[0] : NULL;
     FILE *stream = plot->stream;
@@ -28,8 +28,8 @@ static void write_script(jlt_plot *plot, const jlt_eigen_request *r, const jlt_e
     bool zeros = false; /* whether integrals force any */
 
     fputs("$VALUES << END\n", stream);
-    for (size_t k = 0; k < count; k++) {
-        const jlt_eigen_row *row = &rows[k];
+    for (size_t k = 0; k < rows.count; k++) {
+        const jlt_eigen_row *row = jlt_eigen_row_at(rows, k);
         if (row->found.status != JLT_OK) continue;
         for (size_t i = 0; i < row->found.result.n; i++) {
             const jlt_eigenvalue *value = &row->found.result.eigen.values[i];
@@ -63,11 +63,11 @@ static void write_script(jlt_plot *plot, const jlt_eigen_request *r, const jlt_e
     fputc('\n', stream);
 }
 
-jlt_exit jlt_eigen_draw(const jlt_eigen_request *request, const jlt_eigen_row *rows, size_t count)
+jlt_exit jlt_eigen_draw(const jlt_eigen_request *request, jlt_eigen_rows rows)
 {
     jlt_plot plot;
 
     if (jlt_plot_open(&plot, &request->common) != JLT_OK) return jlt_command_no_memory();
-    write_script(&plot, request, rows, count);
+    write_script(&plot, request, rows);
     return jlt_plot_draw(&plot);
 }

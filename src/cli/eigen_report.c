@@ -272,11 +272,11 @@ static json_t *row_json(const jlt_eigen_row *row)
     return o;
 }
 
-jlt_status jlt_eigen_write_json(FILE *stream, const jlt_eigen_row *rows, size_t count, bool array)
+jlt_status jlt_eigen_write_json(FILE *stream, jlt_eigen_rows rows, bool array)
 {
-    json_t *value = array ? json_array() : row_json(rows);
+    json_t *value = array ? json_array() : row_json(jlt_eigen_row_at(rows, 0));
 
-    for (size_t k = 0; array && k < count; k++) json_array_append_new(value, row_json(&rows[k]));
+    for (size_t k = 0; array && k < rows.count; k++) json_array_append_new(value, row_json(jlt_eigen_row_at(rows, k)));
     return jlt_json_write(stream, value);
 }
 
@@ -328,8 +328,8 @@ static void write_csv_row(FILE *stream, const jlt_eigen_request *q, const jlt_ei
     fprintf(stream, "%s\n", good ? jlt_linearization_verdict(r->verdict) : "refused");
 }
 
-void jlt_eigen_write_csv(FILE *stream, const jlt_eigen_request *request, const jlt_eigen_row *rows, size_t count)
+void jlt_eigen_write_csv(FILE *stream, const jlt_eigen_request *request, jlt_eigen_rows rows)
 {
     write_csv_header(stream, request);
-    for (size_t k = 0; k < count; k++) write_csv_row(stream, request, &rows[k]);
+    for (size_t k = 0; k < rows.count; k++) write_csv_row(stream, request, jlt_eigen_row_at(rows, k));
 }

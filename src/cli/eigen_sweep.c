@@ -27,22 +27,29 @@ jlt_exit jlt_eigen_parse_sweep(jlt_eigen_request *request, const char *text)
 /* Memory that the processes of a sweep share. Threads would not do: FLINT's numbers and ARPACK's state do not allow them. */
 typedef struct {
     size_t next;            /* the next row to compute, changed atomically */
+    size_t stride;          /* of rows */
+    double *values;         /* shape (points, parameters and states), to which rows point */
     unsigned char *is_done; /* shape (points,): whether a row is computed */
-    jlt_eigen_row rows[];   /* shape (points,); then the values that they point to, then is_done */
+    char rows[];            /* shape (points,); then values, then is_done */
 } shared_rows;
 
 static size_t numbers_of(const jlt_descriptor *d) { return d->param_count + d->state_count; }
 
-static size_t bytes_of(const jlt_eigen_request *r)
+static size_t stride_of(const jlt_eigen_request *r)
 {
-    return sizeof(shared_rows) + r->points * (sizeof(jlt_eigen_row) + numbers_of(r->question.descriptor) * sizeof(double) + 1);
+    return r->json ? sizeof(jlt_eigen_row) : offsetof(jlt_eigen_row, found.result.f);
 }
 
-/* Compute row `k` of the grid, on which the last axis runs fastest. A table shows no matrices: memory for them is never touched. */
+static size_t bytes_of(const jlt_eigen_request *r)
+{
+    return sizeof(shared_rows) + r->points * (stride_of(r) + numbers_of(r->question.descriptor) * sizeof(double) + 1);
+}
+
+/* Compute row `k` of the grid, on which the last axis runs fastest. */
 static void compute_row(shared_rows *all, const jlt_eigen_request *r, size_t k)
 {
     const jlt_descriptor *d = r->question.descriptor;
-    double *params = (double *)(all->rows + r->points) + k * numbers_of(d), *x = params + d->param_count;
+    double *params = all->values + k * numbers_of(d), *x = params + d->param_count;
     double values[JLT_EIGEN_AXES_MAX];
     jlt_eigen_row row = { .descriptor = d, .params = params, .x = x };
 
@@ -51,7 +58,7 @@ static void compute_row(shared_rows *all, const jlt_eigen_request *r, size_t k)
     jlt_grid_point(values, r->axes, r->axis_count, k);
     for (size_t i = 0; i < r->axis_count; i++) (r->targets[i].is_state ? x : params)[r->targets[i].index] = values[i];
     jlt_equilibrium_compute(&row.found, &r->question, params, x);
-    memcpy(&all->rows[k], &row, r->json ? sizeof row : offsetof(jlt_eigen_row, found.result.jacobian));
+    memcpy(all->rows + k * all->stride, &row, all->stride);
     __atomic_store_n(&all->is_done[k], 1, __ATOMIC_RELEASE);
 }
 
@@ -113,21 +120,23 @@ jlt_exit jlt_eigen_sweep(const jlt_eigen_request *request)
     const int kind = MAP_SHARED | MAP_ANONYMOUS | MAP_NORESERVE;
     shared_rows *const all = mmap(NULL, bytes_of(request), PROT_READ | PROT_WRITE, kind, -1, 0);
     if (all == MAP_FAILED) return jlt_command_no_memory();
-    const jlt_eigen_row *const rows = all->rows;
+    all->stride = stride_of(request);
+    all->values = (void *)(all->rows + request->points * all->stride);
     all->is_done = (unsigned char *)all + bytes_of(request) - request->points;
     const size_t count = compute_all(all, request, interrupt);
+    const jlt_eigen_rows rows = { all->rows, all->stride, count };
     jlt_interrupt_draw(); /* a million rows take some seconds to write */
     for (size_t k = 0; k < count; k++)
-        if (rows[k].found.status != JLT_OK && refused++ == 0) first = &rows[k];
+        if (jlt_eigen_row_at(rows, k)->found.status != JLT_OK && refused++ == 0) first = jlt_eigen_row_at(rows, k);
     st = jlt_command_open(&output);
-    if (st == JLT_OK && request->json) st = jlt_eigen_write_json(output.stream, rows, count, true);
-    else if (st == JLT_OK) jlt_eigen_write_csv(output.stream, request, rows, count);
+    if (st == JLT_OK && request->json) st = jlt_eigen_write_json(output.stream, rows, true);
+    else if (st == JLT_OK) jlt_eigen_write_csv(output.stream, request, rows);
     if (st != JLT_OK) code = jlt_command_fail(jlt_command_exit(st), "%s", jlt_status_text(st));
     if (code == JLT_EXIT_DONE) code = jlt_stream_deliver(&output, request->common.output);
     if (code == JLT_EXIT_DONE && count < request->points)
         fprintf(stderr, "jellett: interrupted; the first %zu of %zu rows are saved in %s\n", count, request->points,
                 request->common.output == NULL ? "standard output" : request->common.output);
-    if (code == JLT_EXIT_DONE && request->common.plot != NULL) code = jlt_eigen_draw(request, rows, count);
+    if (code == JLT_EXIT_DONE && request->common.plot != NULL) code = jlt_eigen_draw(request, rows);
     if (code == JLT_EXIT_DONE && first != NULL) {
         jlt_eigen_reason(reason, first);
         code = jlt_command_fail(jlt_command_exit(first->found.status), "%zu of %zu points refused; the first: %s", refused,
