@@ -28,7 +28,6 @@ typedef struct {
 typedef struct {
     size_t n, /* size of A */
         kept; /* n less the number of zeros attributed to integrals */
-    jlt_eigenvalue values[JLT_DEFLATION_SIZE_MAX]; /* shape (n,): first the attributed zeros, then the rest, ascending */
     double defect;      /* largest |W A| / (|W| |A|), entry by entry; about 2^-53 for exact integrals */
     double gsl_difference;    /* largest distance from an eigenvalue of B to the nearest of GSL's for B, over A's Frobenius norm */
     double plain_difference;  /* the same between all eigenvalues and GSL's for A without deflation, in both directions */
@@ -36,6 +35,7 @@ typedef struct {
     const char *arpack_note;  /* why ARPACK cannot be used; "" if it was */
     int defective_zero; /* the eigenvalue zero, beyond the attributed ones, is defective: linear growth */
     int doubtful_zero;  /* errors leave open whether zero is such an eigenvalue, or how many eigenvectors it has */
+    jlt_eigenvalue values[JLT_DEFLATION_SIZE_MAX]; /* shape (n,): first the attributed zeros, then the rest, ascending */
 } jlt_deflation;
 
 /** Compute the eigenvalues of a, and their differences from eigenvalues by other routes.

@@ -45,7 +45,6 @@ typedef struct {
                                                       * integrals force to be zero are exactly zero */
     double trace, trace_error;        /* the generated divergence */
     double trace_formula;             /* the table's formula; NaN if it has none */
-    jlt_deflation eigen;
     long precision;                   /* bits of the arithmetic that the eigenvalues were computed in */
     bool exists;                      /* balls prove the equilibrium; if not, x may be none, or one of trace zero */
     bool proved;                      /* the verdict is proved; if false, it is a first-order verdict in doubles, or UNDECIDED */
@@ -55,7 +54,8 @@ typedef struct {
     jlt_motion motion;                /* proved, or OPEN */
     int obstructs;                    /* the trace differs from zero by more than its error, which excludes a smooth positive
                                        * density if the equilibrium exists; in doubles, the trace is that at the rounded x */
-    /* A sweep of many points keeps what is before these. */
+    jlt_deflation eigen;
+    /* A sweep of many points keeps what is before these, and n eigenvalues. */
     double f[JLT_LINEARIZATION_SIZE_MAX];
     double reach[JLT_LINEARIZATION_SIZE_MAX]; /* (n,): how far from x_j an equilibrium may lie, see JLT_LINEARIZATION_TOLERANCE */
     double charpoly_error[JLT_LINEARIZATION_SIZE_MAX + 1];

@@ -33,7 +33,7 @@ typedef struct {
     jlt_equilibrium found;
 } jlt_eigen_row;
 
-/* Rows, one after another in memory. Rows of a table are cut off after found.result.obstructs: it shows nothing behind. */
+/* Rows, one after another in memory. Rows of a table are cut off after their eigenvalues: it shows nothing behind. */
 typedef struct {
     const char *first;
     size_t stride, count; /* stride: bytes from a row to the next */
