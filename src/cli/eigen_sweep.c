@@ -37,8 +37,8 @@ static size_t numbers_of(const jlt_descriptor *d) { return d->param_count + d->s
 
 static size_t stride_of(const jlt_eigen_request *r)
 {
-    return r->json ? sizeof(jlt_eigen_row)
-                   : offsetof(jlt_eigen_row, found.result.eigen.values) + r->question.descriptor->state_count * sizeof(jlt_eigenvalue);
+    const size_t n = r->question.descriptor->state_count;
+    return r->json ? sizeof(jlt_eigen_row) : offsetof(jlt_eigen_row, found.result.eigen.values) + n * sizeof(jlt_eigenvalue);
 }
 
 static size_t bytes_of(const jlt_eigen_request *r)

@@ -58,9 +58,8 @@ static size_t most_steps(double tolerance)
     return steps > 400 ? 400 : steps < 100 ? 100 : (size_t)steps;
 }
 
-/* The relative rate below which the end at a pole is known at once: the square of the remaining distance is below a hundredth of
- * the tolerance (integrate/approach.h) where rates of decay are from 0.1 to 2. Ten tolerances at least: explicit methods at their
- * stability limit make errors of a few. */
+/* The relative rate below which the end at a pole is known at once (integrate/approach.h) where rates of decay are from 0.1 to 2.
+ * Ten tolerances at least: explicit methods at their stability limit make errors of a few. */
 static double rest_at_pole(double tolerance) { return fmax(0.002 * sqrt(tolerance), 10 * tolerance); }
 
 jlt_status jlt_section_batch_create(jlt_section_batch **out, const jlt_flow *flow, const jlt_kernel_batch *kernels,
@@ -69,7 +68,6 @@ jlt_status jlt_section_batch_create(jlt_section_batch **out, const jlt_flow *flo
     /* Below root_floor the flow's own method judges whether an orbit ends at a pole; few orbits that do not reach root_least. */
     static const double root_floor = 1e-9, root_least = 1e-12;
     jlt_section_batch *self = NULL;
-    jlt_status st = JLT_OK;
 
     *out = NULL;
     if (flow->chart == NULL || flow->field == NULL) return JLT_ERR_ARG;
@@ -83,9 +81,9 @@ jlt_status jlt_section_batch_create(jlt_section_batch **out, const jlt_flow *flo
     const size_t steps_max = most_steps(tolerance);
     self->slow = jlt_rest_slow(tolerance);
     self->map = (jlt_batch_map){
-        .kernels = jlt_section_flows_obstacle(flow, kernels) == NULL ? kernels : NULL, .dim = flow->chart->states,
-        .clock = true, .column = flow->chart->column, .direction = (int)flow->direction,
-        .backwards = options->backwards, .root = flow->field->root, .root_floor = root_floor, .root_rest = rest_at_pole(tolerance),
+        .kernels = jlt_section_flows_obstacle(flow, kernels) == NULL ? kernels : NULL, .dim = flow->chart->states, .clock = true,
+        .column = flow->chart->column, .direction = (int)flow->direction, .backwards = options->backwards,
+        .root = flow->field->root, .root_floor = root_floor, .root_rest = rest_at_pole(tolerance),
         .root_least = root_least, .domain = jlt_field_watches(flow->field) ? &flow->field->domain : NULL, .tolerance = tolerance,
         .max_steps = flow->max_steps != 0 && flow->max_steps < steps_max ? flow->max_steps : steps_max, .threads = options->threads,
         .project = options->project != NULL ? options->project->descriptor : NULL, .interrupt = flow->interrupt,
@@ -96,7 +94,7 @@ jlt_status jlt_section_batch_create(jlt_section_batch **out, const jlt_flow *flo
         self->watch.kernels = jlt_section_flows_watching(flow, kernels);
         self->map.watch = &self->watch;
     }
-    st = jlt_section_flows_open(&self->flows, flow, options->project, self->threads);
+    const jlt_status st = jlt_section_flows_open(&self->flows, flow, options->project, self->threads);
     if (st == JLT_OK) *out = self;
     else jlt_section_batch_destroy(self);
     return st;
