@@ -173,13 +173,15 @@ static jlt_status take(void *context, size_t branch, const jlt_continuation_poin
 
 static const char *const ends[] = {
     "the range ends", "the number of points is reached",
-    "no shorter step converges (a pole, an empty level, a branch of --solve, a tangency, or a family: levels tell orbits apart)",
+    "no shorter step converges (a pole, an empty level, a branch of --solve, a tangency, a family: levels tell orbits apart, or, "
+    "where T and the multipliers grow without bound, an orbit homoclinic to an equilibrium)",
     "interrupted", "it closes", "it ends at a period doubling"
 };
 
 static void tell_end(void *context, const jlt_tree_end *e)
 {
     const table *self = context;
+    fflush(self->file); /* where both go to one place, what is said stands between whole rows */
     if (!e->found) {
         fprintf(stderr, "jellett: no other branch found at the %s at %.10g, side %+d\n",
                 jlt_continuation_bifurcation_name(e->origin->kind), e->origin->value, e->side);
