@@ -78,15 +78,15 @@ static unsigned measure(double sizes[JLT_JET_ORDER_MAX + 1], const taylor *self,
     return self->order;
 }
 
-/* Longest step that each of the last three terms allows; NaN where the jet is not finite. */
+/* Longest step that each of the last three terms allows; NaN where doubles do not hold enough of the jet for steps of any use. */
 static double longest_step(taylor *self, const jlt_stepper *stepper)
 {
     static const double allowance[3] = { 6.39 / 8, 47.2 / 8, 349.0 / 8 };
     double longest = INFINITY, sizes[JLT_JET_ORDER_MAX + 1];
 
     self->usable = measure(sizes, self, stepper);
-    if (self->usable == 0) return NAN;
-    for (unsigned back = 0; back < 3 && back < self->usable; back++) {
+    if (self->usable < 5 && self->usable < self->order) return NAN;
+    for (unsigned back = 0; back < 3; back++) {
         const unsigned k = self->usable - back;
         const double over = sizes[k] / (allowance[back] * stepper->tolerance);
         if (over > 0) longest = jlt_smaller(longest, jlt_inverse_root(over, 1.0 / k));

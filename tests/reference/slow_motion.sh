@@ -80,4 +80,11 @@ for k in -130 -100 -65 -50 -30 -20 -10 0 10 20 30 50 65 100 130; do
             fail "$method at k = 1e$k: $(tail -1 out), and x = -0.91066785145926899"
     done
 done
+# A state of 1e100 beside one that is 0.
+printf '%s\n' 'model turn' 'state x' 'state v' 'eq x = v' 'eq v = -x' > turn.tt
+for method in gauss dop853 taylor rk8pd rkf45 msadams; do
+    jellett simulate ./turn.tt --start x=1e100,v=0 --times 1 --method $method > out 2> err || fail "$method from 1e100: $(cat err)"
+    tail -1 out | awk -F, '{ off = $2/1e100 - 0.54030230586813977 } END { exit !(off < 1e-10 && off > -1e-10) }' ||
+        fail "$method from 1e100: $(tail -1 out), and x = 1e100 cos 1"
+done
 exit $status
