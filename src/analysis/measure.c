@@ -183,6 +183,17 @@ static bool rate_vanishes(const jlt_measure_attempt *a, const jlt_instance *inst
     return least_rate(instance, a->along, y, nearest - cell, nearest + cell) <= 1e-12 * most;
 }
 
+/* Whether q is constant along the motion: with a density, every function of q times it is one. */
+static bool rests(const jlt_measure_attempt *a, const jlt_instance *instance, const double *x)
+{
+    double y[STATES_MAX];
+
+    memcpy(y, x, instance->descriptor->state_count * sizeof *y);
+    for (size_t i = 0; i < a->count; i++)
+        if (rate_at(instance, a->along, y, a->points[i].at) != 0) return false;
+    return true;
+}
+
 jlt_status jlt_measure_try(jlt_measure_attempt *attempt, const jlt_instance *instance, size_t count, jlt_random *random)
 {
     const jlt_descriptor *d = instance->descriptor;
@@ -217,6 +228,7 @@ jlt_status jlt_measure_try(jlt_measure_attempt *attempt, const jlt_instance *ins
         attempt->points = NULL;
         return JLT_OK;
     }
+    if (rests(attempt, instance, x)) return JLT_OK;
     for (unsigned i = 0; st == JLT_OK && attempt->closed_form == NULL && i < d->measure_count; i++)
         if (depends_on_one(instance, i, x, attempt->along, random)) st = compare(attempt, instance, i, x);
     return st;

@@ -1,6 +1,7 @@
 /* `jellett continue`: follows a periodic orbit in a parameter or level, with its bifurcations. */
 #include "cli/motion_family.h"
 #include "cli/orbit_columns.h"
+#include "cli/orbit_losses.h"
 #include "cli/swept.h"
 #include "dynamics/tree.h"
 #include "report/csv.h"
@@ -95,6 +96,9 @@ typedef struct {
     bool is_watched, is_told; /* the branch has had a point with all multipliers clear of the unit circle; a bifurcation after it */
     unsigned outside;         /* at the last such point, multipliers outside the circle, */
     double clear_at;          /* and the value that runs */
+    jlt_system_family *systems;
+    const jlt_observed *observed;
+    jlt_orbit_losses losses; /* of the branch */
     double defect, blurred_at; /* of the branch: the worst defect of det DP, if it is above `blurred`; where it first was */
     unsigned kinds, lines; /* in the picture: bit k, bifurcations of kind k; bit 0, unstable orbits, bit 1, stable ones */
 } table;
@@ -152,9 +156,13 @@ static void watch_defect(table *self, size_t branch, const jlt_continuation_poin
 static jlt_status take(void *context, size_t branch, const jlt_continuation_point *point)
 {
     table *self = context;
+    jlt_map *map;
 
     watch_stability(self, branch, point);
     watch_defect(self, branch, point);
+    if (self->rows == 0 || branch != self->branch) self->losses = (jlt_orbit_losses){ .orbits = 0 };
+    JLT_PASS(jlt_system_map_at(self->systems, &map, point->value));
+    jlt_orbit_losses_add(&self->losses, jlt_map_flow(map), &point->orbit, point->value);
     write_point(self, branch, point);
     if (self->points != NULL) {
         const bool stable = point->orbit.type == JLT_ORBIT_CENTRE || point->orbit.type == JLT_ORBIT_ATTRACTING;
@@ -173,13 +181,17 @@ static jlt_status take(void *context, size_t branch, const jlt_continuation_poin
 
 static const char *const ends[] = {
     "the range ends", "the number of points is reached",
-    "no shorter step converges (a pole, an empty level, a branch of --solve, a tangency, or a family: levels tell orbits apart)",
+    "no shorter step converges (a pole, an empty level, a branch of --solve, a tangency, a family: levels tell orbits apart, or, "
+    "where T and the multipliers grow without bound, an orbit homoclinic to an equilibrium)",
     "interrupted", "it closes", "it ends at a period doubling"
 };
 
 static void tell_end(void *context, const jlt_tree_end *e)
 {
     const table *self = context;
+    char text[32];
+
+    fflush(self->file); /* where both go to one place, what is said stands between whole rows */
     if (!e->found) {
         fprintf(stderr, "jellett: no other branch found at the %s at %.10g, side %+d\n",
                 jlt_continuation_bifurcation_name(e->origin->kind), e->origin->value, e->side);
@@ -190,6 +202,10 @@ static void tell_end(void *context, const jlt_tree_end *e)
         fprintf(stderr, ", from the %s at %.10g", jlt_continuation_bifurcation_name(e->origin->kind), e->origin->value);
     if (e->is_known) fprintf(stderr, ": the rest is branch %zu\n", e->known);
     else fprintf(stderr, ": %s\n", e->status == JLT_OK ? ends[e->end] : jlt_status_text(e->status));
+    if (self->branch == e->branch) {
+        snprintf(text, sizeof text, "branch %zu: ", e->branch);
+        jlt_orbit_losses_tell(&self->losses, self->observed, text);
+    }
     if (self->branch == e->branch && self->defect > 0)
         fprintf(stderr, "jellett: branch %zu: from %.10g on det DP differs from what flux and divergence make it by up to %.2g of "
                 "its terms: multipliers are known no better there (a stiff motion, or a pass close to a singularity)\n",
@@ -309,6 +325,8 @@ static jlt_exit run_all(table *to, jlt_motion_family *family, const jlt_grid_axi
     jlt_tree_left left;
 
     to->chart = system->flow.chart;
+    to->systems = &family->systems;
+    to->observed = system->flow.observed;
     const jlt_status st = jlt_tree_grow(&left, to->chart, &maps, first, o->direction, o->generations, &run, &sink);
     if (st == JLT_OK) tell_half(axis, first->value, o->direction);
     if (st == JLT_OK && o->generations > 0) tell_left(&left, o->generations);

@@ -141,10 +141,13 @@ static void follow(part *self, const options *o)
                                            : jlt_drift_whole_follow(&self->drift, &end, self->method, whole, o->project);
     if (self->points != NULL) fputs("END\n", self->points);
     if (self->status != JLT_OK) return;
-    if (end.name[0] != '\0')
-        fprintf(self->notes, "# %s: ends by %s at t = %.17g, after %zu returns\n", self->method->name, end.name, end.t,
-                end.returns);
-    else write_slopes(self);
+    if (end.name[0] == '\0') {
+        write_slopes(self);
+        return;
+    }
+    fprintf(self->notes, "# %s: ends by %s at t = ", self->method->name, end.name);
+    jlt_csv_value(self->notes, end.t);
+    fprintf(self->notes, ", after %zu returns\n", end.returns);
 }
 
 static bool open_part(part *self, report *r, const jlt_method *method)
@@ -309,8 +312,11 @@ static void write_header(const report *r, const options *o)
                                                   .level_names = r->names, .levels = levels });
         free(params);
         fputs("# levels", file);
-        for (unsigned k = 0; k < r->drift.count; k++)
-            if (!isnan(levels[k])) fprintf(file, " %s=%.17g", r->names[k], levels[k]);
+        for (unsigned k = 0; k < r->drift.count; k++) {
+            if (isnan(levels[k])) continue;
+            fprintf(file, " %s=", r->names[k]);
+            jlt_csv_value(file, levels[k]);
+        }
         fprintf(file, "; start %s; tolerance %.3g%s; nothing is random, so there is no seed\n", o->motion.starts[0],
                 o->motion.flow.tolerance, o->project ? ", projected" : "");
     } else {

@@ -6,6 +6,7 @@
 #include "core/memory.h"
 #include "dynamics/lyapunov.h"
 #include "dynamics/scale.h"
+#include "dynamics/section_loss.h"
 #include "report/csv.h"
 
 #include <math.h>
@@ -197,6 +198,17 @@ static void follow_alone(exponents *self, history *rows)
     if (self->status == JLT_OK) self->status = jlt_lyapunov_run(self->map, &self->state, self->q, self->o.returns, observe, rows);
 }
 
+/* Say from when on the model does not hold on the orbit. */
+static void tell_lost(const exponents *self)
+{
+    const jlt_flow *flow = &self->system->flow;
+    jlt_return at;
+
+    if (jlt_section_loss(&at, flow, self->q, 1, self->o.returns) != JLT_OK || !(at.least <= 0)) return;
+    fprintf(stderr, "jellett: by t = %.10g %s is lost, and the model does not hold from there on\n", at.t,
+            jlt_observed_condition(flow->observed, at.lost));
+}
+
 static jlt_exit write_history(exponents *self)
 {
     options *o = &self->o;
@@ -217,6 +229,7 @@ static jlt_exit write_history(exponents *self)
                 o->motion.common.table.path);
         return JLT_EXIT_DONE;
     }
+    if (!o->motion.common.at_point) tell_lost(self);
     if (self->status == JLT_ERR_DOMAIN && state->returns > 0) {
         fprintf(
             stderr,

@@ -2,6 +2,7 @@
 #include "cli/interrupt.h"
 #include "cli/motion.h"
 #include "cli/orbit_columns.h"
+#include "cli/orbit_losses.h"
 #include "cli/progress.h"
 #include "cli/swept.h"
 #include "dynamics/orbits.h"
@@ -335,6 +336,7 @@ static jlt_exit run(int argc, char **argv)
     JLT_CLEARED(jlt_orbits_clear) jlt_orbits list = { 0 };
     jlt_common *common = &o.motion.common;
     jlt_symmetric_line line = { .samples = 0 };
+    jlt_orbit_losses losses = { .orbits = 0 };
     unsigned char held[JLT_CHART_DIM_MAX] = { 0 };
     unsigned shown[2];
     jlt_csv_names names;
@@ -366,8 +368,10 @@ static jlt_exit run(int argc, char **argv)
     for (size_t i = 0; i < list.count; i++) {
         jlt_orbit_columns_write(common->table.file, system->flow.chart, &list.orbits[i]);
         fputc('\n', common->table.file);
+        jlt_orbit_losses_add(&losses, &system->flow, &list.orbits[i], NAN);
     }
     JLT_PASS(jlt_common_save(common));
+    jlt_orbit_losses_tell(&losses, system->flow.observed, "");
     return common->plot != NULL ? draw(&o, system, &list, shown) : JLT_EXIT_DONE;
 }
 

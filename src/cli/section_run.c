@@ -64,11 +64,14 @@ static jlt_status run_orbit(jlt_section_run *f, const double *q, size_t index)
 
     JLT_PASS(f->batch != NULL ? jlt_section_batch_start(f->batch, &at, f->begins + index)
                               : jlt_section_start(f->section, &at, q, f->o->time_direction));
+    if (f->levels.system == NULL) JLT_PASS(jlt_section_levels_open(&f->levels, f->system, q));
+    jlt_section_levels_note(&f->levels, sum->orbits, &at);
     JLT_PASS(put(f, &at, NULL));
     while (at.fate == JLT_FATE_ALIVE && at.number < f->returns && !stopped(f)) {
         point_before(before, f, &at);
         JLT_PASS(f->batch != NULL ? jlt_section_batch_next(f->batch, &at) : jlt_section_next(f->section, &at));
         if (at.interrupted) break;
+        jlt_section_levels_note(&f->levels, sum->orbits, &at);
         JLT_PASS(put(f, &at, before));
         show_written(f, index, at.number);
     }
@@ -102,6 +105,7 @@ jlt_exit jlt_section_run_verdict(const jlt_section_run *f)
         fprintf(stderr,
                 "jellett: of %zu of %zu orbits it is not known whether the model holds: a condition of it has no value there\n",
                 sum->unknown, sum->orbits);
+    jlt_section_levels_tell(&f->levels, o->time_direction);
     JLT_PASS(jlt_motion_failures(f->system, &sum->failures, sum->orbits));
     return !o->check || jlt_section_table_verdict(&f->table) ? JLT_EXIT_DONE : JLT_EXIT_FAILED;
 }
@@ -319,5 +323,6 @@ void jlt_section_run_close(jlt_section_run *f)
     jlt_section_destroy(f->section);
     leave_batch(f);
     jlt_map_destroy(f->map);
+    jlt_section_levels_close(&f->levels);
     free(f->joined);
 }

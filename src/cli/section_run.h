@@ -4,6 +4,7 @@
 
 #include "cli/motion_many.h"
 #include "cli/progress.h"
+#include "cli/section_levels.h"
 #include "cli/section_picture.h"
 #include "cli/section_table.h"
 #include "cli/writer.h"
@@ -37,6 +38,7 @@ typedef struct {
 
     /* private */
     jlt_section_run_totals sum;
+    jlt_section_levels levels;
     jlt_section_table table;
     jlt_writer writer; /* of the table */
     jlt_section_row *row;

@@ -222,7 +222,7 @@ static double error_norm(gauss *self, const jlt_stepper *stepper, double h)
         last = jlt_larger(last, n[6] + r);
     }
     const double length = jlt_rough_log2(fabs(h)), units = length - jlt_rough_log2(stepper->tolerance);
-    self->dense_error = jlt_rough_exp2(length + last + r);
+    self->dense_error = jlt_rough_exp2(jlt_larger(jlt_smaller(length + last + r, 999), -999));
     return units + last + 9 * r;
 }
 

@@ -9,14 +9,14 @@
 
 #define JLT_BITS_OF_ONE INT64_C(0x3ff0000000000000)
 
-/** Binary logarithm of a > 0 within 0.09: the bits of a double are a piecewise linear one. a is clipped to [1e-60, 1e60]; NaN
- *  gives the value at 1e60. */
+/** Binary logarithm of a > 0 within 0.09: the bits of a double are a piecewise linear one. a is clipped to [1e-300, 1e300]; NaN
+ *  gives the value at 1e300. */
 static inline double jlt_rough_log2(double a)
 {
     int64_t bits;
 
-    if (!(a < 1e60)) a = 1e60;
-    if (a < 1e-60) a = 1e-60;
+    if (!(a < 1e300)) a = 1e300;
+    if (a < 1e-300) a = 1e-300;
     memcpy(&bits, &a, sizeof bits);
     return (double)(bits - JLT_BITS_OF_ONE) * 0x1p-52;
 }

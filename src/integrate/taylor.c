@@ -19,7 +19,7 @@
 #include "integrate/step_control.h"
 
 typedef struct {
-    unsigned order;
+    unsigned order, usable; /* of the jet; the order of the step's polynomial, lower where doubles do not hold the coefficients */
     double *jet;     /* (order + 1, columns) */
     double *move;    /* (columns,) */
 } taylor;
@@ -56,27 +56,40 @@ static jlt_status start(jlt_stepper *stepper)
     return JLT_OK;
 }
 
-/* Longest step that each of the last three terms allows; 0 or NaN where the jet is not finite. */
-static double longest_step(const taylor *self, const jlt_stepper *stepper)
+/* Sizes of the jet's coefficients, each relative to the states', and the order up to which doubles hold them: coefficients fall or
+ * grow as powers of the rates, and one that underflows would pass for the end of a polynomial. */
+static unsigned measure(double sizes[JLT_JET_ORDER_MAX + 1], const taylor *self, const jlt_stepper *stepper)
+{
+    static const double most = 1e290, least = 1e-290;
+    const unsigned columns = stepper->columns;
+    double before = 0, last = 0, largest; /* the largest coefficients of three orders, as they are */
+
+    for (unsigned k = 0; k <= self->order; k++, before = last, last = largest) {
+        sizes[k] = largest = 0;
+        for (unsigned i = 0; i < columns; i++) {
+            const double coefficient = fabs(self->jet[k * (size_t)columns + i]);
+            const double size = coefficient / jlt_larger(fabs(stepper->x[i]), stepper->scale[i]);
+            if (k > 0 && !(coefficient < most && size < most)) return k - 1;
+            sizes[k] = jlt_larger(sizes[k], size);
+            largest = jlt_larger(largest, coefficient);
+        }
+        if (largest < least && last > 0 && last / before < least / last) return k - 1;
+    }
+    return self->order;
+}
+
+/* Longest step that each of the last three terms allows; NaN where doubles do not hold enough of the jet for steps of any use. */
+static double longest_step(taylor *self, const jlt_stepper *stepper)
 {
     static const double allowance[3] = { 6.39 / 8, 47.2 / 8, 349.0 / 8 };
-    const unsigned columns = stepper->columns;
-    double longest = INFINITY;
+    double longest = INFINITY, sizes[JLT_JET_ORDER_MAX + 1];
 
+    self->usable = measure(sizes, self, stepper);
+    if (self->usable < 5 && self->usable < self->order) return NAN;
     for (unsigned back = 0; back < 3; back++) {
-        const unsigned k = self->order - back;
-        double norm = 0;
-        for (unsigned i = 0; i < columns; i++) {
-            const double w = jlt_larger(fabs(stepper->x[i]), stepper->scale[i]);
-            const double term = fabs(self->jet[k * (size_t)columns + i]) / w;
-            if (!(term < INFINITY)) return NAN;
-            norm = jlt_larger(norm, term);
-        }
-        if (norm > 0) {
-            const double over = norm / (allowance[back] * stepper->tolerance);
-            const double h = over > 1e-60 ? jlt_inverse_root(over, 1.0 / k) : pow(over, -1.0 / k);
-            longest = jlt_smaller(longest, h);
-        }
+        const unsigned k = self->usable - back;
+        const double over = sizes[k] / (allowance[back] * stepper->tolerance);
+        if (over > 0) longest = jlt_smaller(longest, jlt_inverse_root(over, 1.0 / k));
     }
     return longest;
 }
@@ -87,7 +100,7 @@ static bool expand(taylor *self, jlt_stepper *stepper, double h)
     const unsigned columns = stepper->columns, stride = stepper->stride, dim = stepper->field->dim;
     double power = 1;
 
-    for (unsigned k = 0; k <= self->order; k++) {
+    for (unsigned k = 0; k <= self->usable; k++) {
         for (unsigned i = 0; i < columns; i++) {
             const double coefficient = self->jet[k * (size_t)columns + i];
             stepper->dense[k * (size_t)stride + i] = coefficient != 0 ? power * coefficient : 0; /* at rest h^k may be infinite */
@@ -95,10 +108,10 @@ static bool expand(taylor *self, jlt_stepper *stepper, double h)
         power *= h;
     }
     if (columns > dim) stepper->dense[dim] = stepper->x[dim];
-    stepper->dense_degree = self->order;
+    stepper->dense_degree = self->usable;
     for (unsigned i = 0; i < columns; i++) {
         double move = 0; /* small terms first */
-        for (unsigned k = self->order; k >= 1; k--) move += stepper->dense[k * (size_t)stride + i];
+        for (unsigned k = self->usable; k >= 1; k--) move += stepper->dense[k * (size_t)stride + i];
         self->move[i] = move + stepper->x_low[i];
         if (!isfinite(self->move[i])) return false;
     }
@@ -137,14 +150,14 @@ static bool follows_field(const taylor *self, const jlt_stepper *stepper, double
     double end[JLT_FIELD_DIM_MAX], f[JLT_FIELD_DIM_MAX], slopes[JLT_FIELD_DIM_MAX];
     const unsigned dim = stepper->field->dim;
     const jlt_domain *domain = &stepper->field->domain;
-    const double allowed = 100 * self->order * jlt_larger(stepper->tolerance, 1e-15);
+    const double allowed = 100 * self->usable * jlt_larger(stepper->tolerance, 1e-15);
 
     memcpy(end, stepper->x, dim * sizeof *end);
     for (unsigned i = 0; i < dim; i++) end[i] += self->move[i];
     stepper->field->call(end, stepper->field->p, f);
     for (unsigned i = 0; i < dim; i++) {
         double slope = 0;
-        for (unsigned k = self->order; k >= 1; k--) slope += k * stepper->dense[k * (size_t)stepper->stride + i];
+        for (unsigned k = self->usable; k >= 1; k--) slope += k * stepper->dense[k * (size_t)stepper->stride + i];
         const double size = jlt_larger(jlt_larger(fabs(stepper->x[i]), fabs(end[i])), stepper->scale[i]);
         slopes[i] = slope;
         if (!(fabs(slope - h * f[i]) <= allowed * size)) return false;

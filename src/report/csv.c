@@ -37,9 +37,8 @@ static void write_json(FILE *stream, const jlt_csv_settings *s)
                       params, "levels", levels, "method", text_or_null(s->method), "tolerance",
                       s->method != NULL ? jlt_json_number(s->tolerance) : json_null());
     if (unproved(s) != NULL) (void)json_object_set_new(whole, "unproved", text_or_null(unproved(s)));
-    JLT_FREED char *text = whole != NULL ? json_dumps(whole, JSON_COMPACT | JSON_REAL_PRECISION(17)) : NULL;
+    JLT_FREED char *text = jlt_json_text(whole, JSON_COMPACT);
     if (text != NULL) fprintf(stream, "# %s\n", text);
-    json_decref(whole);
 }
 
 void jlt_csv_header(FILE *stream, const jlt_csv_settings *settings)

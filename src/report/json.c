@@ -1,7 +1,12 @@
 #include "report/json.h"
 
+#include "core/digits.h"
+#include "core/memory.h"
+
 #include <math.h>
 #include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
 
 json_t *jlt_json_number(double value)
 {
@@ -49,10 +54,43 @@ json_t *jlt_json_string(const char *text)
     return text == NULL ? json_null() : json_string(text);
 }
 
-jlt_status jlt_json_write(FILE *stream, json_t *value)
+/* Copy a JSON text, each real with the fewest digits that read back. */
+static void shorten(FILE *stream, const char *text)
 {
-    const bool written = value != NULL && json_dumpf(value, stream, JSON_INDENT(2) | JSON_REAL_PRECISION(17)) == 0;
+    for (bool quoted = false; *text != '\0';) {
+        char digits[JLT_DIGITS_SIZE];
+        double value;
+        const size_t span = quoted ? 0 : strspn(text, "0123456789.eE+-");
+        if (span > 0 && memchr(text, '.', span) != NULL && jlt_digits_read(&value, text, text + span)) {
+            jlt_digits_shortest(digits, value);
+            fprintf(stream, "%s%s", digits, strpbrk(digits, ".e") != NULL ? "" : ".0"); /* a real to who reads it */
+            text += span;
+            continue;
+        }
+        if (*text == '"') quoted = !quoted;
+        if (*text == '\\') fputc(*text++, stream);
+        fputc(*text++, stream);
+    }
+}
+
+char *jlt_json_text(json_t *value, size_t form)
+{
+    JLT_FREED char *long_text = value != NULL ? json_dumps(value, form | JSON_REAL_PRECISION(17)) : NULL;
+    char *text = NULL;
+    size_t size;
+    FILE *stream = long_text != NULL ? open_memstream(&text, &size) : NULL;
 
     json_decref(value);
-    return written && fputc('\n', stream) != EOF ? JLT_OK : JLT_ERR_NOMEM;
+    if (stream == NULL) return NULL;
+    shorten(stream, long_text);
+    if (fclose(stream) == 0) return text;
+    free(text);
+    return NULL;
+}
+
+jlt_status jlt_json_write(FILE *stream, json_t *value)
+{
+    JLT_FREED char *text = jlt_json_text(value, JSON_INDENT(2));
+
+    return text != NULL && fprintf(stream, "%s\n", text) >= 0 ? JLT_OK : JLT_ERR_NOMEM;
 }

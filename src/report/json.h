@@ -20,7 +20,11 @@ json_t *jlt_json_named(const jlt_quantity *quantities, const double *values, siz
 /* A new reference to a string, or to null for NULL. */
 json_t *jlt_json_string(const char *text);
 
-/** Write to a stream in memory, indented by two, with 17 digits and a newline at the end. Takes over the reference.
+/** The text of a value, in a form of jansson, such as JSON_COMPACT; reals have the fewest digits that read back. Takes over the
+ *  reference; the caller frees the text. NULL: memory is out, or `value` is NULL. */
+char *jlt_json_text(json_t *value, size_t form);
+
+/** Write to a stream in memory, indented by two, with a newline at the end. Takes over the reference.
  *  Errors: NOMEM, also when `value` is NULL. */
 JLT_CHECKED jlt_status jlt_json_write(FILE *stream, json_t *value);
 

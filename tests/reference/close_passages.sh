@@ -97,6 +97,18 @@ for how in '' '--method gauss'; do
         fail "exponents beside Hill's orbit, $how: $(tail -4 out)"
 done
 
+# The same orbit comes back to its start: what `section` says of its error is within three times the distance from there.
+for start in '--start x=0.50966440460483458,u=0' '--grid x=0.50966440460483458:0.6:2,u=0:0:1'; do
+    jellett section ./hill.tt --section y=0 --solve v=1 --level J=-1.84407479 $start --returns 1 > out 2> err ||
+        fail "Hill's orbit, $start: $(cat err)"
+    said=$(sed -n 's/.*return 1 orbit 0 changes J by .* this return differs by \([^ ]*\) in u$/\1/p' err)
+    awk -F, -v said="${said:-0}" '/^0,1,/ { u = $5 < 0 ? -$5 : $5; seen = said > u/3 && said < 3*u } END { exit !seen }' out ||
+        fail "$start: Hill's orbit comes back at $(grep ^0,1, out), and what is said is $(cat err)"
+done
+jellett section ./hill.tt --section y=0 --solve v=1 --level J=-2.2 --start x=0.3,u=0 --returns 20 > out 2> err ||
+    fail "an ordinary orbit of Hill's: $(cat err)"
+[ -s err ] && fail "an ordinary orbit of Hill's: $(cat err)"
+
 # The unit circle, in the plane z = 0: multipliers exp(-4 pi) and exp(-pi).
 cat > plane.tt << 'T'
 model plane

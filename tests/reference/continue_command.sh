@@ -76,6 +76,10 @@ jellett continue lorenz --set rho=20 --section z=19 --start x=10,y=15 --along rh
 grep -q 'branch 0: no shorter step converges' log || fail "touching: $(cat log)"
 awk -F, '/^[0-9]/ && $2 > 24.07402 { n++; if ($17 != "" || ($8 - 1.0286668)^2 > 5e-6^2) wrong = 1 }
     END { exit !(n > 3) || wrong }' rows.csv || fail "a cycle that touches the section: $(tail -3 rows.csv)"
+# Lorenz's orbit around one wing comes from a homoclinic one, at rho = 13.926.
+jellett continue lorenz --section z=15 --set rho=20 --along rho=13:25 --start x=10,y=15 --decreasing -o rows.csv 2> log ||
+    fail "homoclinic: $?"
+grep -q 'branch 0: .*homoclinic to an equilibrium' log || fail "homoclinic: $(cat log)"
 
 # Two bifurcations within one step: the edges of the second and the third gap of Mathieu's equation, at its characteristic values
 # b2, a2, b3 and a3 for q = 1 (SciPy), where the orbit x = 0 has trace 2, and -2; and the folds of p = x^3 - e x.

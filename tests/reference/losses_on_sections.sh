@@ -71,4 +71,22 @@ for how in --method=gauss --method=dop853 --method=taylor --method=rk8pd lanes; 
         done
     done
 done
+
+# Commands that find orbits say where conditions break on them: the cycle x^2 + y^2 = a reaches x = sqrt a at each turn, z = 1/2 is
+# reached at t = 10 ln 2 = 6.93, in the second return.
+printf '%s\n' 'model ring' 'param a > 0' 'default a = 1/2' 'state x' 'state y' 'eq x = - y + x*(a - x^2 - y^2)' \
+    'eq y = x + y*(a - x^2 - y^2)' 'valid near : 1 - x > 0' > ring.tt
+printf '%s\n' 'model decay' 'state x' 'state y' 'state z' 'eq x = y' 'eq y = - x' 'eq z = - z/10' \
+    'valid high : z - 1/2 > 0' > decay.tt
+ring=(./ring.tt --section x=0 --direction both)
+expect 0 'on 1 of 1 orbits near is lost' jellett orbits "${ring[@]}" --start y=1 --period 2 --set a=1.001
+jellett orbits "${ring[@]}" --start y=1 --period 2 --set a=0.999 > out 2> err || fail "orbits: $(cat err)"
+grep -q lost err && fail "a cycle on which nothing is lost: $(cat err)"
+jellett continue "${ring[@]}" --start y=0.7 --period 2 --along a=0.5:1.5 > out 2> err || fail "continue: $(cat err)"
+awk -F, '$1 == 0 && $2 > 1 { lost++; if (lost == 1) first = sprintf("%.10g", $2) } $1 == 0 { all++ }
+    END { print "branch 0: on " lost " of " all " orbits, first at " first ", near is lost" }' out > wanted
+grep -qFf wanted err || fail "continue: not '$(cat wanted)' but $(cat err)"
+expect 0 'by t = 12.5663706. high is lost' jellett lyapunov ./decay.tt --section x=0 --start y=1,z=1 --returns 9
+jellett lyapunov ./decay.tt --section x=0 --start y=1,z=1 --returns 1 > out 2> err || fail "lyapunov: $(cat err)"
+grep -q lost err && fail "nothing is lost in one return: $(cat err)"
 exit $status

@@ -41,6 +41,12 @@ expect 0 'density volume: .div\(rho f\). is at most [0-9.]*e-1[5-9] of its terms
 sed -e 's/^    - u.w.sd$/&\n    - p\/10/' liouville.tt > damped.tt
 expect 1 'div\(rho f\) of the table.s density: [0-9.]*(e-0[1-4])? of its terms, bound 1e-09: FAILS' jellett verify ./damped.tt
 
+# Where a parameter stops a state, every function of it is a density, and none is wrong.
+printf '%s\n' 'model stopped' 'param a' 'default a = 1' 'state x in (0, inf)' 'state y' 'eq x = a*x*y' 'eq y = x - 1' \
+    'measure inverse = 1/x' > stopped.tt
+expect 0 'against the closed form inverse: largest relative difference [0-9.]*(e-1[4-9])? ' jellett measure ./stopped.tt
+expect 0 'density inverse: .div\(rho f\). is at most 0 of its terms' jellett measure ./stopped.tt --set a=0
+
 # The divergence of a forced oscillator is -delta, so exp(delta phi/w) grows with the phase. Over a turn of 2 pi that is
 # exp(pi/2) = 4.81048 at delta = 1/4: a density of the unrolled phase, but not of the angle that the table says it is.
 cat > forced.tt <<'TABLE'

@@ -67,4 +67,24 @@ for start in --start=x=1,vx=0,vy=2 --grid=x=1,vx=0,vy=2; do
     jellett section ./kepler.tt --section y=0 "$start" --returns 2 > out 2> err || fail "$start: $(cat err)"
     tail -1 out | grep -q ',budget$' || fail "$start: $(tail -1 out)"
 done
+
+# Rates so slow or fast that powers of them leave the range of doubles: x(30/k) of x'' = -k^2 x^3 from x = 1, v = 1/2, by Jacobi's
+# cn in 25 digits. By series from 1e-50 to 1e50, where coefficients of some order still exist; by the others much farther.
+printf '%s\n' 'model quartic' 'param k' 'default k = 1' 'state x' 'state v' 'eq x = k*v' 'eq v = -k*x^3' > quartic.tt
+for k in -130 -100 -65 -50 -30 -20 -10 0 10 20 30 50 65 100 130; do
+    for method in gauss dop853 taylor rk8pd rkf45 msadams; do
+        [ $method = taylor ] && [ ${k#-} -gt 50 ] && continue
+        jellett simulate ./quartic.tt --set k=1e$k --start x=1,v=0.5 --times 30e$((-k)) --method $method > out 2> err ||
+            fail "$method at k = 1e$k: $(cat err)"
+        tail -1 out | awk -F, '{ off = $2 + 0.91066785145926899 } END { exit !(off < 1e-10 && off > -1e-10) }' ||
+            fail "$method at k = 1e$k: $(tail -1 out), and x = -0.91066785145926899"
+    done
+done
+# A state of 1e100 beside one that is 0.
+printf '%s\n' 'model turn' 'state x' 'state v' 'eq x = v' 'eq v = -x' > turn.tt
+for method in gauss dop853 taylor rk8pd rkf45 msadams; do
+    jellett simulate ./turn.tt --start x=1e100,v=0 --times 1 --method $method > out 2> err || fail "$method from 1e100: $(cat err)"
+    tail -1 out | awk -F, '{ off = $2/1e100 - 0.54030230586813977 } END { exit !(off < 1e-10 && off > -1e-10) }' ||
+        fail "$method from 1e100: $(tail -1 out), and x = 1e100 cos 1"
+done
 exit $status

@@ -63,16 +63,21 @@ static void an_error_is_rounded_up(void **unused)
     }
 }
 
-static void json_has_points(void **unused)
+static void json_has_points_and_the_fewest_digits(void **unused)
 {
     char *text = NULL;
     size_t size;
     FILE *stream = open_memstream(&text, &size);
 
     (void)unused;
-    assert_ok(jlt_json_write(stream, jlt_json_numbers((const double[]){ 0.5 }, 1)));
+    const double values[] = { 0.5, 9.81, -1.0 / 3, 2, 1e-12, 1.5e22, 5e-324 };
+    assert_ok(jlt_json_write(stream, json_pack("{s:s, s:o}", "typed \\\" 9.8100000000000005", "\" g=9.8100000000000005 \\",
+                                               "numbers", jlt_json_numbers(values, 7))));
     fclose(stream);
-    assert_non_null(strstr(text, "0.5"));
+    assert_string_equal(text, "{\n  \"typed \\\\\\\" 9.8100000000000005\": \"\\\" g=9.8100000000000005 \\\\\",\n"
+                              "  \"numbers\": [\n"
+                              "    0.5,\n    9.81,\n    -0.3333333333333333,\n    2.0,\n"
+                              "    1e-12,\n    1.5e+22,\n    5e-324\n  ]\n}\n");
     free(text);
 }
 
@@ -187,7 +192,7 @@ int main(void)
         cmocka_unit_test(a_row_has_points_and_as_many_digits_as_it_needs),
         cmocka_unit_test(a_header_has_points),
         cmocka_unit_test(an_error_is_rounded_up),
-        cmocka_unit_test(json_has_points),
+        cmocka_unit_test(json_has_points_and_the_fewest_digits),
         cmocka_unit_test(numbers_with_points_are_read),
         cmocka_unit_test(scenes_are_read),
         cmocka_unit_test(digits_are_as_few_as_read_back),

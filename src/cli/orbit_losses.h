@@ -1,0 +1,19 @@
+/** Counts the periodic orbits on which a condition of the model breaks. */
+#ifndef JLT_CLI_ORBIT_LOSSES_H
+#define JLT_CLI_ORBIT_LOSSES_H
+
+#include "dynamics/periodic.h"
+
+/** Plain data; zeroed, it has counted nothing. */
+typedef struct {
+    size_t orbits, all, lost[JLT_OBSERVED_CONDITIONS_MAX]; /* orbits; those that lose a condition, and by condition */
+    double first;                                          /* the value at the first of these */
+} jlt_orbit_losses;
+
+/** Count an orbit of this flow; value: what varies; NaN: nothing does. Cost: the orbit, once more. */
+void jlt_orbit_losses_add(jlt_orbit_losses *self, const jlt_flow *flow, const jlt_periodic *orbit, double value);
+
+/** If there are any, say so on stderr. where: the beginning of the line; observed: that of the flows. */
+void jlt_orbit_losses_tell(const jlt_orbit_losses *self, const jlt_observed *observed, const char *where);
+
+#endif

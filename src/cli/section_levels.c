@@ -1,0 +1,111 @@
+#include "cli/section_levels.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "dynamics/drift.h"
+#include "kernel/descriptor.h"
+
+static const double ordinary = 1000; /* steps of a return, each with an error of one tolerance on the same side */
+static const double rounding = 1e-15;
+
+static double tolerance_of(const jlt_section_levels *self)
+{
+    return self->system->flow.tolerance != 0 ? self->system->flow.tolerance : JLT_ORBIT_TOLERANCE;
+}
+
+jlt_status jlt_section_levels_open(jlt_section_levels *out, const jlt_system *system, const double *q)
+{
+    const jlt_descriptor *d = system->instance->descriptor;
+    jlt_section_levels self = { .system = system };
+    bool turns = false;
+
+    for (unsigned i = 0; i < d->integral_count && self.count < JLT_INVARIANTS_MAX; i++) {
+        if (!jlt_descriptor_proves(d, "integral", d->integrals[i].name)) continue;
+        if (system->flow.chart->turn != 0) JLT_PASS(jlt_drift_turns(&turns, system, q, i));
+        if (!turns) self.watched[self.count++] = i;
+    }
+    self.now = malloc((1 + d->integral_count) * (2 + (size_t)d->state_count) * sizeof *self.now);
+    if (self.now == NULL) return JLT_ERR_NOMEM;
+    self.last = self.now + d->integral_count;
+    self.gradients = self.last + d->integral_count;
+    *out = self;
+    return JLT_OK;
+}
+
+void jlt_section_levels_close(jlt_section_levels *self) { free(self->now); }
+
+/* An error of one tolerance in every state at x changes integral i by the tolerance times this; value: of the integral there. */
+static double terms(const jlt_section_levels *self, const double *x, unsigned i, double value)
+{
+    const jlt_descriptor *d = self->system->instance->descriptor;
+    double sum = fabs(value);
+
+    d->integral_gradients.call(x, self->system->told->prepared, self->gradients);
+    for (unsigned j = 0; j < d->state_count; j++) sum += fabs(self->gradients[i * d->state_count + j] * x[j]);
+    return sum;
+}
+
+void jlt_section_levels_note(jlt_section_levels *self, size_t orbit, const jlt_return *at)
+{
+    const jlt_chart *chart = self->system->flow.chart;
+    const double error = fmax(tolerance_of(self), rounding);
+
+    if (self->count == 0 || at->fate != JLT_FATE_ALIVE) return;
+    self->system->instance->descriptor->integral_values.call(at->x, self->system->told->prepared, self->now);
+    for (unsigned k = 0; at->number > 0 && k < self->count; k++) {
+        const unsigned i = self->watched[k];
+        const double change = fabs(self->now[i] - self->last[i]), least = fmax(ordinary, self->worst.share) * error;
+        if (!(change > least * fabs(self->now[i]))) continue; /* without gradients, for speed */
+        const double all = fmax(terms(self, at->x, i, self->now[i]), terms(self, self->x, i, self->last[i]));
+        if (!(change > least * all)) continue;
+        self->worst.share = change / (error * all);
+        self->worst.change = change;
+        self->worst.integral = i;
+        self->worst.orbit = orbit;
+        self->worst.number = at->number;
+        memcpy(self->worst.from, self->x, chart->states * sizeof *self->x);
+        memcpy(self->worst.to, at->q, chart->dim * sizeof *at->q);
+    }
+    memcpy(self->last, self->now, self->system->instance->descriptor->integral_count * sizeof *self->now);
+    memcpy(self->x, at->x, chart->states * sizeof *at->x);
+}
+
+/* Make the worst return again at a tolerance. Returns by how much *coordinate, the one that differs most, does; NaN: there is
+ * no return. */
+static double differs(unsigned *coordinate, const jlt_section_levels *self, double tolerance, int time_direction)
+{
+    const jlt_chart *chart = self->system->flow.chart;
+    jlt_flow flow = self->system->flow;
+    JLT_OWNED(jlt_section) *section = NULL;
+    double difference[JLT_CHART_DIM_MAX];
+    jlt_return at;
+
+    *coordinate = 0;
+    flow.tolerance = tolerance;
+    if (jlt_section_create(&section, &flow) != JLT_OK ||
+        jlt_section_start_state(section, &at, self->worst.from, time_direction) != JLT_OK ||
+        jlt_section_next(section, &at) != JLT_OK || at.fate != JLT_FATE_ALIVE || at.interrupted) return NAN;
+    jlt_chart_difference(chart, difference, at.q, self->worst.to);
+    for (unsigned k = 1; k < chart->dim; k++)
+        if (fabs(difference[k]) > fabs(difference[*coordinate])) *coordinate = k;
+    return fabs(difference[*coordinate]);
+}
+
+void jlt_section_levels_tell(const jlt_section_levels *self, int time_direction)
+{
+    const double tolerance = tolerance_of(self), other = tolerance > rounding ? tolerance / 10 : 10 * tolerance;
+    unsigned k;
+
+    if (!(self->worst.share > 0)) return;
+    fprintf(stderr, "jellett: on its way to return %zu orbit %zu changes %s by %.2g, as errors of %.2g tolerances in every state "
+            "would (a pass close to a singularity?)", self->worst.number, self->worst.orbit,
+            self->system->instance->descriptor->integrals[self->worst.integral].name, self->worst.change, self->worst.share);
+    const double difference = differs(&k, self, other, time_direction);
+    if (difference > 0)
+        fprintf(stderr, "; with --tol %.2g this return differs by %.2g in %s", other, difference,
+                self->system->flow.chart->names[k]);
+    fputc('\n', stderr);
+}

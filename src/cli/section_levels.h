@@ -1,0 +1,36 @@
+/** Whether the returns of `jellett section` keep the integrals that their table proves: where an orbit passes close to a
+ *  singularity, errors grow beyond what the tolerance says of an ordinary return. */
+#ifndef JLT_CLI_SECTION_LEVELS_H
+#define JLT_CLI_SECTION_LEVELS_H
+
+#include "dynamics/section.h"
+#include "dynamics/system.h"
+
+/** Private; zeroed, it watches nothing. */
+typedef struct {
+    const jlt_system *system;
+    unsigned count, watched[JLT_INVARIANTS_MAX]; /* integrals, by their indices in the kernel */
+    double *now, *last, *gradients;              /* of all integrals: at this return and the last one, shape (integrals,), and
+                                                    (integrals, states); one array, owned */
+    double x[JLT_CHART_STATES_MAX];              /* the last return */
+    struct {
+        double share, change; /* of the integral: in errors of one tolerance in every state, and itself */
+        unsigned integral;
+        size_t orbit, number;
+        double from[JLT_CHART_STATES_MAX], to[JLT_CHART_DIM_MAX];
+    } worst; /* share 0: there is none */
+} jlt_section_levels;
+
+/** Watch the integrals that the system's table proves and that no turn of the section's angle changes; q: a point of the section,
+ *  shape (dim,). Errors: NOMEM; as jlt_drift_turns. */
+JLT_CHECKED jlt_status jlt_section_levels_open(jlt_section_levels *out, const jlt_system *system, const double *q);
+void jlt_section_levels_close(jlt_section_levels *self);
+
+/** Take a row of orbit number `orbit` into account: its start, number 0, or a return. */
+void jlt_section_levels_note(jlt_section_levels *self, size_t orbit, const jlt_return *at);
+
+/** If an integral has changed by more than errors of one tolerance a step explain, say so, and by how much the worst return differs
+ *  at another tolerance. */
+void jlt_section_levels_tell(const jlt_section_levels *self, int time_direction);
+
+#endif
