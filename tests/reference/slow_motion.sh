@@ -67,4 +67,22 @@ for start in --start=x=1,vx=0,vy=2 --grid=x=1,vx=0,vy=2; do
     jellett section ./kepler.tt --section y=0 "$start" --returns 2 > out 2> err || fail "$start: $(cat err)"
     tail -1 out | grep -q ',budget$' || fail "$start: $(tail -1 out)"
 done
+
+# Nor does a phase that grows at one rate for ever, however much it has grown, where all else rests.
+cat > swing.tt << 'T'
+model swing
+state theta
+state v
+state phase
+angle C S = cos(theta) sin(theta)
+angle c s = cos(phase) sin(phase)
+eq theta = v
+eq v = -S*(1 + c/2)
+eq phase = 1
+periodic phase = 2*pi
+T
+for start in --start=theta=0,phase=0 --grid=theta=0,phase=0; do
+    jellett section ./swing.tt --section v=0 "$start" --returns 1 > out 2> err || fail "$start: $(cat err)"
+    tail -1 out | grep -q ',budget$' || fail "$start: $(tail -1 out)"
+done
 exit $status
