@@ -300,8 +300,6 @@ static jlt_exit find_first(jlt_continuation_point *first, jlt_motion_family *fam
     JLT_PASS(jlt_motion_scale(system, q, NULL));
     st = jlt_system_map_at(&family->systems, &map, first->value);
     if (st == JLT_OK) st = jlt_periodic_find(map, &first->orbit, q, o->period, NULL);
-    if (st != JLT_OK && jlt_motion_interrupted(&o->motion))
-        return jlt_command_fail(JLT_EXIT_NUMERICAL, "interrupted before the first orbit was found; nothing is saved");
     return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_no_orbit(st, system, o->motion.starts[0]);
 }
 

@@ -263,9 +263,7 @@ static jlt_exit run(int argc, char **argv)
     if (o.points != NULL) JLT_PASS(jlt_stream_open(&crossings, o.points));
     st = jlt_map_create(&map, &system->flow);
     if (st == JLT_OK) st = jlt_periodic_find(map, &saddle, q, o.period, NULL);
-    if (st != JLT_OK)
-        return jlt_motion_interrupted(&o.motion) ? jlt_command_fail(JLT_EXIT_NUMERICAL, "interrupted; nothing is saved")
-                                                 : jlt_motion_no_orbit(st, system, o.motion.starts[0]);
+    if (st != JLT_OK) return jlt_motion_no_orbit(st, system, o.motion.starts[0]);
     const char *const *names = system->flow.chart->names;
     if (saddle.type != JLT_ORBIT_SADDLE && saddle.type != JLT_ORBIT_FLIP_SADDLE)
         return jlt_command_fail(JLT_EXIT_INPUT,

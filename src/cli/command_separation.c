@@ -103,8 +103,6 @@ static jlt_exit measure(jlt_separation *table, size_t *rows, const jlt_grid_axis
     if (starts == NULL) return jlt_motion_fail(JLT_ERR_NOMEM, system, "separation");
     for (size_t i = 0; i < all; i++) jlt_motion_grid_point(starts + 2 * i, axes, system, i);
     const jlt_status st = jlt_separation_measure(table, rows, &system->flow, starts, all, &wanted);
-    if (st == JLT_ERR_NO_CONVERGENCE && jlt_motion_interrupted(&o->motion))
-        return jlt_command_fail(JLT_EXIT_NUMERICAL, "interrupted; nothing is saved: the counts need all orbits");
     return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, system, "separation");
 }
 

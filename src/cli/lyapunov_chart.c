@@ -39,9 +39,9 @@ jlt_exit jlt_lyapunov_chart_draw(const jlt_lyapunov_chart_options *o, const jlt_
     return jlt_plot_draw(&plot);
 }
 
-/* Map the starts q, shape (count, dim): skip returns, then apply the maps for `returns` returns. Out: images. */
-static jlt_status exponents(const jlt_lyapunov_chart_options *o, jlt_map *map, jlt_map_batch *maps, const jlt_map_images *images,
-                            double *q, size_t count)
+/* Map the starts q, shape (count, dim): skip returns, then apply the maps for `returns` returns. Out: exponents, images. */
+static jlt_status measure(double *exponents, const jlt_map_images *images, const jlt_lyapunov_chart_options *o, jlt_map *map,
+                          jlt_map_batch *maps, const double *q, size_t count)
 {
     const unsigned d = jlt_map_flow(map)->chart->dim;
     jlt_status st = JLT_OK;
@@ -50,7 +50,7 @@ static jlt_status exponents(const jlt_lyapunov_chart_options *o, jlt_map *map, j
     for (size_t i = 0; i < count; i++)
         if ((st = jlt_lyapunov_chart_skip(map, images->q + i * d, o->skip)) != JLT_OK)
             for (unsigned k = 0; k < d; k++) images->q[i * d + k] = NAN; /* the orbit has ended already */
-    return st == JLT_ERR_NOMEM ? st : jlt_map_batch_apply(maps, images, images->q, count, o->returns, 1);
+    return st == JLT_ERR_NOMEM ? st : jlt_lyapunov_finite_each(maps, exponents, images, images->q, count, o->returns);
 }
 
 jlt_exit jlt_lyapunov_chart_write(jlt_motion_map *picture, jlt_map *map, jlt_map_batch *maps, jlt_lyapunov_chart_options *o,
@@ -61,7 +61,7 @@ jlt_exit jlt_lyapunov_chart_write(jlt_motion_map *picture, jlt_map *map, jlt_map
     const jlt_chart *chart = system->flow.chart;
     const unsigned d = chart->dim;
     const size_t all = jlt_motion_grid_size(axes, system), block = BLOCK * o->threads;
-    JLT_FREED double *q = malloc(block * d * sizeof *q);
+    JLT_FREED double *q = malloc(block * (d + 1) * sizeof *q);
     jlt_map_images images = { 0 };
     jlt_csv_names names;
     jlt_progress progress;
@@ -77,18 +77,17 @@ jlt_exit jlt_lyapunov_chart_write(jlt_motion_map *picture, jlt_map *map, jlt_map
     for (size_t first = 0; st == JLT_OK && first < all; first += block) {
         const size_t count = all - first < block ? all - first : block;
         for (size_t i = 0; i < count; i++) jlt_motion_grid_point(q + i * d, axes, system, first + i);
-        st = exponents(o, map, maps, &images, q, count);
+        double *exponents = q + block * d;
+        st = measure(exponents, &images, o, map, maps, q, count);
         if (jlt_motion_interrupted(&o->motion)) break;
         for (size_t i = 0; st == JLT_OK && i < count; i++) {
             const bool has_returned = images.status[i] == JLT_OK;
-            const double exponent =
-                has_returned ? jlt_lyapunov_finite_exponent(images.slope + i * d * d, images.T[i], o->returns, &system->flow) : NAN;
-            unresolved += has_returned && isnan(exponent);
+            unresolved += has_returned && isnan(exponents[i]);
             strayed += images.status[i] == JLT_ERR_NO_CONVERGENCE && chart->solved_count > 0;
             jlt_csv_values(table->file, q + i * d, d);
             fputc(',', table->file);
-            jlt_csv_row(table->file, (const double[]){ exponent, has_returned ? images.T[i] : NAN }, 2);
-            jlt_motion_map_add(picture, q + i * d, exponent);
+            jlt_csv_row(table->file, (const double[]){ exponents[i], has_returned ? images.T[i] : NAN }, 2);
+            jlt_motion_map_add(picture, q + i * d, exponents[i]);
         }
         jlt_progress_show(&progress, first + count, all);
     }

@@ -127,10 +127,17 @@ static bool interval(const jlt_system *system, unsigned coordinate, double *low,
     return system->surface != NULL && jlt_surface_interval(system, coordinate, low, high);
 }
 
+/* Whether the method ended so because it was interrupted. */
+static bool interrupted(jlt_status status, const jlt_system *system)
+{
+    return status == JLT_ERR_NO_CONVERGENCE && system != NULL && system->flow.interrupt != NULL && *system->flow.interrupt;
+}
+
 jlt_exit jlt_motion_fail(jlt_status status, const jlt_system *system, const char *what)
 {
     double low, high;
 
+    if (interrupted(status, system)) return jlt_command_fail(JLT_EXIT_NUMERICAL, "interrupted; nothing is saved");
     for (unsigned k = 0; status == JLT_ERR_EMPTY && system != NULL && k < system->flow.chart->dim; k++)
         if (interval(system, k, &low, &high))
             return jlt_command_fail(JLT_EXIT_INPUT, "%s: no state has these levels there; %s may lie in (%.10g, %.10g)", what,
@@ -182,7 +189,7 @@ static const char *other_direction(const jlt_system *system, const char *start)
 
 jlt_exit jlt_motion_no_orbit(jlt_status status, const jlt_system *system, const char *start)
 {
-    if (status != JLT_ERR_NO_CONVERGENCE) return jlt_motion_fail(status, system, start);
+    if (status != JLT_ERR_NO_CONVERGENCE || interrupted(status, system)) return jlt_motion_fail(status, system, start);
     const char *other = other_direction(system, start);
     if (other != NULL)
         return jlt_command_fail(JLT_EXIT_NUMERICAL,

@@ -336,6 +336,8 @@ static jlt_exit refuse_for_good(const char *section, const jlt_quantity *state, 
 
     fprintf(stderr, "jellett: %s changes at one rate everywhere, and comes back to %s only if it is an angle\n", state->name,
             section);
+    if (period != NULL && period->verdict == JLT_PROVED)
+        return jlt_command_fail(JLT_EXIT_INPUT, "--modulo %s=0 sets aside its period, which the table proves", state->name);
     if (period != NULL)
         return jlt_command_fail(JLT_EXIT_INPUT, "'periodic %s' is not proved of this table: %s", state->name, period->reason);
     return jlt_command_fail(JLT_EXIT_INPUT, "write 'periodic %s = PERIOD' in the table, or --modulo %s=PERIOD", state->name,

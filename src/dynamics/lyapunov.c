@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/memory.h"
 #include "dynamics/linear.h"
 
 /* The relative length below which errors of the tolerance change a vector of DP by more than a thousandth. */
@@ -176,21 +177,47 @@ static double growth_of(const double *slope, unsigned d)
     return log(norm2) / 2;
 }
 
-double jlt_lyapunov_finite_exponent(const double *slope, double t, size_t returns, const jlt_flow *flow)
-{
-    double scaled[JLT_CHART_DIM_MAX * JLT_CHART_DIM_MAX];
+/* Of each orbit the product of its returns' derivatives, (d, d), without a factor 2^exponent, which may be beyond doubles. */
+typedef struct {
+    double *slopes, *exponents;
+    unsigned d;
+} products;
 
-    jlt_chart_scaled_slope(flow->chart, scaled, slope);
-    const double growth = growth_of(scaled, flow->chart->dim);
-    return growth > (double)returns * log(noise_of(flow)) ? growth / t : NAN;
+static void add_slope(void *context, size_t i, const jlt_map_batch_return *made)
+{
+    const products *all = context;
+    const size_t size = (size_t)all->d * all->d;
+    double *slope = all->slopes + i * size, largest = 0;
+    int most = 0;
+
+    jlt_linear_multiply(slope, made->slope, slope, all->d);
+    for (size_t k = 0; k < size; k++) largest = fmax(largest, fabs(slope[k]));
+    if (isfinite(largest)) (void)frexp(largest, &most);
+    for (size_t k = 0; k < size; k++) slope[k] = ldexp(slope[k], -most);
+    all->exponents[i] += most;
 }
 
-jlt_status jlt_lyapunov_finite(jlt_map *map, double *exponent, double *t, const double *q, size_t returns)
+jlt_status jlt_lyapunov_finite_each(jlt_map_batch *maps, double *exponents, const jlt_map_images *images, const double *q,
+                                    size_t count, size_t returns)
 {
-    jlt_image image;
+    const jlt_flow *flow = jlt_map_batch_flow(maps);
+    const unsigned d = flow->chart->dim;
+    JLT_FREED size_t *flow_of = calloc(count, sizeof *flow_of);
+    JLT_FREED double *slopes = calloc(count * d, d * sizeof *slopes);
+    products all = { slopes, exponents, d };
 
-    JLT_PASS(jlt_map_apply(map, &image, q, returns, 1));
-    *exponent = jlt_lyapunov_finite_exponent(image.slope, image.T, returns, jlt_map_flow(map));
-    *t = image.T;
+    if (count > 0 && (flow_of == NULL || slopes == NULL)) return JLT_ERR_NOMEM;
+    for (size_t i = 0; i < count; i++) {
+        exponents[i] = 0;
+        for (unsigned k = 0; k < d; k++) slopes[(i * d + k) * d + k] = 1;
+    }
+    JLT_PASS(jlt_map_batch_apply_flows(maps, images, q, flow_of, count, returns, add_slope, &all));
+    for (size_t i = 0; i < count; i++) {
+        double *slope = slopes + i * d * d;
+        jlt_chart_scaled_slope(flow->chart, slope, slope);
+        const double growth = growth_of(slope, d) + exponents[i] * log(2);
+        const bool is_told = images->status[i] == JLT_OK && growth > (double)returns * log(noise_of(flow));
+        exponents[i] = is_told ? growth / images->T[i] : NAN;
+    }
     return JLT_OK;
 }

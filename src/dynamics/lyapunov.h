@@ -34,12 +34,11 @@ JLT_CHECKED jlt_status jlt_lyapunov_run(jlt_map *map, jlt_lyapunov_state *out, c
 JLT_CHECKED jlt_status jlt_lyapunov_run_each(jlt_map_batch *maps, jlt_lyapunov_state *out, jlt_status *status, const double *q,
                                              const size_t *flow_of, size_t count, size_t skip, size_t returns);
 
-/** Finite-time exponent: the logarithm of the 2-norm of slope, D(P^returns), shape (dim, dim), per unit of the time t that the
- *  returns took. The norm is that of coordinates in units of the problem; another norm changes the exponent by O(1/t). NaN
- *  where returns contract more than the flow's tolerance resolves. */
-double jlt_lyapunov_finite_exponent(const double *slope, double t, size_t returns, const jlt_flow *flow);
-
-/** The same from a start q, shape (dim,). Out: *exponent; *t, the time that the returns took. Errors: those of jlt_map_apply. */
-JLT_CHECKED jlt_status jlt_lyapunov_finite(jlt_map *map, double *exponent, double *t, const double *q, size_t returns);
+/** Finite-time exponents from q, shape (count, dim): the logarithm of the 2-norm of D(P^returns) per unit of the time that the
+ *  returns took. The norm is that of coordinates in units of the problem; another norm changes the exponent by O(1/t). Out:
+ *  exponents, shape (count,), NaN where the orbit ends, or where returns contract more than the flow's tolerance resolves; images,
+ *  as jlt_map_batch_apply fills them. Errors: NOMEM; as jlt_map_batch_apply. */
+JLT_CHECKED jlt_status jlt_lyapunov_finite_each(jlt_map_batch *maps, double *exponents, const jlt_map_images *images,
+                                                const double *q, size_t count, size_t returns);
 
 #endif

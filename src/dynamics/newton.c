@@ -86,14 +86,13 @@ static bool end(jlt_newton *self, jlt_status status)
     return false;
 }
 
-/* End the search: with OK if the best points are an orbit, else with the status of the last trial. */
-static bool judge(jlt_newton *self, jlt_status looked)
+/* End the search: with OK if the best points are an orbit. */
+static bool judge(jlt_newton *self, jlt_status otherwise)
 {
     const bool is_small = self->now.residual <= fmin(accepted * self->now.scale, accepted_most);
     const bool fell = self->now.residual <= fmax(fallen * self->first, self->noise * self->now.scale);
 
-    if (is_small && fell) return end(self, JLT_OK);
-    return end(self, looked != JLT_OK ? looked : JLT_ERR_NO_CONVERGENCE);
+    return end(self, is_small && fell ? JLT_OK : otherwise);
 }
 
 static bool try_step(jlt_newton *self)
@@ -109,12 +108,12 @@ static bool try_step(jlt_newton *self)
     return true;
 }
 
-static bool new_step(jlt_newton *self, jlt_status looked)
+static bool new_step(jlt_newton *self)
 {
     const unsigned d = self->chart->dim;
     double longest = 0;
 
-    if (self->iteration++ == ITERATIONS || !(self->now.residual > 0)) return judge(self, looked);
+    if (self->iteration++ == ITERATIONS || !(self->now.residual > 0)) return judge(self, JLT_ERR_NO_CONVERGENCE);
     const jlt_status st = step(self->delta, &self->now, d, self->period, self->held);
     if (st != JLT_OK) return end(self, st);
     for (size_t k = 0; k < self->period; k++) longest = fmax(longest, jlt_linear_length(self->delta + k * d, d));
@@ -129,13 +128,14 @@ bool jlt_newton_next(jlt_newton *self, jlt_status looked)
 
     if (!self->has_begun && looked != JLT_OK) return end(self, looked);
     if (self->has_begun && (looked != JLT_OK || !(self->then.residual < self->now.residual))) {
-        self->factor /= 2;
-        return ++self->halving == HALVINGS ? judge(self, looked) : try_step(self);
+        self->factor /= 2; /* that a trial has no image says nothing of the first points, which have theirs */
+        return ++self->halving < HALVINGS ? try_step(self)
+                                          : judge(self, looked == JLT_ERR_NOMEM ? looked : JLT_ERR_NO_CONVERGENCE);
     }
     if (!self->has_begun) self->first = self->then.residual;
     self->has_begun = true;
     memcpy(self->points, self->trial, self->period * self->chart->dim * sizeof *self->points);
     self->now = self->then;
     self->then = last;
-    return new_step(self, looked);
+    return new_step(self);
 }

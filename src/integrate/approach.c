@@ -102,7 +102,7 @@ static jlt_status way_left(double *y, const double *a, const double *f, unsigned
 bool jlt_approach_is_near(const jlt_field *field, const double *x, double size, double distance)
 {
     static const double singular = 1e-9;
-    double a[DIM_MAX * DIM_MAX], f[DIM_MAX], y[DIM_MAX], image[DIM_MAX], slowest, fastest;
+    double a[DIM_MAX * DIM_MAX], f[DIM_MAX], y[DIM_MAX], image[DIM_MAX], slowest, fastest, nearest = 0;
     const unsigned n = field->dim;
     unsigned count;
     bool moves = false;
@@ -116,12 +116,14 @@ bool jlt_approach_is_near(const jlt_field *field, const double *x, double size, 
     if (st == JLT_OK) st = jlt_eigen_least_squares(y, a, f, n, n, singular);
     if (st != JLT_OK) return st != JLT_ERR_NONFINITE;
     multiply(image, a, y, n, 1);
+    for (unsigned i = 0; i < n; i++) nearest = fmax(nearest, fabs(y[i]) / fmax(fabs(x[i]), size));
     for (unsigned i = 0; i < n; i++) {
-        const double unit = fmax(fabs(x[i]), size);
-        if (fabs(y[i]) > distance * unit) return false;
-        if (fabs(image[i] - f[i]) > fmax(8 * rounding, distance * distance) * fastest * unit) return false;
+        double terms = fastest * size; /* not fastest |x_i|: the phase of a forcing grows, and its rate is the same for ever */
+        for (unsigned j = 0; j < n; j++) terms += fabs(a[i * n + j] * x[j]);
+        const double second_order = nearest * nearest * fastest * fmax(fabs(x[i]), size);
+        if (fabs(image[i] - f[i]) > fmax(8 * rounding * terms, second_order)) return false;
     }
-    return true;
+    return nearest <= distance;
 }
 
 bool jlt_approach_is_known(const jlt_approach *self, const jlt_stepper *stepper)

@@ -65,6 +65,12 @@ rows=$(sed -n 's/.*the first \([0-9]*\) of 900000 rows are saved in t.csv$/\1/p'
 interrupt "TERM TERM" jellett transfer --boxes 900x900 -o t.csv
 expect 143 "" "transfer"
 grep -q "nothing is saved" "$scratch/err" || fail "transfer: says '$(cat "$scratch/err")'"
+# Nor do they say what they have not found out: that there is no orbit.
+for command in orbits "certify cycle"; do
+    interrupt TERM jellett $command --start eta=0.1,gamma3=-0.6 --period 60 --method rkf45 --tol 1e-16 -o t.csv
+    expect 143 "" "$command"
+    [ "$(head -1 "$scratch/err")" = "jellett: interrupted; nothing is saved" ] || fail "$command: says '$(cat "$scratch/err")'"
+done
 interrupt TERM jellett verify --samples 10000000
 expect 143 "" "verify"
 # A scene is as quick as its command.

@@ -363,25 +363,6 @@ static void exponents_of_the_lorenz_attractor(void **unused)
     jlt_system_destroy(system);
 }
 
-/* On a periodic orbit the finite-time exponents are its multipliers' logarithms: the 2-norm is that of DP^n. */
-static void exponents_of_a_periodic_orbit_are_its_multipliers(void **unused)
-{
-    jlt_system *system = top_51(1e-13);
-    double exponent, t;
-    jlt_map *map;
-
-    (void)unused;
-    assert_ok(jlt_map_create(&map, &system->flow));
-    const jlt_periodic saddle = saddle_of(map);
-    const double *a = saddle.slope;
-    const double square = a[0] * a[0] + a[1] * a[1] + a[2] * a[2] + a[3] * a[3], det = a[0] * a[3] - a[1] * a[2];
-    assert_ok(jlt_lyapunov_finite(map, &exponent, &t, saddle.points, 1));
-    assert_near(t, saddle.T, 1e-12);
-    assert_near(exponent * t, log((square + sqrt(square * square - 4 * det * det)) / 2) / 2, 1e-12);
-    jlt_map_destroy(map);
-    jlt_system_destroy(system);
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -394,7 +375,6 @@ int main(void)
         cmocka_unit_test(the_default_tolerance_has_the_error_bars_of_its_value),
         cmocka_unit_test(bifurcations_lie_where_multipliers_say),
         cmocka_unit_test(exponents_of_the_lorenz_attractor),
-        cmocka_unit_test(exponents_of_a_periodic_orbit_are_its_multipliers),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "dynamics/lyapunov.h"
+#include "dynamics/periodic.h"
 #include "dynamics/surface.h"
 #include "kernel/batch_isa.h"
 #include "kernel/descriptor.h"
@@ -349,6 +350,32 @@ static void exponents_of_several_flows_are_those_of_each(void **unused)
     for (size_t k = 0; k < FLOWS; k++) jlt_system_destroy(systems[k]);
 }
 
+/* On a periodic orbit the finite-time exponents are its multipliers' logarithms: the 2-norm is that of DP^n. */
+static void exponents_of_a_periodic_orbit_are_its_multipliers(void **unused)
+{
+    jlt_system *system = system_51(1e-13);
+    const double guess[] = { 0, -0.6136 };
+    double exponent;
+    images out;
+    const jlt_map_images into = { out.status, out.q, out.slope, out.T, out.determinant, out.expansion, out.defect };
+    jlt_periodic saddle;
+    jlt_map *map;
+    jlt_map_batch *maps;
+
+    (void)unused;
+    assert_ok(jlt_map_create(&map, &system->flow));
+    assert_ok(jlt_map_batch_create(&maps, &system->flow, NULL, NULL, 1));
+    assert_ok(jlt_periodic_find(map, &saddle, guess, 1, NULL));
+    const double *a = saddle.slope;
+    const double square = a[0] * a[0] + a[1] * a[1] + a[2] * a[2] + a[3] * a[3], det = a[0] * a[3] - a[1] * a[2];
+    assert_ok(jlt_lyapunov_finite_each(maps, &exponent, &into, saddle.points, 1, 1));
+    assert_true(fabs(out.T[0] - saddle.T) <= 1e-12);
+    assert_true(fabs(exponent * out.T[0] - log((square + sqrt(square * square - 4 * det * det)) / 2) / 2) <= 1e-12);
+    jlt_map_batch_destroy(maps);
+    jlt_map_destroy(map);
+    jlt_system_destroy(system);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -359,6 +386,7 @@ int main(void)
         cmocka_unit_test(points_that_no_lane_serves_go_by_themselves),
         cmocka_unit_test(images_of_several_flows_are_those_of_each),
         cmocka_unit_test(exponents_of_several_flows_are_those_of_each),
+        cmocka_unit_test(exponents_of_a_periodic_orbit_are_its_multipliers),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -86,6 +86,8 @@ expect 0 '^0,12,' jellett section ./periodic.tt --section phi=0 --modulo theta=0
 awk -F, '/^0,/ && ($4 > 4 || $4 < -4) { far = 1 } END { exit !far }' out || fail "theta is still an angle: $(cat out)"
 # A phase that is no angle never comes back: its rate is w everywhere.
 expect 3 "'periodic phi' is not proved of this table" jellett section ./refuted.tt --section phi=0 "${turns[@]}"
+expect 3 "^jellett: --modulo phi=0 sets aside its period, which the table proves$" \
+    jellett section ./periodic.tt --section phi=0 --modulo phi=0 "${turns[@]}"
 for command in "section --returns 1" orbits fates lyapunov "continue --along A=0:1"; do
     expect 3 "write 'periodic phi = PERIOD' in the table, or --modulo phi=PERIOD" \
         jellett ${command%% *} ./forced_pendulum.tt --section phi=0 "${start[@]}" $(cut -s -d ' ' -f 2- <<< "$command")

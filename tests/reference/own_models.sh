@@ -52,6 +52,22 @@ expect 0 '^0,4,' jellett section ./rattleback.tt --section S=0 --direction both 
 awk -F, '/^0,[024],/ { n++; bad += ($4 - 0.1)^2 > 1e-22 } /^0,[13],/ { bad += !($4 > 0.1) } END { exit !(n == 3 && !bad) }' out ||
     fail "rattleback: $(tail -5 out)"
 
+# Chua's circuit with a cubic: Newton's steps from here lead to where nothing returns, though the start does, 1.5 later. orbits goes
+# on to where the start settles, and no command calls its return too long. Oracle: multipliers of the variational equations by
+# scipy's DOP853 at 1e-13: 0.778295434, 1, and 3.5e-10.
+cat > chua.tt << 'T'
+model chua
+state x
+state y
+state z
+eq x = 17*(y - x^3 + 143*x/1000)/2
+eq y = x - y + z
+eq z = -16*y
+T
+expect 0 'attracting' jellett orbits ./chua.tt --section x=0 --start y=0.3,z=-1
+awk -F, '/^1,/ { exit !(($4 - 1.7552189906362285)^2 < 1e-20 && ($7 - 0.778295434)^2 < 1e-18) }' out || fail "Chua: $(tail -1 out)"
+expect 4 "finds no periodic orbit from y=0.3,z=-1: try another" jellett certify sink ./chua.tt --section x=0 --start y=0.3,z=-1
+
 # Separatrices on a level: columns and words have the section's own names.
 level=(./henon_heiles.tt --section x=0 --level E=1/12 --solve px=0.3)
 expect 0 '^branch,side,sigma,length,y,py$' jellett manifolds "${level[@]}" --start y=-0.12,py=0 --length 0.3 --no-crossings

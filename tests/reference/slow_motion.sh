@@ -87,4 +87,21 @@ for method in gauss dop853 taylor rk8pd rkf45 msadams; do
     tail -1 out | awk -F, '{ off = $2/1e100 - 0.54030230586813977 } END { exit !(off < 1e-10 && off > -1e-10) }' ||
         fail "$method from 1e100: $(tail -1 out), and x = 1e100 cos 1"
 done
+# Nor does a phase that grows at one rate for ever, however much it has grown, where all else rests.
+cat > swing.tt << 'T'
+model swing
+state theta
+state v
+state phase
+angle C S = cos(theta) sin(theta)
+angle c s = cos(phase) sin(phase)
+eq theta = v
+eq v = -S*(1 + c/2)
+eq phase = 1
+periodic phase = 2*pi
+T
+for start in --start=theta=0,phase=0 --grid=theta=0,phase=0; do
+    jellett section ./swing.tt --section v=0 "$start" --returns 1 > out 2> err || fail "$start: $(cat err)"
+    tail -1 out | grep -q ',budget$' || fail "$start: $(tail -1 out)"
+done
 exit $status

@@ -31,7 +31,9 @@ for command in section fates "lyapunov --returns 5" "continue --along E=2:2.2" "
         refuse 2 "is no start" jellett $command --start eta=0.1,gamma3=-0.6:-0.5:3
     }
 done
-refuse 3 "eta=1,gamma3=0.9: the orbit ends before it returns: take another start" jellett orbits --start eta=1,gamma3=0.9
+refuse 3 "eta=-1,gamma3=0.9: the orbit ends before it returns: take another start" jellett orbits --start eta=-1,gamma3=0.9
+# A start that returns is not to blame for where Newton's steps lead.
+refuse 4 "finds no periodic orbit from eta=1,gamma3=0.9, where .* the other way" jellett orbits --start eta=1,gamma3=0.9
 refuse 3 "gamma3 must lie" jellett section --start "$point" --start eta=0,gamma3=2
 refuse 3 "--grid: no state has these levels" jellett section --grid eta=0,gamma3=2:3:3 --output rows
 refuse 3 "--grid: no state has these levels" jellett fates --grid eta=0,gamma3=2:3:3 --output rows
