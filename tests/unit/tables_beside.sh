@@ -74,7 +74,10 @@ sed -i '/^pole/d' routh_sphere.tt
 expect 4 left_domain jellett simulate ./routh_sphere.tt --start gamma3=0.6,omega_tau=3,omega_n=0,omega3=0 --times 0.1,3
 anew
 sed -i '/^valid/d' spherical_top.tt
-expect 0 ' 0 lost_contact' jellett fates ./spherical_top.tt --grid 3x3 --contact end
+expect 2 "--contact end: spherical_top has no record 'valid'" jellett fates ./spherical_top.tt --grid 3x3 --contact end
+expect 0 'turn over$' jellett fates ./spherical_top.tt --grid 3x3
+grep contact out err && fail 'a condition is told of that the table asked for has not'
+expect 0 'turned,turned_error$' jellett fates ./spherical_top.tt --grid 3x3 --sweep E=1:2:2
 anew
 for table in spherical_top spherical_top_balanced; do echo '# a comment' >> $table.tt; done
 expect 3 'spherical_top_balanced.tt beside it: put the one that is built in there, or follow yours by jellett simulate' \
