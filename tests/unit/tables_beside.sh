@@ -83,6 +83,12 @@ for table in spherical_top spherical_top_balanced; do echo '# a comment' >> $tab
 expect 3 'spherical_top_balanced.tt beside it: put the one that is built in there, or follow yours by jellett simulate' \
     jellett portrait ./spherical_top.tt --set a3=0,I1=2/5,I3=1/4 --start gamma3=0.5,v_nu=0.8,omega_tau=0,omega_n=0.1,omega3=0.9
 
+# So also where a tier's table has a pole that this one, whose first state is another, does not name.
+anew
+sed -i -e '/^pole/d' -e '/^matrix/,/^charpoly/d' -e '/^state gamma3/{h;d}' -e '/^state omega3/{p;x}' spherical_top.tt
+expect 0 'spherical_top names none (record .pole.)' jellett simulate ./spherical_top.tt --start $start --times 1,10
+grep -q '^t,v_nu' out && [ "$(last 10)" = left_domain ] || fail "at a pole that is not named: $(tail -2 out)"
+
 # The same where the table asked for is to the letter what is built in, and tables at one remove.
 anew
 sed -i 's/^    + R\*omega_n\*omega3$/    + 2*R*omega_n*omega3/' spherical_top_balanced.tt
