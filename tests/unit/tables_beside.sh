@@ -89,6 +89,18 @@ sed -i -e '/^pole/d' -e '/^matrix/,/^charpoly/d' -e '/^state gamma3/{h;d}' -e '/
 expect 0 'spherical_top names none (record .pole.)' jellett simulate ./spherical_top.tt --start $start --times 1,10
 grep -q '^t,v_nu' out && [ "$(last 10)" = left_domain ] || fail "at a pole that is not named: $(tail -2 out)"
 
+# What is advised can be done: names are those of the table asked for, and what no record could mend is not asked to be written.
+anew
+sed -i -e 's/\<omega_tau\>/wt/g' -e 's/\<wt = wt\>/omega_tau = wt/' spherical_top.tt
+expect 3 'ask for one of the table itself, --section STATE=VALUE' jellett section ./spherical_top.tt "${section[@]}"
+expect 3 'known of the states of spherical_top alone, and ./spherical_top.tt differs in the state omega_tau' \
+    jellett rod ./spherical_top.tt --start ${start/omega_tau/wt}
+anew
+sed -i 's/\<g\>/grav/g' spherical_top.tt
+expect 3 "there is no section turning, then" jellett section ./spherical_top.tt "${section[@]}"
+expect 3 "the claim 'reduction level' of ./spherical_top.tt, .* the parameter g of spherical_top_level.tt is given no value" \
+    jellett rod ./spherical_top.tt --start $start
+
 # The same where the table asked for is to the letter what is built in, and tables at one remove.
 anew
 sed -i 's/^    + R\*omega_n\*omega3$/    + 2*R*omega_n*omega3/' spherical_top_balanced.tt
