@@ -206,7 +206,7 @@ static const jlt_descriptor *embedded_into(jlt_surface *surface, const jlt_descr
 
     for (const jlt_claim *claim = of->claims; claim->kind != NULL && found == NULL && depth > 0; claim++) {
         const jlt_claim *broken;
-        if (claim->target == NULL || strcmp(claim->kind, "embedding") != 0) continue;
+        if (claim->target == NULL || strcmp(claim->kind, "embedding") != 0 || claim->verdict != JLT_PROVED) continue;
         const jlt_descriptor *larger = jlt_way_target(&(jlt_way){ .sha256 = claim->target }, others);
         if (larger == NULL) continue;
         if (jlt_surface_find(surface, &broken, larger, others, name) == JLT_OK && broken == NULL) found = larger;

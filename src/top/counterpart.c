@@ -24,8 +24,9 @@ const jlt_claim *jlt_counterpart_unproved(const jlt_descriptor *model, const cha
     const jlt_descriptor *table = jlt_descriptor_find(shared, NULL, NULL, NULL);
 
     for (const jlt_claim *claim = model->claims; claim->kind != NULL; claim++) {
-        if (strcmp(claim->kind, "reduction") != 0 || claim->verdict == JLT_PROVED || claim->target == NULL) continue;
-        const jlt_descriptor *to = jlt_way_target(&(jlt_way){ .sha256 = claim->target }, NULL);
+        const bool is_read = claim->target != NULL;
+        if (strcmp(claim->kind, "reduction") != 0 || claim->verdict == JLT_PROVED) continue;
+        const jlt_descriptor *to = is_read ? jlt_way_target(&(jlt_way){ .sha256 = claim->target }, NULL) : NULL;
         if (to == NULL || to == table) return claim;
     }
     return NULL;

@@ -33,8 +33,8 @@ const jlt_way_condition *jlt_counterpart_condition(const jlt_descriptor *model, 
 /** A state that only one of `model` and JLT_DEFAULT_MODEL has; NULL: there is none. */
 const char *jlt_counterpart_other_state(const jlt_descriptor *model);
 
-/** A reduction that `model` claims and that is not proved, onto the built-in table named `shared` or onto one that is not built in;
- *  NULL: there is none. */
+/** A reduction that `model` claims and that is not proved, onto the built-in table named `shared`, or onto one that is not built in
+ *  or could not be read; NULL: there is none. */
 const jlt_claim *jlt_counterpart_unproved(const jlt_descriptor *model, const char *shared);
 
 /** Write "reduction NAME : by FILE with STATE = ..., ...", the record that a table needs for a counterpart by the built-in table

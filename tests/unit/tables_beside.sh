@@ -101,6 +101,15 @@ expect 3 "there is no section turning, then" jellett section ./spherical_top.tt 
 expect 3 "the claim 'reduction level' of ./spherical_top.tt, .* the parameter g of spherical_top_level.tt is given no value" \
     jellett rod ./spherical_top.tt --start $start
 
+anew
+sed -i 's/^eq v_slip =/&\n    - v_slip/' spherical_top_balanced.tt
+expect 3 'reduction half is not proved of this table: dF0/dt' jellett section ./spherical_top_balanced.tt "${section[@]}"
+grep 'embedded' err && fail 'a table is called embedded though that is refuted'
+anew
+echo 'garbage here' >> spherical_top_balanced.tt
+expect 3 "the claim 'reduction momentum' of ./spherical_top.tt, .* could not be read: ./spherical_top_balanced.tt:[0-9]*:1: 'garbage'" \
+    jellett portrait ./spherical_top.tt --set a3=0 --start $start
+
 # The same where the table asked for is to the letter what is built in, and tables at one remove.
 anew
 sed -i 's/^    + R\*omega_n\*omega3$/    + 2*R*omega_n*omega3/' spherical_top_balanced.tt
@@ -136,6 +145,8 @@ anew
 sed 's/^model spherical_top$/model my_top/' spherical_top.tt > my.tt
 expect 3 "another table, spherical_top, not for this one; a record 'reduction NAME : onto FILE with" \
     jellett simulate ./my.tt --track --start $start --times 1
+sed -i 's/^eq omega3 =/&\n    + omega3/' spherical_top_track.tt
+expect 3 "it is proved to serve for no table; a record 'reduction NAME" jellett simulate ./my.tt --track --start $start --times 1
 
 # A table beside that is edited once the first one was read, here while that is compiled, is neither taken nor done without.
 anew
