@@ -75,7 +75,8 @@ static const struct argp parser = {
     "  turned            the share of the low starts that turns over\n"
     "  turned_error      how far Wilson's interval of one standard error reaches\n"
     "                    from this share\n"
-    "  turned_in_contact the share that turns over with the model valid all the way\n\n"
+    "  turned_in_contact the share that turns over with the model valid all the way\n"
+    "                    (no column if the model has no conditions)\n\n"
     "Starts are evenly spaced in the coordinates. For other models the columns are the values, starts, the fates, failed, and, "
     "where the table has conditions, NAME_held: on how many starts they held all the way.\n\n"
     "Orbits are followed side by side as by `jellett section`, with a method that --tol chooses; with --method, one at a time.\n\n"
@@ -159,7 +160,7 @@ static jlt_exit draw_sweep(const options *o, const jlt_system *system, const jlt
     fputs("plot $SHARES using 1:2:3 ", plot.stream);
     jlt_look_pen(plot.stream, plot.look, (jlt_pen){ "yerrorlines", .colour = 2, .size = 0.6 });
     fprintf(plot.stream, " title '%s'", turns ? "turned over" : "alive");
-    if (turns) {
+    if (turns && jlt_observed_conditions(system->flow.observed) > 0) {
         fputs(", $SHARES using 1:4 ", plot.stream);
         jlt_look_pen(plot.stream, plot.look, (jlt_pen){ "linespoints", .colour = 1, .dash = 1, .mark = 3, .size = 0.6 });
         fputs(" title 'in contact all the way'", plot.stream);

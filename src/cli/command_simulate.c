@@ -278,10 +278,7 @@ static void write_fate(FILE *file, const jlt_course_row *row, jlt_status st)
     jlt_fate failure;
 
     if (st != JLT_OK) fprintf(file, ",%s\n", jlt_section_fate_of(&failure, st) ? jlt_section_fate_name(failure) : "unknown");
-    else if (row->end == JLT_END_POLE) /* a pole of the tier's table; the table asked for may have none */
-        fprintf(file, ",%s\n", jlt_section_fate_name(row->side > 0   ? JLT_FATE_POLE_PLUS
-                                                     : row->side < 0 ? JLT_FATE_POLE_MINUS
-                                                                     : JLT_FATE_LEFT_DOMAIN));
+    else if (row->end == JLT_END_POLE) fprintf(file, ",%s\n", jlt_section_fate_name(row->fate));
     else if (!isnan(row->lost_at)) fprintf(file, ",lost_%s\n", row->lost);
     else if (row->unknown != NULL) fprintf(file, ",unknown_%s\n", row->unknown);
     else fputs(",alive\n", file);

@@ -4,7 +4,8 @@
 
 #include "report/csv.h"
 
-static bool has_conditions(const jlt_system *system) { return jlt_observed_conditions(system->observed) > 0; }
+/* Whether the model asked for has conditions; the section's table may have some that it has not. */
+static bool has_conditions(const jlt_system *system) { return jlt_observed_conditions(system->flow.observed) > 0; }
 
 static const char *conditions(const jlt_system *system) { return jlt_observed_condition(system->observed, JLT_OBSERVED_ANY); }
 
@@ -86,7 +87,7 @@ void jlt_fates_table_share_names(FILE *file, const jlt_system *base, const jlt_g
         if (can_be(base, told[i])) fprintf(line, ",%s", name);
     }
     fputs(",failed", line);
-    if (jlt_shares_turn(base)) fputs(",turned,turned_error,turned_in_contact", line);
+    if (jlt_shares_turn(base)) fprintf(line, ",turned,turned_error%s", has_conditions(base) ? ",turned_in_contact" : "");
     else if (has_conditions(base)) fprintf(line, ",%s_held", conditions(base));
     jlt_csv_names_end(&names);
 }
@@ -105,8 +106,10 @@ void jlt_fates_table_shares(FILE *file, FILE *points, const jlt_system *base, co
     fprintf(file, ",%zu", sum->all.failures.count);
     jlt_fates_share(&share, &error, turns ? &sum->low : &sum->all, turns ? sum->turned : JLT_FATE_ALIVE, false);
     jlt_fates_share(&kept, &kept_error, &sum->low, sum->turned, true);
-    if (turns && sum->low.starts > 0) fprintf(file, ",%.9g,%.3g,%.9g", share, error, kept);
-    else if (turns) fputs(",,,", file);
+    if (turns && sum->low.starts > 0) fprintf(file, ",%.9g,%.3g", share, error);
+    else if (turns) fputs(",,", file);
+    if (turns && has_conditions(base) && sum->low.starts > 0) fprintf(file, ",%.9g", kept);
+    else if (turns && has_conditions(base)) fputc(',', file);
     else if (has_conditions(base)) fprintf(file, ",%zu", jlt_shares_held(sum));
     fputc('\n', file);
     if (points != NULL) jlt_look_row(points, (const double[]){ values[0], share, error, kept }, 4);
@@ -130,8 +133,10 @@ void jlt_fates_table_summary(FILE *stream, const jlt_motion_options *options, co
     jlt_fates_share(&turned, &error, &sum->low, sum->turned, false);
     jlt_fates_share(&kept, &kept_error, &sum->low, sum->turned, true);
     if (sum->low.starts > 0)
-        fprintf(stream, "; of %zu %s %.4g +- %.2g turn over, %.4g +- %.2g with %s all the way", sum->low.starts,
-                system->surface->section->turn_meaning, turned, error, kept, kept_error, conditions(system));
+        fprintf(stream, "; of %zu %s %.4g +- %.2g turn over", sum->low.starts, system->surface->section->turn_meaning, turned,
+                error);
+    if (sum->low.starts > 0 && has_conditions(system))
+        fprintf(stream, ", %.4g +- %.2g with %s all the way", kept, kept_error, conditions(system));
     const size_t lost = sum->all.starts - jlt_shares_held(sum) - sum->all.unknown;
     if (has_conditions(system) && !options->flow.end_where_invalid && lost > 0)
         fprintf(stream, "; %zu lose %s on the way and were followed all the same (--contact end stops them there)", lost,

@@ -236,9 +236,6 @@ jlt_exit jlt_motion_plane_read(jlt_motion_plane *out, const jlt_motion_options *
     JLT_PASS(jlt_assign_params(&out->params, descriptor, &options->common.set));
     /* Take the most special variant: integrals and densities that hold only for these parameters belong to it. */
     JLT_PASS(choose(out, descriptor, running, count));
-    if (strcmp(options->contact, "ignore") != 0 && descriptor->family[0]->valid_count == 0)
-        return jlt_command_fail(JLT_EXIT_USAGE, "--contact %s: %s has no record 'valid': leave out --contact",
-                                options->contact, descriptor->model);
     JLT_PASS(read_section(out, options, out->descriptor));
     if (descriptor->state_count > JLT_CHART_STATES_MAX)
         return jlt_command_fail(JLT_EXIT_INPUT, "%s has %u states; sections serve up to %d", descriptor->model,

@@ -43,13 +43,28 @@ static jlt_exit refuse_empty(const jlt_surface *surface, const double *values, c
                             level > values[surface->params] ? "above" : "below", level);
 }
 
+enum { OWN_SECTION = 128 };
+
+/* Write what asks for the same plane in the table asked for, whose state may have another name there. Returns text. */
+static const char *own_section(char text[OWN_SECTION], const jlt_surface *surface)
+{
+    const char *name = surface->table->states[surface->section->column].name;
+    char digits[JLT_DIGITS_SIZE];
+    size_t index;
+
+    jlt_digits_shortest(digits, surface->section->level);
+    if (!jlt_descriptor_state(surface->asked, name, &index)) return "--section STATE=VALUE";
+    snprintf(text, OWN_SECTION, "--section %s=%s", name, digits);
+    return text;
+}
+
 /* Refuse a section that exceeds the limits for sections that tables describe; plane sections do not have these limits. */
 static jlt_exit refuse_large(const jlt_surface *surface)
 {
     const jlt_section_chart *section = surface->section;
     const jlt_descriptor *table = surface->table;
     const unsigned values = table->param_count + section->level_count, coordinates = section->coordinate_count;
-    char what[160];
+    char what[160], own[OWN_SECTION];
 
     if (coordinates > JLT_CHART_COORDINATES_MAX)
         snprintf(what, sizeof what, "has %u coordinates, and %d are the limit", coordinates, (int)JLT_CHART_COORDINATES_MAX);
@@ -60,8 +75,8 @@ static jlt_exit refuse_large(const jlt_surface *surface)
                   (int)JLT_CHART_SLOPES_MAX);
     return jlt_command_fail(JLT_EXIT_INPUT,
                             "the section %s of %s %s of sections that tables describe: ask for one of the table itself, "
-                            "--section %s=%.10g, with all other states as coordinates",
-                            section->name, table->model, what, table->states[section->column].name, section->level);
+                            "%s, with all other states as coordinates",
+                            section->name, table->model, what, own_section(own, surface));
 }
 
 /* How far a value is from 1, on a logarithmic scale; 0 is not far. */
@@ -126,7 +141,7 @@ static jlt_exit refuse_broken(const jlt_surface *surface, const jlt_claim *broke
     const jlt_descriptor *table = surface->table;
     const char *renamed = broken->verdict == JLT_PROVED ? jlt_link_renames(asked, broken, table) : NULL;
     bool told = false;
-    char levels[256];
+    char own[OWN_SECTION];
 
     if (renamed != NULL) tell_renamed(asked, broken, renamed, table);
     for (unsigned i = surface->params; renamed == NULL && i < surface->count; i++) {
@@ -137,10 +152,8 @@ static jlt_exit refuse_broken(const jlt_surface *surface, const jlt_claim *broke
     }
     if (renamed == NULL && !told)
         jlt_command_fail(JLT_EXIT_INPUT, "%s %s is not proved of this table: %s", broken->kind, broken->name, broken->reason);
-    list_names(levels, sizeof levels, surface, surface->params, surface->count, " and ");
-    return jlt_command_fail(JLT_EXIT_INPUT, "there is no section%s%s, then: ask for one of the table itself, --section %s=%.10g, "
-                            "with all other states as coordinates", *levels != '\0' ? " on levels of " : "", levels,
-                            table->states[surface->section->column].name, surface->section->level);
+    return jlt_command_fail(JLT_EXIT_INPUT, "there is no section %s, then: ask for one of the table itself, %s, with all "
+                                            "other states as coordinates", surface->section->name, own_section(own, surface));
 }
 
 /* If a proved reduction gives a parameter in a way that sections cannot follow, print it. Returns whether it does. */
@@ -193,7 +206,7 @@ static const jlt_descriptor *embedded_into(jlt_surface *surface, const jlt_descr
 
     for (const jlt_claim *claim = of->claims; claim->kind != NULL && found == NULL && depth > 0; claim++) {
         const jlt_claim *broken;
-        if (claim->target == NULL || strcmp(claim->kind, "embedding") != 0) continue;
+        if (claim->target == NULL || strcmp(claim->kind, "embedding") != 0 || claim->verdict != JLT_PROVED) continue;
         const jlt_descriptor *larger = jlt_way_target(&(jlt_way){ .sha256 = claim->target }, others);
         if (larger == NULL) continue;
         if (jlt_surface_find(surface, &broken, larger, others, name) == JLT_OK && broken == NULL) found = larger;
@@ -222,6 +235,7 @@ static jlt_exit refuse_larger(const jlt_descriptor *asked, const jlt_way_tables 
 static jlt_exit refuse_unwatched(const jlt_surface *surface, const jlt_descriptor *asked)
 {
     const jlt_descriptor *table = surface->table;
+    char own[OWN_SECTION];
     unsigned k;
 
     for (unsigned i = 0; i < asked->valid_count; i++) {
@@ -229,10 +243,9 @@ static jlt_exit refuse_unwatched(const jlt_surface *surface, const jlt_descripto
         if (k == table->valid_count)
             return jlt_command_fail(JLT_EXIT_INPUT,
                                     "the section %s is one of %s, which does not say where %s of this table is lost: write "
-                                    "'valid %s : ...' in its coordinates there, or ask for a section of the table itself, "
-                                    "--section %s=%.10g",
+                                    "'valid %s : ...' in its coordinates there, or ask for a section of the table itself, %s",
                                     surface->section->name, table->model, asked->valids[i].name, asked->valids[i].name,
-                                    table->states[surface->section->column].name, surface->section->level);
+                                    own_section(own, surface));
     }
     for (k = 0; asked->valid_count > 0 && k < table->valid_count; k++) {
         unsigned i = 0;
@@ -240,9 +253,8 @@ static jlt_exit refuse_unwatched(const jlt_surface *surface, const jlt_descripto
         if (i == asked->valid_count)
             return jlt_command_fail(JLT_EXIT_INPUT,
                                     "the section %s is one of %s, which has a condition %s that this table has not: write it here, "
-                                    "remove it there, or ask for a section of the table itself, --section %s=%.10g",
-                                    surface->section->name, table->model, table->valids[k].name,
-                                    table->states[surface->section->column].name, surface->section->level);
+                                    "remove it there, or ask for a section of the table itself, %s",
+                                    surface->section->name, table->model, table->valids[k].name, own_section(own, surface));
     }
     return JLT_EXIT_DONE;
 }

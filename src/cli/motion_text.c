@@ -79,7 +79,7 @@ void jlt_motion_header(FILE *stream, const jlt_motion_options *options, const jl
     jlt_digits_shortest(digits, ldexp(chart->level, system->flow.units.state[chart->column]));
     fprintf(stream, "# section %s=%s crossed %s; method %s, tolerance %.3g", d->states[chart->column].name,
             digits, directions[options->flow.direction + 1], method, options->flow.tolerance);
-    if (jlt_observed_conditions(system->observed) > 0)
+    if (jlt_observed_conditions(system->flow.observed) > 0)
         fprintf(stream, "; loss of %s: %s", jlt_observed_condition(system->observed, JLT_OBSERVED_ANY), options->contact);
     if (options->is_random) fprintf(stream, "; seed %zu\n", options->seed);
     else fputs("; nothing is random, so there is no seed\n", stream);

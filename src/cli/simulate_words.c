@@ -14,6 +14,11 @@ static void tell_pole(const jlt_simulate_request *r)
     const char *untold[JLT_PLAN_STATES_MAX], *first = "";
     unsigned count = 0;
 
+    if (row->fate == JLT_FATE_LEFT_DOMAIN) {
+        fprintf(stderr, "jellett: at t = %.17g the orbit ends at a pole of the tier; %s names none (record 'pole'); of %zu times "
+                        "%zu lie before it\n", row->t, d->model, r->time_count, r->rows - 1);
+        return;
+    }
     fprintf(stderr, "jellett: the orbit reaches the pole %s = %+.10g at t = %.17g and ends there, with the limits ",
             d->states[row->pole].name, row->x[row->pole], row->t);
     for (unsigned i = 0; i < d->state_count; i++) {

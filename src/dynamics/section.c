@@ -127,7 +127,7 @@ jlt_status jlt_section_create(jlt_section **out, const jlt_flow *flow)
                                               .project = flow->kept.count > 0,
                                               .interrupt = flow->interrupt }));
     self->crossings = self->event_count = jlt_chart_events(flow->chart, self->events, flow->direction);
-    if (flow->observed != NULL && flow->end_where_invalid) JLT_PASS(add_conditions(self, flow->observed));
+    if (flow->end_where_invalid) JLT_PASS(add_conditions(self, flow->observed));
     self->watched.observed = flow->observed;
     self->watched.looks_within = self->event_count == self->crossings;
     jlt_orbit_observe(self->orbit, watch, self);

@@ -61,7 +61,7 @@ static bool dips(jlt_event_least *least, jlt_orbit *orbit, const jlt_event *even
 /* Set the dip to the least value of a broken condition within the step, if it is less than what was met before. */
 static void look_within(jlt_section_conditions *self, jlt_orbit *orbit)
 {
-    const unsigned count = self->observed != NULL && self->looks_within ? jlt_observed_conditions(self->observed) : 0;
+    const unsigned count = self->looks_within ? jlt_observed_conditions(self->observed) : 0;
     watched one = { self->observed, 0 };
     const jlt_event event = { .value = condition_value, .context = &one };
     double before = self->so_far.value;

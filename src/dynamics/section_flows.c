@@ -51,14 +51,9 @@ void jlt_section_flows_clear(jlt_section_flows *self)
     *self = (jlt_section_flows){ .all = NULL };
 }
 
-unsigned jlt_section_flows_conditions(const jlt_flow *flow)
-{
-    return flow->observed != NULL ? jlt_observed_conditions(flow->observed) : 0;
-}
-
 const char *jlt_section_flows_obstacle(const jlt_flow *flow, const jlt_kernel_batch *kernels)
 {
-    const unsigned conditions = jlt_section_flows_conditions(flow);
+    const unsigned conditions = jlt_observed_conditions(flow->observed);
 
     if (kernels == NULL) return "there are no kernels on vectors";
     if (flow->chart->states > JLT_BATCH_STATES_MAX) return "there are more states than lanes take";
@@ -93,7 +88,7 @@ bool jlt_section_flows_fit(const jlt_flow *first, const jlt_flow *flow)
            && first->method == flow->method && first->tolerance == flow->tolerance && first->direction == flow->direction
            && first->max_steps == flow->max_steps && first->kept.count == flow->kept.count && first->t_max == flow->t_max
            && first->interrupt == flow->interrupt && first->end_where_invalid == flow->end_where_invalid
-           && jlt_section_flows_conditions(first) == jlt_section_flows_conditions(flow);
+           && jlt_observed_conditions(first->observed) == jlt_observed_conditions(flow->observed);
 }
 
 jlt_status jlt_section_flows_add(jlt_section_flows *self, const jlt_flow *flow, const jlt_instance *project)

@@ -38,9 +38,6 @@ bool jlt_section_flows_fit(const jlt_flow *first, const jlt_flow *flow);
 /** Add a flow. Errors: ARG, it does not fit the first; NOMEM. */
 JLT_CHECKED jlt_status jlt_section_flows_add(jlt_section_flows *self, const jlt_flow *flow, const jlt_instance *project);
 
-/** How many conditions of the model are watched along orbits. */
-unsigned jlt_section_flows_conditions(const jlt_flow *flow);
-
 /** Returns why orbits of this flow cannot go in lanes, a clause such as "the section's state is an angle"; NULL: they can. */
 const char *jlt_section_flows_obstacle(const jlt_flow *flow, const jlt_kernel_batch *kernels);
 

@@ -75,8 +75,8 @@ static jlt_status list_values(jlt_surface *out)
     JLT_PASS(add_params(out, JLT_SOURCE_OWN));
     for (unsigned i = 0; i < asked->param_count; i++) {
         const jlt_quantity *q = &asked->params[i];
-        if (jlt_surface_value(out, q->name) == out->count && !jlt_descriptor_param(table, q->name, &index))
-            JLT_PASS(add(out, q, q->value, JLT_SURFACE_COMPUTED));
+        const bool is_other = !jlt_descriptor_param(table, q->name, &index) || source_of(out, q->name) == JLT_SOURCE_PARAMS;
+        if (is_other && jlt_surface_value(out, q->name) == out->count) JLT_PASS(add(out, q, q->value, JLT_SURFACE_COMPUTED));
     }
     out->params = out->count;
     for (unsigned i = 0; i < out->section->level_count; i++)

@@ -20,7 +20,7 @@ typedef enum { JLT_START_REGULAR, JLT_START_CHAOTIC, JLT_START_SADDLE, JLT_START
 enum { JLT_SURFACE_COMPUTED = ~0u >> 1 };
 
 /** Plain data. Its values are, in this order: parameters of the section's table that the asked table has by the same names, in the
- *  former's order; the other parameters of the asked table; levels. */
+ *  former's order, and that are equal; the other parameters of the asked table; levels. */
 typedef struct jlt_surface {
     const jlt_descriptor *asked;      /* the asked table's field from which it was found */
     const jlt_descriptor *table;      /* the section's: its general field, in the time that lifts most roots */

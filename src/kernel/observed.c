@@ -46,7 +46,10 @@ unsigned jlt_observed_count(const jlt_observed *observed) { return observed->gen
 
 const jlt_quantity *jlt_observed_quantities(const jlt_observed *observed) { return observed->general->descriptor->observes; }
 
-unsigned jlt_observed_conditions(const jlt_observed *observed) { return observed->general->descriptor->valid_count; }
+unsigned jlt_observed_conditions(const jlt_observed *observed)
+{
+    return observed != NULL ? observed->general->descriptor->valid_count : 0;
+}
 
 const char *jlt_observed_condition(const jlt_observed *observed, unsigned condition)
 {

@@ -234,12 +234,12 @@ static void settle(jlt_course *self, jlt_course_row *row, bool ends)
         self->x[k] = fmax(low, fmin(high, x)); /* a rounding error may exceed the end */
         if (!ends || off >= nearest) continue;
         nearest = off;
-        row->side = x - low > high - x ? 1 : -1;
+        row->fate = x - low > high - x ? JLT_FATE_POLE_PLUS : JLT_FATE_POLE_MINUS;
         row->pole = k;
     }
-    if (row->side != 0) {
+    if (row->fate != JLT_FATE_LEFT_DOMAIN) {
         const jlt_quantity *q = &model->states[row->pole];
-        self->x[row->pole] = ldexp(row->side > 0 ? q->high : q->low, -jlt_units_exponent(&self->units, q->unit));
+        self->x[row->pole] = ldexp(row->fate == JLT_FATE_POLE_PLUS ? q->high : q->low, -jlt_units_exponent(&self->units, q->unit));
     }
 }
 
@@ -257,7 +257,8 @@ static void restore(jlt_course *self, jlt_course_row *row, double t)
 /* Fill a row from the states self->x at time t, both in the course's units. */
 static void fill(jlt_course *self, jlt_course_row *row, jlt_end end, double t)
 {
-    *row = (jlt_course_row){ .end = end, .x = self->row, .drift = self->drift.value, .observed = self->seen };
+    *row = (jlt_course_row){ .end = end, .x = self->row, .drift = self->drift.value, .observed = self->seen,
+                              .fate = JLT_FATE_LEFT_DOMAIN };
     settle(self, row, end == JLT_END_POLE);
     jlt_course_drift_note(&self->drift, self->x);
     jlt_observed_values(self->conditions.observed, self->seen, self->x);

@@ -9,6 +9,7 @@
 #ifndef JLT_SCENE_COURSE_H
 #define JLT_SCENE_COURSE_H
 
+#include "dynamics/section.h"
 #include "integrate/orbit.h"
 #include "kernel/instance.h"
 #include "scene/plan.h"
@@ -36,8 +37,8 @@ typedef struct {
     const char *unknown;      /* that condition; NULL: none */
     const double *more;       /* shape (jlt_course_tells_more,): with question.more, what a larger table adds, such as attitude and
                                  track; NULL: nothing; the course's own */
-    int side;                 /* POLE: the end of the interval, +1 upper, -1 lower; 0: the asked model has no poles */
-    unsigned pole;            /* POLE: the state that has reached an end of its interval */
+    jlt_fate fate;            /* POLE: at which end of an interval; LEFT_DOMAIN: the asked model has no poles, as the tier's has */
+    unsigned pole;            /* POLE: the state that has reached an end of its interval, of a model that has poles */
     const char *unbounded;    /* after an error: the tier's state that grows without bound; NULL: none is known */
     double step;              /* BUDGET: the time that the last step took */
     bool stiff;               /* BUDGET: jlt_stepper_is_held, of that step */

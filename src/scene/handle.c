@@ -287,7 +287,7 @@ static bool note_fate(jlt_handle_motion *self, const jlt_course_row *row, jlt_st
     if (st != JLT_OK && (row->x == NULL || !jlt_section_fate_of(&failure, st))) return false;
     self->ended = st != JLT_OK || row->end == JLT_END_POLE;
     if (st != JLT_OK) self->fate = failure;
-    else if (self->ended) self->fate = row->side > 0 ? JLT_FATE_POLE_PLUS : JLT_FATE_POLE_MINUS;
+    else if (self->ended) self->fate = row->fate;
     else self->fate = isnan(row->lost_at) ? JLT_FATE_ALIVE : JLT_FATE_INVALID;
     return true;
 }

@@ -8,25 +8,30 @@
 #include "scene/course_more.h"
 #include "top/rod.h"
 
-/* The name of a known model for which the larger table is proved to serve; NULL: none. */
-static const char *served_by(const jlt_descriptor *larger, const jlt_way_tables *others)
+/* The name of a known model for which the larger table is proved to serve; NULL: none. Out: *serves, whether it is for any. */
+static const char *served_by(bool *serves, const jlt_descriptor *larger, const jlt_way_tables *others)
 {
-    for (const jlt_claim *claim = larger->claims; claim->kind != NULL; claim++) {
-        if (claim->target == NULL || strcmp(claim->kind, "reduction") != 0) continue;
-        const jlt_descriptor *served = jlt_way_target(&(jlt_way){ .sha256 = claim->target }, others);
-        if (served != NULL) return served->model;
+    const jlt_descriptor *served = NULL;
+
+    *serves = false;
+    for (const jlt_claim *claim = larger->claims; claim->kind != NULL && served == NULL; claim++) {
+        if (claim->target == NULL || strcmp(claim->kind, "reduction") != 0 || claim->verdict != JLT_PROVED) continue;
+        *serves = true;
+        served = jlt_way_target(&(jlt_way){ .sha256 = claim->target }, others);
     }
-    return NULL;
+    return served != NULL ? served->model : NULL;
 }
 
 /* Say why a claim does not hold; claim NULL: the larger table has no claim that it reduces onto `from`. */
 static void say_lack(char *text, size_t size, const jlt_claim *claim, const jlt_descriptor *from, const jlt_descriptor *larger,
                      const jlt_way_tables *others)
 {
-    const char *served = claim == NULL ? served_by(larger, others) : NULL;
+    bool serves = false;
+    const char *served = claim == NULL ? served_by(&serves, larger, others) : NULL;
 
     if (claim != NULL)
         snprintf(text, size, "a claim that it rests on is %s", claim->verdict == JLT_REFUTED ? "refuted" : "not settled");
+    else if (!serves) snprintf(text, size, "it is proved to serve for no table");
     else if (served == NULL || strcmp(served, from->model) == 0)
         snprintf(text, size, "it is proved to serve for another table%s, not for this one", served != NULL ? " of this name" : "");
     else snprintf(text, size, "it is proved to serve for another table, %s, not for this one", served);

@@ -221,7 +221,7 @@ static jlt_portrait_fate fate_of(const jlt_portrait_request *r, const jlt_course
 {
     const point here = point_of(r, row->x);
 
-    if (row->end == JLT_END_POLE) return row->side > 0 ? JLT_PORTRAIT_POLE_PLUS : JLT_PORTRAIT_POLE_MINUS;
+    if (row->end == JLT_END_POLE) return row->fate == JLT_FATE_POLE_PLUS ? JLT_PORTRAIT_POLE_PLUS : JLT_PORTRAIT_POLE_MINUS;
     for (unsigned k = 0; k < r->fixed_count; k++)
         if (r->fixed[k].kind == JLT_FIXED_ATTRACTING && is_near(&here, &r->fixed[k])) return JLT_PORTRAIT_ATTRACTED;
     return JLT_PORTRAIT_WANDERING;

@@ -5,19 +5,44 @@
 
 #include "kernel/descriptor.h"
 
+static const jlt_descriptor *known_top(void) { return jlt_descriptor_find(JLT_DEFAULT_MODEL, NULL, NULL, NULL); }
+
+const char *jlt_counterpart_other_state(const jlt_descriptor *model)
+{
+    const jlt_descriptor *known = known_top();
+    size_t index;
+
+    for (unsigned i = 0; known != NULL && i < JLT_TOP_STATES; i++)
+        if (!jlt_descriptor_state(model, known->states[i].name, &index)) return known->states[i].name;
+    for (unsigned i = 0; known != NULL && i < model->state_count; i++)
+        if (!jlt_descriptor_state(known, model->states[i].name, &index)) return model->states[i].name;
+    return NULL;
+}
+
+const jlt_claim *jlt_counterpart_unproved(const jlt_descriptor *model, const char *shared)
+{
+    const jlt_descriptor *table = jlt_descriptor_find(shared, NULL, NULL, NULL);
+
+    for (const jlt_claim *claim = model->claims; claim->kind != NULL; claim++) {
+        const bool is_read = claim->target != NULL;
+        if (strcmp(claim->kind, "reduction") != 0 || claim->verdict == JLT_PROVED) continue;
+        const jlt_descriptor *to = is_read ? jlt_way_target(&(jlt_way){ .sha256 = claim->target }, NULL) : NULL;
+        if (to == NULL || to == table) return claim;
+    }
+    return NULL;
+}
+
 jlt_status jlt_counterpart_open(jlt_counterpart *out, const jlt_claim **broken, const jlt_descriptor *model, const char *shared,
                                 const double *params, const double *x)
 {
-    const jlt_descriptor *known = jlt_descriptor_find(JLT_DEFAULT_MODEL, NULL, NULL, NULL);
-    const jlt_descriptor *table = jlt_descriptor_find(shared, NULL, NULL, NULL);
+    const jlt_descriptor *known = known_top(), *table = jlt_descriptor_find(shared, NULL, NULL, NULL);
     jlt_counterpart found = { .way = NULL };
     double other[JLT_WAY_VALUES_MAX];
 
     *broken = NULL;
-    if (known == NULL || table == NULL || jlt_top_way(shared) == NULL || model->state_count != JLT_TOP_STATES)
+    if (known == NULL || table == NULL || jlt_top_way(shared) == NULL || jlt_counterpart_other_state(model) != NULL)
         return JLT_ERR_UNSUPPORTED;
-    for (unsigned i = 0; i < JLT_TOP_STATES; i++)
-        if (!jlt_descriptor_state(model, known->states[i].name, &found.place[i])) return JLT_ERR_UNSUPPORTED;
+    for (unsigned i = 0; i < JLT_TOP_STATES; i++) (void)jlt_descriptor_state(model, known->states[i].name, &found.place[i]);
     if (model->family != known->family) {
         found.way = jlt_way_to(broken, model, table, x, params);
         if (found.way == NULL || found.way->param_count > JLT_WAY_VALUES_MAX) return JLT_ERR_UNSUPPORTED;

@@ -30,6 +30,13 @@ void jlt_counterpart_return(const jlt_counterpart *self, double *x, const double
  *  such reduction, or all conditions are met. */
 const jlt_way_condition *jlt_counterpart_condition(const jlt_descriptor *model, const char *shared, const double *params);
 
+/** A state that only one of `model` and JLT_DEFAULT_MODEL has; NULL: there is none. */
+const char *jlt_counterpart_other_state(const jlt_descriptor *model);
+
+/** A reduction that `model` claims and that is not proved, onto the built-in table named `shared`, or onto one that is not built in
+ *  or could not be read; NULL: there is none. */
+const jlt_claim *jlt_counterpart_unproved(const jlt_descriptor *model, const char *shared);
+
 /** Write "reduction NAME : by FILE with STATE = ..., ...", the record that a table needs for a counterpart by the built-in table
  *  named `shared`. Out: text, at most `size` bytes. */
 void jlt_counterpart_record(char *text, size_t size, const char *shared);

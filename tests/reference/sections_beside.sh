@@ -113,6 +113,14 @@ expect 3 'J = -1: mapped needs J > 0' jellett section ./mapped.tt --set J=-1 --s
 expect 0 'hard' jellett orbits ./mapped.tt --start x=-1 --period 1
 # c has the exact value J/2 for a theorem too; there is none that says of one orbit of a family that it is the only one.
 expect 4 'could not be refined .* a multiplier is 1 to within .* families' jellett certify sink ./mapped.tt --start x=-1
+# So where both tables call theirs c.
+mkdir same
+cp spots.tt same
+sed 's/\<J\>/c/g' mapped.tt > same/mapped.tt
+sed 's/J = 2/c = 2/' hard.tt > same/hard.tt
+expect 0 '^# c=2 K=2$' jellett section same/mapped.tt --set c=4 --level K=2 --start x=-1 --returns 1
+awk -F, -v T="$(period 2 1.4142135623730951)" "$row" out || fail "c from c=4: $(tail -1 out)"
+expect 0 '^# K=1$' jellett section same/mapped.tt --sweep c=2:4:2 --start x=-1 --returns 1
 # Another quantity is called K here: the level of the section's table has no name.
 sed 's/integral K = z/integral K = 2*z/; s/K = K,/K = K\/2,/' mapped.tt > other.tt
 sed 's/model mapped/model other/' -i other.tt

@@ -1,8 +1,8 @@
-"""usage: handles.py LIBRARY OBJECT TABLE FOREIGN
+"""usage: handles.py LIBRARY OBJECT TABLE FOREIGN POLELESS TOP
 
 Calls the library as another language does, with pointers, numbers, strings and arrays alone, and compares with rows of jellett,
 whose numbers read back bit for bit. OBJECT: kernels of TABLE, as ttc build makes them; FOREIGN: those of a table of which a section
-is known by name, but which no proof links to it."""
+is known by name, but which no proof links to it; POLELESS: those of TOP, a table that names no pole."""
 import ctypes
 import math
 import os
@@ -11,7 +11,7 @@ import subprocess
 import sys
 from ctypes import POINTER, byref, c_char_p, c_double, c_int, c_size_t, c_uint, c_void_p
 
-library_path, object_path, table_path, foreign_path = sys.argv[1:]
+library_path, object_path, table_path, foreign_path, poleless_path, top_path = sys.argv[1:]
 jlt = ctypes.CDLL(library_path)
 NUMBERS, NAMES, HANDLE = POINTER(c_double), POINTER(c_char_p), c_void_p
 OK, ARG, DOMAIN, NONFINITE, EMPTY, UNSUPPORTED, IO = 0, 1, 2, 3, 7, 8, 10
@@ -178,6 +178,7 @@ def motions():
     check_motion(b"spherical_top_plane", {}, [0.2, 0.0], [0.5, 1.0, 2.0, 3.0], ["spherical_top_plane"])
     check_motion(b"lorenz", {"rho": 20.0}, [1.0, 2.0, 20.0], [0.25 * i for i in range(40)], ["lorenz", "--set", "rho=20"])
     check_motion(b"lorenz", {}, [1.0, 2.0, 20.0], [-0.01 * i for i in range(1, 5)], ["lorenz"])
+    check_motion(poleless_path.encode(), {}, [0.2, 0.4, 0.0, 0.5, -2.0], [1.0, 10.0], [top_path])
     motion = HANDLE()
     expect(OK, jlt.jlt_handle_motion_create(byref(motion), object_path.encode(), *named({}), 0))
     dim = jlt.jlt_handle_motion_dim(motion)

@@ -74,11 +74,41 @@ sed -i '/^pole/d' routh_sphere.tt
 expect 4 left_domain jellett simulate ./routh_sphere.tt --start gamma3=0.6,omega_tau=3,omega_n=0,omega3=0 --times 0.1,3
 anew
 sed -i '/^valid/d' spherical_top.tt
-expect 0 ' 0 lost_contact' jellett fates ./spherical_top.tt --grid 3x3 --contact end
+expect 2 "--contact end: spherical_top has no record 'valid'" jellett fates ./spherical_top.tt --grid 3x3 --contact end
+expect 0 'turn over$' jellett fates ./spherical_top.tt --grid 3x3
+grep contact out err && fail 'a condition is told of that the table asked for has not'
+expect 0 'turned,turned_error$' jellett fates ./spherical_top.tt --grid 3x3 --sweep E=1:2:2
 anew
 for table in spherical_top spherical_top_balanced; do echo '# a comment' >> $table.tt; done
 expect 3 'spherical_top_balanced.tt beside it: put the one that is built in there, or follow yours by jellett simulate' \
     jellett portrait ./spherical_top.tt --set a3=0,I1=2/5,I3=1/4 --start gamma3=0.5,v_nu=0.8,omega_tau=0,omega_n=0.1,omega3=0.9
+
+# So also where a tier's table has a pole that this one, whose first state is another, does not name.
+anew
+sed -i -e '/^pole/d' -e '/^matrix/,/^charpoly/d' -e '/^state gamma3/{h;d}' -e '/^state omega3/{p;x}' spherical_top.tt
+expect 0 'spherical_top names none (record .pole.)' jellett simulate ./spherical_top.tt --start $start --times 1,10
+grep -q '^t,v_nu' out && [ "$(last 10)" = left_domain ] || fail "at a pole that is not named: $(tail -2 out)"
+
+# What is advised can be done: names are those of the table asked for, and what no record could mend is not asked to be written.
+anew
+sed -i -e 's/\<omega_tau\>/wt/g' -e 's/\<wt = wt\>/omega_tau = wt/' spherical_top.tt
+expect 3 'ask for one of the table itself, --section STATE=VALUE' jellett section ./spherical_top.tt "${section[@]}"
+expect 3 'known of the states of spherical_top alone, and ./spherical_top.tt differs in the state omega_tau' \
+    jellett rod ./spherical_top.tt --start ${start/omega_tau/wt}
+anew
+sed -i 's/\<g\>/grav/g' spherical_top.tt
+expect 3 "there is no section turning, then" jellett section ./spherical_top.tt "${section[@]}"
+expect 3 "the claim 'reduction level' of ./spherical_top.tt, .* the parameter g of spherical_top_level.tt is given no value" \
+    jellett rod ./spherical_top.tt --start $start
+
+anew
+sed -i 's/^eq v_slip =/&\n    - v_slip/' spherical_top_balanced.tt
+expect 3 'reduction half is not proved of this table: dF0/dt' jellett section ./spherical_top_balanced.tt "${section[@]}"
+grep 'embedded' err && fail 'a table is called embedded though that is refuted'
+anew
+echo 'garbage here' >> spherical_top_balanced.tt
+expect 3 "the claim 'reduction momentum' of ./spherical_top.tt, .* could not be read: ./spherical_top_balanced.tt:[0-9]*:1: 'garbage'" \
+    jellett portrait ./spherical_top.tt --set a3=0 --start $start
 
 # The same where the table asked for is to the letter what is built in, and tables at one remove.
 anew
@@ -115,6 +145,8 @@ anew
 sed 's/^model spherical_top$/model my_top/' spherical_top.tt > my.tt
 expect 3 "another table, spherical_top, not for this one; a record 'reduction NAME : onto FILE with" \
     jellett simulate ./my.tt --track --start $start --times 1
+sed -i 's/^eq omega3 =/&\n    + omega3/' spherical_top_track.tt
+expect 3 "it is proved to serve for no table; a record 'reduction NAME" jellett simulate ./my.tt --track --start $start --times 1
 
 # A table beside that is edited once the first one was read, here while that is compiled, is neither taken nor done without.
 anew
