@@ -340,10 +340,8 @@ void ttc_program_output(ttc_program *program, ttc_value value)
         program->failed = true;
         return;
     }
-    ttc_value *outputs = ttc_array_more(program->outputs, program->output_count, sizeof *outputs);
-    program->failed |= outputs == NULL;
-    if (outputs == NULL) return;
-    program->outputs = outputs;
+    program->failed |= !TTC_ARRAY_GROW(program->outputs, program->output_count);
+    if (program->failed) return;
     program->outputs[program->output_count++] = value;
 }
 

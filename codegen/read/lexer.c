@@ -75,9 +75,7 @@ static uint32_t column_of(const lexer *l, const char *at) { return (uint32_t)(at
 
 static bool push(lexer *l, ttc_token_kind kind, ttc_keyword keyword, const char *start, const char *text, size_t length)
 {
-    ttc_token *tokens = ttc_array_more(l->tokens, l->count, sizeof *tokens);
-    if (tokens == NULL) return false;
-    l->tokens = tokens;
+    if (!TTC_ARRAY_GROW(l->tokens, l->count)) return false;
     l->tokens[l->count++] = (ttc_token){ kind, keyword, l->line, column_of(l, start), (uint32_t)length, text };
     return true;
 }

@@ -66,10 +66,8 @@ static bool parse_map(ttc_parser *parser, ttc_claim *claim)
         parser->at++;
         ttc_id image = ttc_parse_expression(parser);
         if (image == TTC_NONE) return false;
-        ttc_binding *items = ttc_array_more(claim->bindings.items, claim->bindings.count, sizeof *items);
-        if (items == NULL) return ttc_parse_no_memory(parser);
-        claim->bindings.items = items;
-        items[claim->bindings.count++] = (ttc_binding){ symbol, image, place };
+        if (!TTC_ARRAY_GROW(claim->bindings.items, claim->bindings.count)) return ttc_parse_no_memory(parser);
+        claim->bindings.items[claim->bindings.count++] = (ttc_binding){ symbol, image, place };
     } while (ttc_parse_accept_mark(parser, ','));
     return true;
 }
@@ -81,11 +79,7 @@ static bool parse_matrix(ttc_parser *parser, ttc_claim *claim)
     for (;;) {
         ttc_place place = ttc_token_place(ttc_parse_peek(parser));
         ttc_id id = ttc_parse_expression(parser);
-        if (id == TTC_NONE) return false;
-        ttc_id *entries = ttc_array_more(claim->entries, claim->entry_count, sizeof *entries);
-        if (entries == NULL) return ttc_parse_no_memory(parser);
-        claim->entries = entries;
-        entries[claim->entry_count++] = id;
+        if (id == TTC_NONE || !ttc_parse_append(parser, &claim->entries, &claim->entry_count, id)) return false;
         column++;
         if (ttc_parse_accept_mark(parser, ',')) continue;
         if (width == 0) width = column;
@@ -136,9 +130,8 @@ static bool parse_period(ttc_parser *parser, ttc_claim *claim)
         return ttc_parse_error(parser, place, "not a period of '%s' (expected a positive number, or one times pi)", claim->name);
     state->period = number;
     state->in_pi = in_pi;
-    claim->bindings.items = ttc_array_more(NULL, 0, sizeof *claim->bindings.items);
     const ttc_id image = ttc_add(model->graph, state->node, period);
-    if (claim->bindings.items == NULL || image == TTC_NONE) return ttc_parse_no_memory(parser);
+    if (image == TTC_NONE || !TTC_ARRAY_GROW(claim->bindings.items, claim->bindings.count)) return ttc_parse_no_memory(parser);
     claim->bindings.items[claim->bindings.count++] = (ttc_binding){ symbol, image, place };
     return true;
 }
@@ -285,14 +278,10 @@ bool ttc_parse_claim(ttc_parser *parser, const ttc_token *keyword)
     ttc_model *model = parser->model;
     ttc_claim claim = { .kind = kind_of(keyword->keyword) };
     bool ok = parse_parts(parser, keyword, &claim);
-    ttc_claim *claims = claim.name == NULL || model->claim_count >= TTC_SYMBOL_LIMIT
-                            ? NULL
-                            : ttc_array_more(model->claims, model->claim_count, sizeof *claims);
-    if (claims == NULL) {
+    if (claim.name == NULL || model->claim_count >= TTC_SYMBOL_LIMIT || !TTC_ARRAY_GROW(model->claims, model->claim_count)) {
         ttc_claim_clear(&claim);
         return ok ? ttc_parse_no_memory(parser) : false;
     }
-    model->claims = claims;
-    claims[model->claim_count++] = claim;
+    model->claims[model->claim_count++] = claim;
     return ok;
 }

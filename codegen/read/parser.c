@@ -52,6 +52,13 @@ bool ttc_parse_no_memory(ttc_parser *parser)
     return false;
 }
 
+bool ttc_parse_append(ttc_parser *parser, uint32_t **list, size_t *count, uint32_t index)
+{
+    if (!TTC_ARRAY_GROW(*list, *count)) return ttc_parse_no_memory(parser);
+    (*list)[(*count)++] = index;
+    return true;
+}
+
 ttc_id ttc_parse_graph_error(ttc_parser *parser, ttc_place place)
 {
     ttc_graph_status status = ttc_graph_error(parser->model->graph);
