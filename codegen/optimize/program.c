@@ -319,20 +319,13 @@ ttc_value ttc_program_apply(ttc_program *program, ttc_op op, ttc_value a, ttc_va
 {
     if (program->failed) return TTC_NO_VALUE;
     switch (op) {
-    case TTC_OP_NEGATE:
-        return ttc_program_negate(program, a);
-    case TTC_OP_ADD:
-        return ttc_program_add(program, a, b);
-    case TTC_OP_SUBTRACT:
-        return ttc_program_subtract(program, a, b);
-    case TTC_OP_MULTIPLY:
-        return ttc_program_multiply(program, a, b);
-    case TTC_OP_DIVIDE:
-        return ttc_program_divide(program, a, b);
-    case TTC_OP_ROOT:
-        return ttc_program_root(program, a);
-    default:
-        return raw(program, op, a, b, c);
+    case TTC_OP_NEGATE: return ttc_program_negate(program, a);
+    case TTC_OP_ADD: return ttc_program_add(program, a, b);
+    case TTC_OP_SUBTRACT: return ttc_program_subtract(program, a, b);
+    case TTC_OP_MULTIPLY: return ttc_program_multiply(program, a, b);
+    case TTC_OP_DIVIDE: return ttc_program_divide(program, a, b);
+    case TTC_OP_ROOT: return ttc_program_root(program, a);
+    default: return raw(program, op, a, b, c);
     }
 }
 

@@ -141,13 +141,10 @@ static bool parse_body(ttc_parser *parser, ttc_claim *claim)
 {
     size_t index = parser->model->claim_count;
     switch (claim->kind) {
-    case TTC_CLAIM_OBSTRUCTS:
-        return true;
+    case TTC_CLAIM_OBSTRUCTS: return true;
     case TTC_CLAIM_REVERSOR:
-    case TTC_CLAIM_SYMMETRY:
-        return parse_map(parser, claim);
-    case TTC_CLAIM_PERIODIC:
-        return ttc_parse_expect_mark(parser, '=', "the state") && parse_period(parser, claim);
+    case TTC_CLAIM_SYMMETRY: return parse_map(parser, claim);
+    case TTC_CLAIM_PERIODIC: return ttc_parse_expect_mark(parser, '=', "the state") && parse_period(parser, claim);
     case TTC_CLAIM_EQUILIBRIA:
         return ttc_parse_expect_mark(parser, ':', "the name") &&
                ttc_parse_bindings(parser, &claim->bindings, 1u << TTC_STATE, "a state");
@@ -158,14 +155,10 @@ static bool parse_body(ttc_parser *parser, ttc_claim *claim)
         if (!ttc_parse_at_keyword(parser, TTC_KEYWORD_BY)) return parse_reduction(parser, claim);
         claim->kind = TTC_CLAIM_DESCENT;
         return ttc_parse_way(parser, claim);
-    case TTC_CLAIM_EMBEDDING:
-        return ttc_parse_expect_mark(parser, ':', "the name") && parse_reduction(parser, claim);
-    case TTC_CLAIM_LIFT:
-        return ttc_parse_expect_mark(parser, ':', "the name") && ttc_parse_way(parser, claim);
-    case TTC_CLAIM_SECTION:
-        return ttc_parse_expect_mark(parser, ':', "the name") && ttc_parse_section(parser, claim);
-    case TTC_CLAIM_MATRIX:
-        return ttc_parse_expect_mark(parser, '=', "the family") && parse_matrix(parser, claim);
+    case TTC_CLAIM_EMBEDDING: return ttc_parse_expect_mark(parser, ':', "the name") && parse_reduction(parser, claim);
+    case TTC_CLAIM_LIFT: return ttc_parse_expect_mark(parser, ':', "the name") && ttc_parse_way(parser, claim);
+    case TTC_CLAIM_SECTION: return ttc_parse_expect_mark(parser, ':', "the name") && ttc_parse_section(parser, claim);
+    case TTC_CLAIM_MATRIX: return ttc_parse_expect_mark(parser, '=', "the family") && parse_matrix(parser, claim);
     case TTC_CLAIM_POSITIVE:
         if (!ttc_parse_expect_mark(parser, ':', "the name")) return false;
         claim->expression = ttc_parse_expression(parser);

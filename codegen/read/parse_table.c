@@ -27,47 +27,32 @@ static bool is_named(const ttc_parser *parser)
 static bool parse_record(ttc_parser *parser, const ttc_token *keyword)
 {
     switch (keyword->keyword) {
-    case TTC_KEYWORD_MODEL:
-        return parse_model(parser, keyword);
+    case TTC_KEYWORD_MODEL: return parse_model(parser, keyword);
     case TTC_KEYWORD_TITLE:
-    case TTC_KEYWORD_SOURCE:
-        return ttc_parse_title(parser, keyword);
+    case TTC_KEYWORD_SOURCE: return ttc_parse_title(parser, keyword);
     case TTC_KEYWORD_PARAM:
     case TTC_KEYWORD_STATE:
     case TTC_KEYWORD_ROOT:
     case TTC_KEYWORD_ANGLE:
     case TTC_KEYWORD_EXP:
     case TTC_KEYWORD_LOG:
-    case TTC_KEYWORD_LET:
-        return ttc_parse_quantity(parser, keyword);
-    case TTC_KEYWORD_EQ:
-        return ttc_parse_equation(parser);
-    case TTC_KEYWORD_DEFAULT:
-        return ttc_parse_default(parser);
+    case TTC_KEYWORD_LET: return ttc_parse_quantity(parser, keyword);
+    case TTC_KEYWORD_EQ: return ttc_parse_equation(parser);
+    case TTC_KEYWORD_DEFAULT: return ttc_parse_default(parser);
     case TTC_KEYWORD_VARIANT:
     case TTC_KEYWORD_TIME:
-    case TTC_KEYWORD_ELIMINATE:
-        return ttc_parse_kernel(parser, keyword);
-    case TTC_KEYWORD_DOMAIN:
-        return ttc_parse_region(parser);
-    case TTC_KEYWORD_OBSERVE:
-        return ttc_parse_observe(parser);
-    case TTC_KEYWORD_VALID:
-        return ttc_parse_valid(parser);
-    case TTC_KEYWORD_POLE:
-        return ttc_parse_pole(parser);
-    case TTC_KEYWORD_LIFT:
-        return is_named(parser) ? ttc_parse_claim(parser, keyword) : ttc_parse_lift(parser, keyword);
-    case TTC_KEYWORD_TIER:
-        return ttc_parse_tier(parser, keyword);
-    case TTC_KEYWORD_START:
-        return ttc_parse_start(parser);
-    case TTC_KEYWORD_TURNS:
-        return ttc_parse_turns(parser, keyword);
+    case TTC_KEYWORD_ELIMINATE: return ttc_parse_kernel(parser, keyword);
+    case TTC_KEYWORD_DOMAIN: return ttc_parse_region(parser);
+    case TTC_KEYWORD_OBSERVE: return ttc_parse_observe(parser);
+    case TTC_KEYWORD_VALID: return ttc_parse_valid(parser);
+    case TTC_KEYWORD_POLE: return ttc_parse_pole(parser);
+    case TTC_KEYWORD_LIFT: return is_named(parser) ? ttc_parse_claim(parser, keyword) : ttc_parse_lift(parser, keyword);
+    case TTC_KEYWORD_TIER: return ttc_parse_tier(parser, keyword);
+    case TTC_KEYWORD_START: return ttc_parse_start(parser);
+    case TTC_KEYWORD_TURNS: return ttc_parse_turns(parser, keyword);
     case TTC_KEYWORD_NONE:
         return false; /* reported by the lexer */
-    default:
-        return ttc_parse_claim(parser, keyword);
+    default: return ttc_parse_claim(parser, keyword);
     }
 }
 

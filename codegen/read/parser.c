@@ -80,8 +80,7 @@ bool ttc_parse_unexpected(ttc_parser *parser, const char *expected)
     ttc_place place = ttc_token_place(token);
     int length = token->length > 40 ? 40 : (int)token->length;
     switch (token->kind) {
-    case TTC_TOKEN_BAD:
-        return false;
+    case TTC_TOKEN_BAD: return false;
     case TTC_TOKEN_END:
         return ttc_parse_error(parser, place_after(token - 1), "the table ends within a record (expected %s)", expected);
     case TTC_TOKEN_RECORD:
@@ -89,12 +88,9 @@ bool ttc_parse_unexpected(ttc_parser *parser, const char *expected)
     case TTC_TOKEN_KEYWORD:
         return ttc_parse_error(parser, place, "'%.*s' is a keyword and names nothing (expected %s)", length, token->text,
                                expected);
-    case TTC_TOKEN_STRING:
-        return ttc_parse_error(parser, place, "unexpected text in quotes (expected %s)", expected);
-    case TTC_TOKEN_UNIT:
-        return ttc_parse_error(parser, place, "unexpected unit (expected %s)", expected);
-    default:
-        return ttc_parse_error(parser, place, "unexpected '%.*s' (expected %s)", length, token->text, expected);
+    case TTC_TOKEN_STRING: return ttc_parse_error(parser, place, "unexpected text in quotes (expected %s)", expected);
+    case TTC_TOKEN_UNIT: return ttc_parse_error(parser, place, "unexpected unit (expected %s)", expected);
+    default: return ttc_parse_error(parser, place, "unexpected '%.*s' (expected %s)", length, token->text, expected);
     }
 }
 
