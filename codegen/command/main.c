@@ -245,6 +245,7 @@ static int run_command(const command *chosen, int argc, char **argv)
     struct argp argp = { chosen->options, parse_option, "FILE.tt...", help, NULL, NULL, NULL };
     argv[1] = name;
     argp_err_exit_status = TTC_EXIT_USAGE;
+    setenv("ARGP_HELP_FMT", "no-dup-args-note", 0); /* the note is about short options, which help here does not show with values */
     if (argp_parse(&argp, argc - 1, argv + 1, 0, NULL, &options) == 0) status = chosen->run(&options);
     status = flushed(status);
 done:
