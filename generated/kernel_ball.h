@@ -23,9 +23,6 @@ typedef struct jlt_ball_table {
     unsigned integral_count;                     /* all of the table, whatever their condition */
     const char *const *integral;                 /* their names */
     jlt_ball_function integral_values, integral_gradients;
-    unsigned trace_count;      /* families of equilibria that have a trace; in the model's own time only */
-    const char *const *trace;  /* names of the families */
-    const jlt_ball_function *traces;
 } jlt_ball_table;
 
 /* The exact rational "p/q", rounded outwards. */

@@ -123,10 +123,8 @@ static void append(ttc_conditions *c, const fmpz_mpoly_t polynomial, ttc_relatio
                    bool is_denominator)
 {
     if (has(c, polynomial, relation, of_quotient, is_denominator)) return;
-    ttc_condition *items = ttc_array_more(c->items, c->count, sizeof *items);
-    c->failed |= items == NULL;
-    if (items == NULL) return;
-    c->items = items;
+    c->failed |= !TTC_ARRAY_GROW(c->items, c->count);
+    if (c->failed) return;
     ttc_condition *item = &c->items[c->count++];
     item->relation = relation;
     item->of_quotient = of_quotient;

@@ -36,15 +36,13 @@ static ttc_id slope(void *context, uint32_t symbol)
     case TTC_PARAM:
     case TTC_LEVEL:
     case TTC_LAMBDA:
-    case TTC_PI:
-        return d->slopes[symbol];
+    case TTC_PI: return d->slopes[symbol];
     case TTC_ROOT:
     case TTC_COSINE:
     case TTC_SINE:
     case TTC_EXP:
     case TTC_LOG:
-    case TTC_LET:
-        break;
+    case TTC_LET: break;
     }
     if (!d->known[symbol]) {
         d->slopes[symbol] = slope_of_definition(d, symbol);

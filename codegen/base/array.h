@@ -2,11 +2,15 @@
 #ifndef TTC_ARRAY_H
 #define TTC_ARRAY_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
-/** Make room for one more item of `size` bytes in an array that holds `count` items, each of which was added through this
- *  function; array is NULL when count is 0. Returns the array, which may have moved; NULL when memory is out, and then the
- *  array is unchanged. Cost: amortized constant, as the capacity doubles. */
-void *ttc_array_more(void *array, size_t count, size_t size);
+/** Make room for one more item in an array that holds `count` items, each of which was added through this macro. array: a variable
+ *  or member that points to the items, NULL at first; it is set anew, as items may move. False when memory is out, and
+ *  then the array is unchanged. Cost: amortized constant, as the capacity doubles. */
+#define TTC_ARRAY_GROW(array, count) ttc_array_grow(&(array), count, sizeof *(array))
+
+/* The same, for the macro alone; place: where the pointer is; size: of an item, in bytes. */
+bool ttc_array_grow(void *place, size_t count, size_t size);
 
 #endif

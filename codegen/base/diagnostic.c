@@ -108,9 +108,7 @@ static bool stands_before(const record *a, const record *b)
 
 static bool reserve(ttc_diagnostics *diagnostics)
 {
-    record *records = ttc_array_more(diagnostics->records, diagnostics->count, sizeof *records);
-    if (records == NULL) return false;
-    diagnostics->records = records;
+    if (!TTC_ARRAY_GROW(diagnostics->records, diagnostics->count)) return false;
     return true;
 }
 

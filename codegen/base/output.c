@@ -29,10 +29,8 @@ ttc_text *ttc_output_add(ttc_output *output, const char *path)
             output->taken = output->files[i].path;
             return NULL;
         }
-    ttc_output_file *files = ttc_array_more(output->files, output->count, sizeof *files);
-    output->failed |= files == NULL;
-    if (files == NULL) return NULL;
-    output->files = files;
+    output->failed |= !TTC_ARRAY_GROW(output->files, output->count);
+    if (output->failed) return NULL;
     size_t length = strlen(path) + 1;
     ttc_output_file *file = output->files + output->count;
     *file = (ttc_output_file){ .path = malloc(length) };

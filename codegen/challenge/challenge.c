@@ -167,7 +167,6 @@ bool ttc_challenge(const ttc_model *model, const ttc_proof_report *proofs, ttc_r
         made->tried += result->tried;
         made->skipped += result->skipped;
         made->contradictions += result->contradicted;
-        made->doubts += result->doubtful;
     }
     if (made->results == NULL) {
         free(made);

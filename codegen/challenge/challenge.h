@@ -23,7 +23,7 @@ typedef struct {
 
 typedef struct {
     ttc_challenge_result *results; /* one for each proof known here, in the report's order */
-    size_t count, contradictions, doubts, tried, skipped;
+    size_t count, contradictions, tried, skipped;
 } ttc_challenge_report;
 
 /** Challenge every verdict of `proofs`, a report on `model`, at so many points each. The same seed gives the same points.

@@ -152,18 +152,10 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
 {
     ttc_options *options = state->input;
     switch (key) {
-    case OPTION_JSON:
-        options->json = true;
-        return 0;
-    case OPTION_KERNELS:
-        options->kernels = true;
-        return 0;
-    case OPTION_VERBOSE:
-        options->verbose = true;
-        return 0;
-    case OPTION_MUTATE:
-        options->mutate = true;
-        return 0;
+    case OPTION_JSON: options->json = true; return 0;
+    case OPTION_KERNELS: options->kernels = true; return 0;
+    case OPTION_VERBOSE: options->verbose = true; return 0;
+    case OPTION_MUTATE: options->mutate = true; return 0;
     case OPTION_CHALLENGE:
         options->challenge = parse_number("--challenge", argument, 1, TTC_CHALLENGE_POINT_LIMIT, state);
         return 0;
@@ -171,35 +163,19 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
         options->seed = parse_number("--seed", argument, 0, UINT64_MAX, state);
         options->seeded = true;
         return 0;
-    case OPTION_KEEP:
-        options->keep = true;
-        return 0;
-    case OPTION_UNPROVED:
-        options->unproved = true;
-        return 0;
+    case OPTION_KEEP: options->keep = true; return 0;
+    case OPTION_UNPROVED: options->unproved = true; return 0;
     case OPTION_LANES:
         options->lanes = (unsigned)parse_number("--lanes", argument, 2, 8, state);
         if (options->lanes != 2 && options->lanes != 4 && options->lanes != 8)
             argp_error(state, "there are no vectors of %s (expected 2, 4 or 8)", argument);
         return 0;
-    case OPTION_OUT:
-        options->out = argument;
-        return 0;
-    case OPTION_DEGREE:
-        options->degree = (int)parse_number("--degree", argument, 1, DEGREE_MAX, state);
-        return 0;
-    case OPTION_MEMORY:
-        options->memory = (int)parse_number("--memory", argument, 1, MEMORY_MAX, state);
-        return 0;
-    case OPTION_WHEN:
-        options->when = argument;
-        return 0;
-    case OPTION_DENOMINATOR:
-        options->denominators = argument;
-        return 0;
-    case OPTION_SEEK:
-        options->kinds = parse_kinds(argument, state);
-        return 0;
+    case OPTION_OUT: options->out = argument; return 0;
+    case OPTION_DEGREE: options->degree = (int)parse_number("--degree", argument, 1, DEGREE_MAX, state); return 0;
+    case OPTION_MEMORY: options->memory = (int)parse_number("--memory", argument, 1, MEMORY_MAX, state); return 0;
+    case OPTION_WHEN: options->when = argument; return 0;
+    case OPTION_DENOMINATOR: options->denominators = argument; return 0;
+    case OPTION_SEEK: options->kinds = parse_kinds(argument, state); return 0;
     case OPTION_FORMAT:
         if (strcmp(argument, "text") != 0 && strcmp(argument, "latex") != 0 && strcmp(argument, "dot") != 0)
             argp_error(state, "unknown format '%s' (expected text, latex or dot)", argument);
@@ -210,17 +186,14 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
             argp_error(state, "unknown effort '%s' (expected quick or full)", argument);
         options->effort = strcmp(argument, "full") == 0 ? TTC_EFFORT_FULL : TTC_EFFORT_QUICK;
         return 0;
-    case ARGP_KEY_ARG:
-        options->files[options->file_count++] = argument;
-        return 0;
+    case ARGP_KEY_ARG: options->files[options->file_count++] = argument; return 0;
     case ARGP_KEY_END:
         if (options->file_count == 0) argp_error(state, "no table is given (expected FILE.tt)");
         if (options->mutate && (options->challenge > 0 || options->kernels || options->verbose))
             argp_error(state, "--mutate looks at changed terms alone: leave out --challenge, --kernels and --verbose");
         if (options->seeded && options->challenge == 0) argp_error(state, "--seed is of the points of --challenge: say how many");
         return 0;
-    default:
-        return ARGP_ERR_UNKNOWN;
+    default: return ARGP_ERR_UNKNOWN;
     }
 }
 
@@ -272,6 +245,7 @@ static int run_command(const command *chosen, int argc, char **argv)
     struct argp argp = { chosen->options, parse_option, "FILE.tt...", help, NULL, NULL, NULL };
     argv[1] = name;
     argp_err_exit_status = TTC_EXIT_USAGE;
+    setenv("ARGP_HELP_FMT", "no-dup-args-note", 0); /* the note is about short options, which help here does not show with values */
     if (argp_parse(&argp, argc - 1, argv + 1, 0, NULL, &options) == 0) status = chosen->run(&options);
     status = flushed(status);
 done:

@@ -71,22 +71,22 @@ typedef struct {
     const char *stem;
 } ball;
 
-static bool add_expressions(ball *b, const char *name, const ttc_id *ids, size_t count, const ttc_bindings *bindings)
+static bool add_expressions(ball *b, const char *name, const ttc_id *ids, size_t count)
 {
-    ttc_program *program = ttc_lower(b->field, ids, count, (ttc_lowering){ .share = true, .bindings = bindings });
+    ttc_program *program = ttc_lower(b->field, ids, count, (ttc_lowering){ .share = true });
     if (program == NULL) return false;
     add_function(b->text, b->stem, name, program);
     ttc_program_destroy(program);
     return true;
 }
 
-static void add_names(ball *b, const char *name, const uint32_t *claims, size_t count)
+static void add_names(ball *b, const uint32_t *claims, size_t count)
 {
-    ttc_text_format(b->text, "static const char *const %s_%s[] = {", b->stem, name);
+    ttc_text_format(b->text, "static const char *const %s_integral[] = {", b->stem);
     for (size_t i = 0; i < count; i++)
         ttc_text_format(b->text, "%s\"%s\"", i == 0 ? " " : ", ", b->field->model->claims[claims[i]].name);
     ttc_text_add(b->text, " };\n\n");
-    ttc_text_format(b->entry, "    .%s_count = %zu,\n    .%s = %s_%s,\n", name, count, name, b->stem, name);
+    ttc_text_format(b->entry, "    .integral_count = %zu,\n    .integral = %s_integral,\n", count, b->stem);
 }
 
 /* All integrals but those with `modulo`. Conditional ones hold where the caller's parameters satisfy their condition. */
@@ -110,45 +110,15 @@ static bool add_integrals(ball *b)
         count++;
     }
     if (ok && count > 0) {
-        add_names(b, "integral", claims, count);
-        ok = add_expressions(b, "integral_values", values, count, NULL)
-             && add_expressions(b, "integral_gradients", gradients, count * n, NULL);
+        add_names(b, claims, count);
+        ok = add_expressions(b, "integral_values", values, count)
+             && add_expressions(b, "integral_gradients", gradients, count * n);
         ttc_text_format(b->entry, "    .integral_values = %s_integral_values,\n    .integral_gradients = %s_integral_gradients,\n",
                         b->stem, b->stem);
     }
     free(claims);
     free(values);
     free(gradients);
-    return ok;
-}
-
-static bool add_traces(ball *b)
-{
-    const ttc_model *model = b->field->model;
-    uint32_t *claims = calloc(model->claim_count + 1, sizeof *claims);
-    size_t count = 0;
-    bool ok = claims != NULL;
-    if (ok && b->field->time == NULL && b->field->elimination == NULL)
-        for (uint32_t i = 0; i < model->claim_count; i++)
-            if (model->claims[i].kind == TTC_CLAIM_TRACE) claims[count++] = i;
-    for (size_t k = 0; ok && k < count; k++) {
-        ttc_text name = { 0 };
-        const ttc_claim *claim = model->claims + claims[k];
-        ttc_id id = ttc_field_specialise(b->field, claim->expression);
-        ttc_text_format(&name, "trace%zu", k);
-        ok = id != TTC_NONE
-             && add_expressions(b, ttc_text_string(&name), &id, 1, &model->claims[claim->family].bindings);
-        ttc_text_clear(&name);
-    }
-    if (ok && count > 0) {
-        for (size_t k = 0; k < count; k++) claims[k] = model->claims[claims[k]].family;
-        add_names(b, "trace", claims, count);
-        ttc_text_format(b->text, "static const jlt_ball_function %s_traces[] = {", b->stem);
-        for (size_t k = 0; k < count; k++) ttc_text_format(b->text, "%s%s_trace%zu", k == 0 ? " " : ", ", b->stem, k);
-        ttc_text_add(b->text, " };\n\n");
-        ttc_text_format(b->entry, "    .traces = %s_traces,\n", b->stem);
-    }
-    free(claims);
     return ok;
 }
 
@@ -162,7 +132,7 @@ static bool add_field(ttc_text *text, ttc_kernels *k)
         add_function(text, b.stem, ttc_kernel_name(kinds[i]), k->kernels[kinds[i]].reference);
         ttc_text_format(&entry, "    .%s = %s_%s,\n", ttc_kernel_name(kinds[i]), b.stem, ttc_kernel_name(kinds[i]));
     }
-    bool ok = add_integrals(&b) && add_traces(&b);
+    bool ok = add_integrals(&b);
     const ttc_field *field = k->field;
     ttc_text_format(text, "extern const jlt_ball_table jlt_balls_%s_%s;\nconst jlt_ball_table jlt_balls_%s_%s = {\n",
                     field->model->name, b.stem, field->model->name, b.stem);

@@ -65,39 +65,23 @@ static void add_output_name(survey *s, size_t index)
             ttc_text_format(s->text, "d(d(%s)/d%s)/d(%s)", state_name(s, (index - offset) / n), time,
                             state_name(s, (index - offset) % n));
         break;
-    case TTC_KERNEL_INTEGRAL_VALUES:
-        ttc_text_add(s->text, model->claims[s->kernels->integrals[index]].name);
-        break;
+    case TTC_KERNEL_INTEGRAL_VALUES: ttc_text_add(s->text, model->claims[s->kernels->integrals[index]].name); break;
     case TTC_KERNEL_INTEGRAL_GRADIENTS:
         ttc_text_format(s->text, "d(%s)/d(%s)", model->claims[s->kernels->integrals[index / n]].name, state_name(s, index % n));
         break;
-    case TTC_KERNEL_MEASURE_VALUES:
-        ttc_text_add(s->text, model->claims[s->kernels->measures[index]].name);
-        break;
+    case TTC_KERNEL_MEASURE_VALUES: ttc_text_add(s->text, model->claims[s->kernels->measures[index]].name); break;
     case TTC_KERNEL_MEASURE_DIVERGENCES:
         ttc_text_format(s->text, "div(%s f)", model->claims[s->kernels->measures[index]].name);
         break;
-    case TTC_KERNEL_TIME_FACTOR:
-        ttc_text_add(s->text, "dt/dtau");
-        break;
-    case TTC_KERNEL_ELIMINATED:
-        ttc_text_add(s->text, model->symbols[field->elimination->state].name);
-        break;
-    case TTC_KERNEL_OBSERVE_VALUES:
-        ttc_text_add(s->text, model->symbols[model->observed[index]].name);
-        break;
-    case TTC_KERNEL_VALID_VALUES:
-        ttc_text_add(s->text, model->validities[index].name);
-        break;
-    case TTC_KERNEL_DOMAIN_VALUES:
-        ttc_text_add(s->text, s->kernels->watched[index].name);
-        break;
+    case TTC_KERNEL_TIME_FACTOR: ttc_text_add(s->text, "dt/dtau"); break;
+    case TTC_KERNEL_ELIMINATED: ttc_text_add(s->text, model->symbols[field->elimination->state].name); break;
+    case TTC_KERNEL_OBSERVE_VALUES: ttc_text_add(s->text, model->symbols[model->observed[index]].name); break;
+    case TTC_KERNEL_VALID_VALUES: ttc_text_add(s->text, model->validities[index].name); break;
+    case TTC_KERNEL_DOMAIN_VALUES: ttc_text_add(s->text, s->kernels->watched[index].name); break;
     case TTC_KERNEL_DOMAIN_GRADIENTS:
         ttc_text_format(s->text, "d(%s)/d(%s)", s->kernels->watched[index / n].name, state_name(s, index % n));
         break;
-    default:
-        ttc_text_add(s->text, "the divergence");
-        break;
+    default: ttc_text_add(s->text, "the divergence"); break;
     }
 }
 

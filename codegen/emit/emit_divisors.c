@@ -61,11 +61,9 @@ static void add_factor(factor_list *list, const ttc_claim *claim, ttc_id written
     const ttc_id sum = squares(graph, id);
     if (sum == TTC_NONE) ttc_graph_clear_error(graph); /* a power exceeds the graph's limits: leave it out */
     if (sum == TTC_NONE) return;
-    factor *factors = ttc_array_more(list->factors, list->count, sizeof *factors);
-    list->failed |= factors == NULL;
-    if (factors == NULL) return;
-    list->factors = factors;
-    factors[list->count++] = (factor){ claim, written, { id, sum } };
+    list->failed |= !TTC_ARRAY_GROW(list->factors, list->count);
+    if (list->failed) return;
+    list->factors[list->count++] = (factor){ claim, written, { id, sum } };
 }
 
 static bool find_factors(factor_list *list)

@@ -106,18 +106,10 @@ static void add_recurrence(jet *j, ttc_value value, const ttc_instruction *i)
         ttc_text_add(j->text, "-");
         add_coefficient(j, i->a);
         break;
-    case TTC_OP_ADD:
-        add_sum(j, i->a, "+", i->b);
-        break;
-    case TTC_OP_SUBTRACT:
-        add_sum(j, i->a, "-", i->b);
-        break;
-    case TTC_OP_MULTIPLY:
-        add_product(j, i->a, i->b);
-        break;
-    case TTC_OP_DIVIDE:
-        add_quotient(j, value, i);
-        break;
+    case TTC_OP_ADD: add_sum(j, i->a, "+", i->b); break;
+    case TTC_OP_SUBTRACT: add_sum(j, i->a, "-", i->b); break;
+    case TTC_OP_MULTIPLY: add_product(j, i->a, i->b); break;
+    case TTC_OP_DIVIDE: add_quotient(j, value, i); break;
     case TTC_OP_FMA:
     case TTC_OP_FMS:
         add_product(j, i->a, i->b);

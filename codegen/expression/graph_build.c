@@ -206,12 +206,8 @@ static bool accumulate(ttc_graph *graph, parts *p, fmpq_t constant, ttc_id id, c
     fmpq_t c;
     fmpq_init(c);
     switch (n->kind) {
-    case TTC_NUMBER:
-        fmpq_addmul(constant, weight, n->coefficient);
-        break;
-    case TTC_SYMBOL:
-        ok = add_term(graph, p, id, weight);
-        break;
+    case TTC_NUMBER: fmpq_addmul(constant, weight, n->coefficient); break;
+    case TTC_SYMBOL: ok = add_term(graph, p, id, weight); break;
     case TTC_PRODUCT:
         fmpq_mul(c, weight, n->coefficient);
         if (!fmpq_is_one(n->coefficient)) id = strip(graph, id);

@@ -78,10 +78,8 @@ static bool polynomial(const ring *r, ttc_id *out, ttc_id id)
         return true;
     }
     switch (ttc_kind_of(r->graph, id)) {
-    case TTC_PRODUCT:
-        return product_polynomial(r, out, id);
-    case TTC_SUM:
-        return sum_polynomial(r, out, id);
+    case TTC_PRODUCT: return product_polynomial(r, out, id);
+    case TTC_SUM: return sum_polynomial(r, out, id);
     default:
         if (r->degree == 0) return false;
         out[1] = ttc_integer(r->graph, 1);

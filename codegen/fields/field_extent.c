@@ -34,22 +34,16 @@ static ttc_extent extent_of_symbol(ttc_field *field, uint32_t symbol)
                        && (ttc_kind_of(field->graph, s->node) != TTC_SYMBOL || ttc_symbol_of(field->graph, s->node) != symbol);
     if (is_replaced) return extent_of(field, s->node);
     switch (s->role) {
-    case TTC_ROLE_PARAM:
-        return ttc_extent_of_signs(signs[s->sign]);
-    case TTC_ROLE_STATE:
-        return extent_of_state(field, field->model->symbols + symbol);
-    case TTC_ROLE_UNIT:
-        return extent_of(field, s->definition);
+    case TTC_ROLE_PARAM: return ttc_extent_of_signs(signs[s->sign]);
+    case TTC_ROLE_STATE: return extent_of_state(field, field->model->symbols + symbol);
+    case TTC_ROLE_UNIT: return extent_of(field, s->definition);
     case TTC_ROLE_ROOT:
         return ttc_extent_meet(ttc_extent_root(extent_of(field, s->definition)), ttc_extent_of_signs(TTC_SIGN_POSITIVE));
     case TTC_ROLE_EXP:
-    case TTC_ROLE_PI:
-        return ttc_extent_of_signs(TTC_SIGN_POSITIVE);
+    case TTC_ROLE_PI: return ttc_extent_of_signs(TTC_SIGN_POSITIVE);
     case TTC_ROLE_COSINE:
-    case TTC_ROLE_SINE:
-        return (ttc_extent){ TTC_SIGN_ANY, -1, 1 };
-    default:
-        return ttc_extent_any;
+    case TTC_ROLE_SINE: return (ttc_extent){ TTC_SIGN_ANY, -1, 1 };
+    default: return ttc_extent_any;
     }
 }
 

@@ -57,11 +57,8 @@ static ttc_id slope(void *context, uint32_t symbol)
     ttc_id inner = TTC_NONE, outer = TTC_NONE;
     if (s.is_constant) return TTC_NONE;
     switch (s.role) {
-    case TTC_ROLE_STATE:
-        return ttc_integer(graph, s.position == d->position);
-    case TTC_ROLE_UNIT:
-        inner = unit_slope(d, symbol);
-        break;
+    case TTC_ROLE_STATE: return ttc_integer(graph, s.position == d->position);
+    case TTC_ROLE_UNIT: inner = unit_slope(d, symbol); break;
     case TTC_ROLE_ROOT: /* r' = q'/(2 r) */
         inner = ttc_derivative(graph, s.definition, slope, d);
         outer = ttc_multiply(graph, ttc_integer(graph, 2), s.node);
@@ -82,8 +79,7 @@ static ttc_id slope(void *context, uint32_t symbol)
         inner = ttc_derivative(graph, s.definition, slope, d);
         if (inner != TTC_NONE) inner = ttc_divide(graph, inner, s.definition);
         break;
-    default:
-        return TTC_NONE;
+    default: return TTC_NONE;
     }
     field->failed |= inner == TTC_NONE;
     return inner;

@@ -152,15 +152,9 @@ static void write_expression(const writer *w, ttc_id id)
     fmpq_init(one);
     fmpq_one(one);
     switch (ttc_kind_of(w->graph, id)) {
-    case TTC_NUMBER:
-        write_term(w, TTC_NONE, ttc_coefficient(w->graph, id), true);
-        break;
-    case TTC_SYMBOL:
-        w->symbol(w->context, w->text, ttc_symbol_of(w->graph, id));
-        break;
-    case TTC_PRODUCT:
-        write_term(w, id, one, true);
-        break;
+    case TTC_NUMBER: write_term(w, TTC_NONE, ttc_coefficient(w->graph, id), true); break;
+    case TTC_SYMBOL: w->symbol(w->context, w->text, ttc_symbol_of(w->graph, id)); break;
+    case TTC_PRODUCT: write_term(w, id, one, true); break;
     case TTC_SUM: {
         bool has_constant = !fmpq_is_zero(ttc_coefficient(w->graph, id));
         if (has_constant) write_term(w, TTC_NONE, ttc_coefficient(w->graph, id), true);

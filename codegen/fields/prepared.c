@@ -36,10 +36,8 @@ uint32_t ttc_prepared_index(ttc_prepared *prepared, ttc_id expression)
 {
     uint32_t index = find(prepared, expression);
     if (index != UINT32_MAX) return index;
-    ttc_id *entries = ttc_array_more(prepared->entries, prepared->count, sizeof *entries);
-    prepared->failed |= entries == NULL;
-    if (entries == NULL) return 0;
-    prepared->entries = entries;
+    prepared->failed |= !TTC_ARRAY_GROW(prepared->entries, prepared->count);
+    if (prepared->failed) return 0;
     prepared->entries[prepared->count++] = expression;
     return (uint32_t)(prepared->field->param_count + prepared->count - 1);
 }

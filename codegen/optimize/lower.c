@@ -88,23 +88,15 @@ static ttc_value lower_symbol(lowering *l, uint32_t symbol)
         value = lower_bound(l, symbol, binding);
     } else {
         switch (s->role) {
-        case TTC_ROLE_STATE:
-            value = ttc_program_input(l->program, s->position);
-            break;
-        case TTC_ROLE_PARAM:
-            value = ttc_program_parameter(l->program, s->position);
-            break;
-        case TTC_ROLE_UNIT:
-            value = lower(l, s->definition);
-            break;
+        case TTC_ROLE_STATE: value = ttc_program_input(l->program, s->position); break;
+        case TTC_ROLE_PARAM: value = ttc_program_parameter(l->program, s->position); break;
+        case TTC_ROLE_UNIT: value = lower(l, s->definition); break;
         case TTC_ROLE_ROOT:
             if (l->options.factor_roots) value = lower_difference_of_squares(l, s->definition);
             if (value == TTC_NO_VALUE) value = lower(l, s->definition);
             if (value != TTC_NO_VALUE) value = ttc_program_root(l->program, value);
             break;
-        case TTC_ROLE_PI:
-            value = ttc_program_pi(l->program);
-            break;
+        case TTC_ROLE_PI: value = ttc_program_pi(l->program); break;
         case TTC_ROLE_COSINE:
         case TTC_ROLE_SINE:
         case TTC_ROLE_EXP:
@@ -113,8 +105,7 @@ static ttc_value lower_symbol(lowering *l, uint32_t symbol)
             if (value != TTC_NO_VALUE)
                 value = ttc_program_apply(l->program, functions[s->role], value, TTC_NO_VALUE, TTC_NO_VALUE);
             break;
-        case TTC_ROLE_ABSENT:
-            break;
+        case TTC_ROLE_ABSENT: break;
         }
     }
     l->failed |= value == TTC_NO_VALUE;
@@ -177,18 +168,10 @@ static ttc_value lower(lowering *l, ttc_id id)
         return value;
     }
     switch (kind) {
-    case TTC_NUMBER:
-        value = ttc_program_constant(l->program, ttc_coefficient(l->field->graph, id));
-        break;
-    case TTC_SYMBOL:
-        value = lower_symbol(l, ttc_symbol_of(l->field->graph, id));
-        break;
-    case TTC_PRODUCT:
-        value = lower_product(l, id);
-        break;
-    case TTC_SUM:
-        value = lower_sum(l, id);
-        break;
+    case TTC_NUMBER: value = ttc_program_constant(l->program, ttc_coefficient(l->field->graph, id)); break;
+    case TTC_SYMBOL: value = lower_symbol(l, ttc_symbol_of(l->field->graph, id)); break;
+    case TTC_PRODUCT: value = lower_product(l, id); break;
+    case TTC_SUM: value = lower_sum(l, id); break;
     }
     l->failed |= value == TTC_NO_VALUE;
     if (keep) l->nodes[id] = value;

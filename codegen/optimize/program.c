@@ -38,30 +38,32 @@ ttc_value ttc_program_output_at(const ttc_program *program, size_t index) { retu
 
 const ttc_instruction *ttc_program_at(const ttc_program *program, ttc_value value) { return program->items + value; }
 
-unsigned ttc_op_arity(ttc_op op)
-{
-    switch (op) {
-    case TTC_OP_INPUT:
-    case TTC_OP_PARAMETER:
-    case TTC_OP_CONSTANT:
-    case TTC_OP_PI:
-        return 0;
-    case TTC_OP_NEGATE:
-    case TTC_OP_ROOT:
-    case TTC_OP_COSINE:
-    case TTC_OP_SINE:
-    case TTC_OP_EXP:
-    case TTC_OP_LOG:
-        return 1;
-    case TTC_OP_ADD:
-    case TTC_OP_SUBTRACT:
-    case TTC_OP_MULTIPLY:
-    case TTC_OP_DIVIDE:
-        return 2;
-    default:
-        return 3;
-    }
-}
+#define COUNTED(member) offsetof(ttc_count, member)
+
+/* Operands, latency, and the member of ttc_count that counts the operation; all 0 for leaves, which are not counted. */
+static const struct {
+    unsigned arity, latency;
+    size_t counted;
+} operations[] = {
+    [TTC_OP_NEGATE] = { 1, 1, COUNTED(add) },
+    [TTC_OP_ADD] = { 2, 1, COUNTED(add) },
+    [TTC_OP_SUBTRACT] = { 2, 1, COUNTED(add) },
+    [TTC_OP_MULTIPLY] = { 2, 1, COUNTED(multiply) },
+    [TTC_OP_DIVIDE] = { 2, 4, COUNTED(divide) },
+    [TTC_OP_FMA] = { 3, 1, COUNTED(fma) },
+    [TTC_OP_FMS] = { 3, 1, COUNTED(fma) },
+    [TTC_OP_FNMA] = { 3, 1, COUNTED(fma) },
+    [TTC_OP_ROOT] = { 1, 5, COUNTED(root) },
+    [TTC_OP_COSINE] = { 1, 15, COUNTED(elementary) },
+    [TTC_OP_SINE] = { 1, 15, COUNTED(elementary) },
+    [TTC_OP_EXP] = { 1, 15, COUNTED(elementary) },
+    [TTC_OP_LOG] = { 1, 15, COUNTED(elementary) },
+    [TTC_OP_PI] = { 0, 0, 0 },
+};
+
+unsigned ttc_op_arity(ttc_op op) { return operations[op].arity; }
+unsigned ttc_op_latency(ttc_op op) { return operations[op].latency; }
+unsigned *ttc_op_counter(ttc_count *count, ttc_op op) { return (unsigned *)(void *)((char *)count + operations[op].counted); }
 
 static uint64_t hash_of(const ttc_instruction *i)
 {
@@ -317,20 +319,13 @@ ttc_value ttc_program_apply(ttc_program *program, ttc_op op, ttc_value a, ttc_va
 {
     if (program->failed) return TTC_NO_VALUE;
     switch (op) {
-    case TTC_OP_NEGATE:
-        return ttc_program_negate(program, a);
-    case TTC_OP_ADD:
-        return ttc_program_add(program, a, b);
-    case TTC_OP_SUBTRACT:
-        return ttc_program_subtract(program, a, b);
-    case TTC_OP_MULTIPLY:
-        return ttc_program_multiply(program, a, b);
-    case TTC_OP_DIVIDE:
-        return ttc_program_divide(program, a, b);
-    case TTC_OP_ROOT:
-        return ttc_program_root(program, a);
-    default:
-        return raw(program, op, a, b, c);
+    case TTC_OP_NEGATE: return ttc_program_negate(program, a);
+    case TTC_OP_ADD: return ttc_program_add(program, a, b);
+    case TTC_OP_SUBTRACT: return ttc_program_subtract(program, a, b);
+    case TTC_OP_MULTIPLY: return ttc_program_multiply(program, a, b);
+    case TTC_OP_DIVIDE: return ttc_program_divide(program, a, b);
+    case TTC_OP_ROOT: return ttc_program_root(program, a);
+    default: return raw(program, op, a, b, c);
     }
 }
 
@@ -340,10 +335,8 @@ void ttc_program_output(ttc_program *program, ttc_value value)
         program->failed = true;
         return;
     }
-    ttc_value *outputs = ttc_array_more(program->outputs, program->output_count, sizeof *outputs);
-    program->failed |= outputs == NULL;
-    if (outputs == NULL) return;
-    program->outputs = outputs;
+    program->failed |= !TTC_ARRAY_GROW(program->outputs, program->output_count);
+    if (program->failed) return;
     program->outputs[program->output_count++] = value;
 }
 

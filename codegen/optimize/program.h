@@ -89,6 +89,8 @@ unsigned ttc_op_arity(ttc_op op);
 /* Latency of an operation in multiplications; 0 for leaves. Rough, from tables of processors of the years around 2020: a
  * multiplication takes 4 cycles, a division 13 to 15, a root 13 to 19. */
 unsigned ttc_op_latency(ttc_op op);
+/* The member of a count for an operation that is no leaf. */
+unsigned *ttc_op_counter(ttc_count *count, ttc_op op);
 
 /* Append an operation without folding: for copying from a folded program. */
 ttc_value ttc_program_copy(ttc_program *program, ttc_op op, ttc_value a, ttc_value b, ttc_value c);

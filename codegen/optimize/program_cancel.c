@@ -149,17 +149,13 @@ static fact operation_fact(const reading *r, ttc_value value, ttc_loss *loss)
     const fact *a = i->a == TTC_NO_VALUE ? NULL : r->facts + i->a, *b = i->b == TTC_NO_VALUE ? NULL : r->facts + i->b;
     fact product, other;
     switch (i->op) {
-    case TTC_OP_NEGATE:
-        return negate(*a);
-    case TTC_OP_ADD:
-        return add(a, b, atom, loss);
+    case TTC_OP_NEGATE: return negate(*a);
+    case TTC_OP_ADD: return add(a, b, atom, loss);
     case TTC_OP_SUBTRACT:
         other = negate(*b);
         return add(a, &other, atom, loss);
-    case TTC_OP_MULTIPLY:
-        return multiply(a, b, i->a == i->b, atom);
-    case TTC_OP_DIVIDE:
-        return product_fact(a, b, ttc_extent_multiply(a->extent, ttc_extent_power(b->extent, -1)), atom);
+    case TTC_OP_MULTIPLY: return multiply(a, b, i->a == i->b, atom);
+    case TTC_OP_DIVIDE: return product_fact(a, b, ttc_extent_multiply(a->extent, ttc_extent_power(b->extent, -1)), atom);
     case TTC_OP_FMA:
     case TTC_OP_FMS:
     case TTC_OP_FNMA:
@@ -167,10 +163,8 @@ static fact operation_fact(const reading *r, ttc_value value, ttc_loss *loss)
         if (i->op == TTC_OP_FNMA) product = negate(product);
         other = i->op == TTC_OP_FMS ? negate(r->facts[i->c]) : r->facts[i->c];
         return add(&product, &other, atom, loss);
-    case TTC_OP_ROOT:
-        return atom_fact(ttc_extent_root(a->extent), atom, false);
-    case TTC_OP_PI:
-        return atom_fact((ttc_extent){ TTC_SIGN_POSITIVE, 3, 4 }, atom, false);
+    case TTC_OP_ROOT: return atom_fact(ttc_extent_root(a->extent), atom, false);
+    case TTC_OP_PI: return atom_fact((ttc_extent){ TTC_SIGN_POSITIVE, 3, 4 }, atom, false);
     case TTC_OP_EXP:
         if (!a->is_exact) *loss = TTC_ROUNDED_ARGUMENT;
         return atom_fact(ttc_extent_of_signs(TTC_SIGN_POSITIVE), atom, false);

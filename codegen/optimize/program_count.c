@@ -4,39 +4,6 @@
 #include <limits.h>
 #include <stdlib.h>
 
-static void tally(ttc_count *count, ttc_op op)
-{
-    switch (op) {
-    case TTC_OP_NEGATE:
-    case TTC_OP_ADD:
-    case TTC_OP_SUBTRACT:
-        count->add++;
-        break;
-    case TTC_OP_MULTIPLY:
-        count->multiply++;
-        break;
-    case TTC_OP_DIVIDE:
-        count->divide++;
-        break;
-    case TTC_OP_FMA:
-    case TTC_OP_FMS:
-    case TTC_OP_FNMA:
-        count->fma++;
-        break;
-    case TTC_OP_ROOT:
-        count->root++;
-        break;
-    case TTC_OP_COSINE:
-    case TTC_OP_SINE:
-    case TTC_OP_EXP:
-    case TTC_OP_LOG:
-        count->elementary++;
-        break;
-    default:
-        break;
-    }
-}
-
 unsigned ttc_count_flops(ttc_count count)
 {
     return count.add + count.multiply + 2 * count.fma + count.divide + count.root + count.elementary;
@@ -62,9 +29,11 @@ ttc_count ttc_program_count(const ttc_program *program)
             if (depth[operands[j]] > depth[k]) depth[k] = depth[operands[j]];
             last_use[operands[j]] = k;
         }
-        if (arity > 0) depth[k]++;
+        if (arity > 0) {
+            depth[k]++;
+            ++*ttc_op_counter(&count, i->op);
+        }
         if (depth[k] > count.depth) count.depth = depth[k];
-        tally(&count, i->op);
     }
     for (size_t k = 0; k < n; k++)
         if (ttc_op_arity(ttc_program_at(program, (ttc_value)k)->op) > 0) ending[last_use[k]]++;
@@ -79,28 +48,6 @@ done:
     free(last_use);
     free(depth);
     return count;
-}
-
-unsigned ttc_op_latency(ttc_op op)
-{
-    switch (op) {
-    case TTC_OP_INPUT:
-    case TTC_OP_PARAMETER:
-    case TTC_OP_CONSTANT:
-    case TTC_OP_PI:
-        return 0;
-    case TTC_OP_DIVIDE:
-        return 4;
-    case TTC_OP_ROOT:
-        return 5;
-    case TTC_OP_COSINE:
-    case TTC_OP_SINE:
-    case TTC_OP_EXP:
-    case TTC_OP_LOG:
-        return 15;
-    default:
-        return 1;
-    }
 }
 
 unsigned ttc_program_latency(const ttc_program *program)

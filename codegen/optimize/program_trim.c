@@ -6,14 +6,10 @@
 static ttc_value rebuilt(ttc_program *out, const ttc_value *renamed, const ttc_instruction *i, const uint32_t *numbers)
 {
     switch (i->op) {
-    case TTC_OP_INPUT:
-        return ttc_program_input(out, i->index);
-    case TTC_OP_PARAMETER:
-        return ttc_program_parameter(out, numbers != NULL ? numbers[i->index] : i->index);
-    case TTC_OP_CONSTANT:
-        return ttc_program_constant(out, i->constant);
-    case TTC_OP_PI:
-        return ttc_program_pi(out);
+    case TTC_OP_INPUT: return ttc_program_input(out, i->index);
+    case TTC_OP_PARAMETER: return ttc_program_parameter(out, numbers != NULL ? numbers[i->index] : i->index);
+    case TTC_OP_CONSTANT: return ttc_program_constant(out, i->constant);
+    case TTC_OP_PI: return ttc_program_pi(out);
     default:
         return ttc_program_copy(out, i->op, renamed[i->a], ttc_op_arity(i->op) > 1 ? renamed[i->b] : TTC_NO_VALUE,
                                 ttc_op_arity(i->op) > 2 ? renamed[i->c] : TTC_NO_VALUE);

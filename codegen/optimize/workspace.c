@@ -210,8 +210,7 @@ bool ttc_scale_is_safe(const ttc_field *field, ttc_id scale)
 {
     const ttc_graph *graph = field->graph;
     switch (ttc_kind_of(graph, scale)) {
-    case TTC_NUMBER:
-        return !fmpq_is_zero(ttc_coefficient(graph, scale));
+    case TTC_NUMBER: return !fmpq_is_zero(ttc_coefficient(graph, scale));
     case TTC_SYMBOL: {
         const ttc_field_symbol *s = field->symbols + ttc_symbol_of(graph, scale);
         return s->role == TTC_ROLE_PARAM && (s->sign == TTC_POSITIVE || s->sign == TTC_NONZERO);
@@ -220,7 +219,6 @@ bool ttc_scale_is_safe(const ttc_field *field, ttc_id scale)
         for (size_t i = 0; i < ttc_part_count(graph, scale); i++)
             if (!ttc_scale_is_safe(field, ttc_part_at(graph, scale, i).id)) return false;
         return true;
-    default:
-        return false;
+    default: return false;
     }
 }

@@ -173,30 +173,14 @@ static ttc_value lower_variable(lowering *l, uint32_t variable)
         if (l->failed) return TTC_NO_VALUE;
     }
     switch (v->kind) {
-    case TTC_VARIABLE_INPUT:
-        value = note(l, ttc_program_input(l->program, v->operand));
-        break;
-    case TTC_VARIABLE_UNIT:
-        value = lower_polynomial(l, &v->definition);
-        break;
-    case TTC_VARIABLE_RECIPROCAL:
-        value = apply(l, TTC_OP_DIVIDE, note(l, ttc_program_integer(l->program, 1)), operand);
-        break;
-    case TTC_VARIABLE_ROOT:
-        value = apply(l, TTC_OP_ROOT, operand, TTC_NO_VALUE);
-        break;
-    case TTC_VARIABLE_COSINE:
-        value = apply(l, TTC_OP_COSINE, operand, TTC_NO_VALUE);
-        break;
-    case TTC_VARIABLE_SINE:
-        value = apply(l, TTC_OP_SINE, operand, TTC_NO_VALUE);
-        break;
-    case TTC_VARIABLE_EXP:
-        value = apply(l, TTC_OP_EXP, operand, TTC_NO_VALUE);
-        break;
-    case TTC_VARIABLE_LOG:
-        value = apply(l, TTC_OP_LOG, operand, TTC_NO_VALUE);
-        break;
+    case TTC_VARIABLE_INPUT: value = note(l, ttc_program_input(l->program, v->operand)); break;
+    case TTC_VARIABLE_UNIT: value = lower_polynomial(l, &v->definition); break;
+    case TTC_VARIABLE_RECIPROCAL: value = apply(l, TTC_OP_DIVIDE, note(l, ttc_program_integer(l->program, 1)), operand); break;
+    case TTC_VARIABLE_ROOT: value = apply(l, TTC_OP_ROOT, operand, TTC_NO_VALUE); break;
+    case TTC_VARIABLE_COSINE: value = apply(l, TTC_OP_COSINE, operand, TTC_NO_VALUE); break;
+    case TTC_VARIABLE_SINE: value = apply(l, TTC_OP_SINE, operand, TTC_NO_VALUE); break;
+    case TTC_VARIABLE_EXP: value = apply(l, TTC_OP_EXP, operand, TTC_NO_VALUE); break;
+    case TTC_VARIABLE_LOG: value = apply(l, TTC_OP_LOG, operand, TTC_NO_VALUE); break;
     }
     if (!l->failed) label(l, variable, value);
     l->values[variable] = value;

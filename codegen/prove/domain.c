@@ -18,10 +18,8 @@ typedef struct {
 static void add_id(id_list *list, ttc_id id)
 {
     if (id == TTC_NONE) return;
-    ttc_id *ids = ttc_array_more(list->ids, list->count, sizeof *ids);
-    list->failed |= ids == NULL;
-    if (ids == NULL) return;
-    list->ids = ids;
+    list->failed |= !TTC_ARRAY_GROW(list->ids, list->count);
+    if (list->failed) return;
     list->ids[list->count++] = id;
 }
 

@@ -23,9 +23,7 @@ static bool add_mutants(mutation *m, size_t first, size_t last)
     if (last == first + is_sign(&tokens[first]) && tokens[last].length == 1 && *tokens[last].text == '0') return true;
     const char *start = tokens[first].text, *end = tokens[last].text + tokens[last].length;
     for (int dropped = 0; dropped < 2; dropped++) {
-        ttc_mutant *grown = ttc_array_more(m->report->mutants, m->report->count, sizeof *grown);
-        if (grown == NULL) return false;
-        m->report->mutants = grown;
+        if (!TTC_ARRAY_GROW(m->report->mutants, m->report->count)) return false;
         m->report->mutants[m->report->count++] = (ttc_mutant){ .place = { tokens[first].line, tokens[first].column },
                                                                .term = start, .term_length = (size_t)(end - start),
                                                                .dropped = dropped == 1 };

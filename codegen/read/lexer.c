@@ -34,50 +34,23 @@ static ttc_keyword find_keyword(const char *text, size_t length)
     return TTC_KEYWORD_NONE;
 }
 
-/* Returns true for keywords that are not reserved: where they open no record or clause they are free as names. */
-static bool is_soft(ttc_keyword keyword)
-{
-    switch (keyword) {
-    case TTC_KEYWORD_MATRIX:
-    case TTC_KEYWORD_LEFTNULL:
-    case TTC_KEYWORD_REDUCTION:
-    case TTC_KEYWORD_RATE:
-    case TTC_KEYWORD_POSITIVE:
-    case TTC_KEYWORD_DOMAIN:
-    case TTC_KEYWORD_EMBEDDING:
-    case TTC_KEYWORD_INTO:
-    case TTC_KEYWORD_SYMMETRY:
-    case TTC_KEYWORD_EXP:
-    case TTC_KEYWORD_LOG:
-    case TTC_KEYWORD_OBSERVE:
-    case TTC_KEYWORD_VALID:
-    case TTC_KEYWORD_PERIODIC:
-    case TTC_KEYWORD_POLE:
-    case TTC_KEYWORD_SECTION:
-    case TTC_KEYWORD_LIFT:
-    case TTC_KEYWORD_START:
-    case TTC_KEYWORD_TURNS:
-    case TTC_KEYWORD_TIER:
-    case TTC_KEYWORD_WHERE:
-    case TTC_KEYWORD_WHILE:
-    case TTC_KEYWORD_AT:
-    case TTC_KEYWORD_BESIDE:
-    case TTC_KEYWORD_ENDING:
-    case TTC_KEYWORD_ATAN2:
-    case TTC_KEYWORD_MODULO:
-    case TTC_KEYWORD_ONTO:
-    case TTC_KEYWORD_WITH: return true;
-    default: return false;
-    }
-}
+/* Keywords that are not reserved: where they open no record or clause they are free as names. */
+static const bool is_soft[TTC_KEYWORD_NONE + 1] = {
+    [TTC_KEYWORD_MATRIX] = true, [TTC_KEYWORD_LEFTNULL] = true, [TTC_KEYWORD_REDUCTION] = true, [TTC_KEYWORD_RATE] = true,
+    [TTC_KEYWORD_POSITIVE] = true, [TTC_KEYWORD_DOMAIN] = true, [TTC_KEYWORD_EMBEDDING] = true, [TTC_KEYWORD_INTO] = true,
+    [TTC_KEYWORD_SYMMETRY] = true, [TTC_KEYWORD_EXP] = true, [TTC_KEYWORD_LOG] = true, [TTC_KEYWORD_OBSERVE] = true,
+    [TTC_KEYWORD_VALID] = true, [TTC_KEYWORD_PERIODIC] = true, [TTC_KEYWORD_POLE] = true, [TTC_KEYWORD_SECTION] = true,
+    [TTC_KEYWORD_LIFT] = true, [TTC_KEYWORD_START] = true, [TTC_KEYWORD_TURNS] = true, [TTC_KEYWORD_TIER] = true,
+    [TTC_KEYWORD_WHERE] = true, [TTC_KEYWORD_WHILE] = true, [TTC_KEYWORD_AT] = true, [TTC_KEYWORD_BESIDE] = true,
+    [TTC_KEYWORD_ENDING] = true, [TTC_KEYWORD_ATAN2] = true, [TTC_KEYWORD_MODULO] = true, [TTC_KEYWORD_ONTO] = true,
+    [TTC_KEYWORD_WITH] = true,
+};
 
 static uint32_t column_of(const lexer *l, const char *at) { return (uint32_t)(at - l->line_start) + 1; }
 
 static bool push(lexer *l, ttc_token_kind kind, ttc_keyword keyword, const char *start, const char *text, size_t length)
 {
-    ttc_token *tokens = ttc_array_more(l->tokens, l->count, sizeof *tokens);
-    if (tokens == NULL) return false;
-    l->tokens = tokens;
+    if (!TTC_ARRAY_GROW(l->tokens, l->count)) return false;
     l->tokens[l->count++] = (ttc_token){ kind, keyword, l->line, column_of(l, start), (uint32_t)length, text };
     return true;
 }
@@ -106,7 +79,7 @@ static bool opens_record(const lexer *l, ttc_keyword keyword, size_t length)
     if (!l->line_opens || keyword >= TTC_RECORD_COUNT) return false;
     const char *next = l->at + length;
     while (next < l->end && (*next == ' ' || *next == '\t')) next++;
-    return !is_soft(keyword) || (next < l->end && is_letter(*next));
+    return !is_soft[keyword] || (next < l->end && is_letter(*next));
 }
 
 static bool lex_word(lexer *l)
@@ -117,7 +90,7 @@ static bool lex_word(lexer *l)
     bool opens = opens_record(l, keyword, length);
     l->at += length;
     if (keyword != TTC_KEYWORD_NONE) {
-        ttc_token_kind kind = opens ? TTC_TOKEN_RECORD : is_soft(keyword) ? TTC_TOKEN_NAME : TTC_TOKEN_KEYWORD;
+        ttc_token_kind kind = opens ? TTC_TOKEN_RECORD : is_soft[keyword] ? TTC_TOKEN_NAME : TTC_TOKEN_KEYWORD;
         return push(l, kind, keyword, start, start, length);
     }
     if (length > TTC_NAME_LIMIT) {

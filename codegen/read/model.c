@@ -195,29 +195,14 @@ ttc_id ttc_model_inside(const ttc_model *model, uint32_t state, bool is_high)
 
 ttc_id ttc_model_field(const ttc_model *model, size_t k) { return model->equations[k].sum; }
 
-const char *ttc_claim_kind_name(ttc_claim_kind kind)
-{
-    switch (kind) {
-    case TTC_CLAIM_INTEGRAL: return "integral";
-    case TTC_CLAIM_INVARIANT: return "invariant";
-    case TTC_CLAIM_MEASURE: return "measure";
-    case TTC_CLAIM_REVERSOR: return "reversor";
-    case TTC_CLAIM_EQUILIBRIA: return "equilibria";
-    case TTC_CLAIM_TRACE: return "trace";
-    case TTC_CLAIM_CHARPOLY: return "charpoly";
-    case TTC_CLAIM_OBSTRUCTS: return "obstructs";
-    case TTC_CLAIM_MATRIX: return "matrix";
-    case TTC_CLAIM_LEFT_NULL: return "leftnull";
-    case TTC_CLAIM_EQUAL: return "equal";
-    case TTC_CLAIM_RATE: return "rate";
-    case TTC_CLAIM_POSITIVE: return "positive";
-    case TTC_CLAIM_REDUCTION: return "reduction";
-    case TTC_CLAIM_EMBEDDING: return "embedding";
-    case TTC_CLAIM_SYMMETRY: return "symmetry";
-    case TTC_CLAIM_PERIODIC: return "periodic";
-    case TTC_CLAIM_SECTION: return "section";
-    case TTC_CLAIM_DESCENT: return "reduction";
-    case TTC_CLAIM_LIFT: return "lift";
-    }
-    return "claim";
-}
+static const char *const kind_names[] = {
+    [TTC_CLAIM_INTEGRAL] = "integral", [TTC_CLAIM_INVARIANT] = "invariant", [TTC_CLAIM_MEASURE] = "measure",
+    [TTC_CLAIM_REVERSOR] = "reversor", [TTC_CLAIM_EQUILIBRIA] = "equilibria", [TTC_CLAIM_TRACE] = "trace",
+    [TTC_CLAIM_CHARPOLY] = "charpoly", [TTC_CLAIM_OBSTRUCTS] = "obstructs", [TTC_CLAIM_MATRIX] = "matrix",
+    [TTC_CLAIM_LEFT_NULL] = "leftnull", [TTC_CLAIM_EQUAL] = "equal", [TTC_CLAIM_RATE] = "rate",
+    [TTC_CLAIM_POSITIVE] = "positive", [TTC_CLAIM_REDUCTION] = "reduction", [TTC_CLAIM_EMBEDDING] = "embedding",
+    [TTC_CLAIM_SYMMETRY] = "symmetry", [TTC_CLAIM_PERIODIC] = "periodic", [TTC_CLAIM_SECTION] = "section",
+    [TTC_CLAIM_DESCENT] = "reduction", [TTC_CLAIM_LIFT] = "lift",
+};
+
+const char *ttc_claim_kind_name(ttc_claim_kind kind) { return kind_names[kind]; }

@@ -40,19 +40,14 @@ static ttc_id slope(void *context, uint32_t symbol, ttc_id definition_slope)
     if (definition_slope == TTC_NONE || ttc_is_number(graph, definition_slope, 0)) return TTC_NONE;
     ttc_id factor;
     switch (entry->kind) {
-    case TTC_ROOT:
-        return ttc_divide(graph, definition_slope, ttc_multiply(graph, ttc_integer(graph, 2), entry->node));
+    case TTC_ROOT: return ttc_divide(graph, definition_slope, ttc_multiply(graph, ttc_integer(graph, 2), entry->node));
     case TTC_COSINE:
         factor = ttc_multiply(graph, ttc_integer(graph, -1), f->model->symbols[entry->partner].node);
         return ttc_multiply(graph, factor, definition_slope);
-    case TTC_SINE:
-        return ttc_multiply(graph, f->model->symbols[entry->partner].node, definition_slope);
-    case TTC_EXP:
-        return ttc_multiply(graph, entry->node, definition_slope);
-    case TTC_LOG:
-        return ttc_divide(graph, definition_slope, entry->definition);
-    default:
-        return definition_slope;
+    case TTC_SINE: return ttc_multiply(graph, f->model->symbols[entry->partner].node, definition_slope);
+    case TTC_EXP: return ttc_multiply(graph, entry->node, definition_slope);
+    case TTC_LOG: return ttc_divide(graph, definition_slope, entry->definition);
+    default: return definition_slope;
     }
 }
 

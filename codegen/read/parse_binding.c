@@ -19,10 +19,8 @@ bool ttc_parse_bindings(ttc_parser *parser, ttc_bindings *bindings, unsigned kin
         if (!ttc_parse_expect_mark(parser, '=', "the name")) return false;
         ttc_id expression = ttc_parse_expression(parser);
         if (expression == TTC_NONE) return false;
-        ttc_binding *items = ttc_array_more(bindings->items, bindings->count, sizeof *items);
-        if (items == NULL) return ttc_parse_no_memory(parser);
-        bindings->items = items;
-        items[bindings->count++] = (ttc_binding){ symbol, expression, ttc_token_place(name) };
+        if (!TTC_ARRAY_GROW(bindings->items, bindings->count)) return ttc_parse_no_memory(parser);
+        bindings->items[bindings->count++] = (ttc_binding){ symbol, expression, ttc_token_place(name) };
     } while (ttc_parse_accept_mark(parser, ','));
     return true;
 }

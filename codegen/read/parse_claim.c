@@ -66,10 +66,8 @@ static bool parse_map(ttc_parser *parser, ttc_claim *claim)
         parser->at++;
         ttc_id image = ttc_parse_expression(parser);
         if (image == TTC_NONE) return false;
-        ttc_binding *items = ttc_array_more(claim->bindings.items, claim->bindings.count, sizeof *items);
-        if (items == NULL) return ttc_parse_no_memory(parser);
-        claim->bindings.items = items;
-        items[claim->bindings.count++] = (ttc_binding){ symbol, image, place };
+        if (!TTC_ARRAY_GROW(claim->bindings.items, claim->bindings.count)) return ttc_parse_no_memory(parser);
+        claim->bindings.items[claim->bindings.count++] = (ttc_binding){ symbol, image, place };
     } while (ttc_parse_accept_mark(parser, ','));
     return true;
 }
@@ -81,11 +79,7 @@ static bool parse_matrix(ttc_parser *parser, ttc_claim *claim)
     for (;;) {
         ttc_place place = ttc_token_place(ttc_parse_peek(parser));
         ttc_id id = ttc_parse_expression(parser);
-        if (id == TTC_NONE) return false;
-        ttc_id *entries = ttc_array_more(claim->entries, claim->entry_count, sizeof *entries);
-        if (entries == NULL) return ttc_parse_no_memory(parser);
-        claim->entries = entries;
-        entries[claim->entry_count++] = id;
+        if (id == TTC_NONE || !ttc_parse_append(parser, &claim->entries, &claim->entry_count, id)) return false;
         column++;
         if (ttc_parse_accept_mark(parser, ',')) continue;
         if (width == 0) width = column;
@@ -136,9 +130,8 @@ static bool parse_period(ttc_parser *parser, ttc_claim *claim)
         return ttc_parse_error(parser, place, "not a period of '%s' (expected a positive number, or one times pi)", claim->name);
     state->period = number;
     state->in_pi = in_pi;
-    claim->bindings.items = ttc_array_more(NULL, 0, sizeof *claim->bindings.items);
     const ttc_id image = ttc_add(model->graph, state->node, period);
-    if (claim->bindings.items == NULL || image == TTC_NONE) return ttc_parse_no_memory(parser);
+    if (image == TTC_NONE || !TTC_ARRAY_GROW(claim->bindings.items, claim->bindings.count)) return ttc_parse_no_memory(parser);
     claim->bindings.items[claim->bindings.count++] = (ttc_binding){ symbol, image, place };
     return true;
 }
@@ -148,13 +141,10 @@ static bool parse_body(ttc_parser *parser, ttc_claim *claim)
 {
     size_t index = parser->model->claim_count;
     switch (claim->kind) {
-    case TTC_CLAIM_OBSTRUCTS:
-        return true;
+    case TTC_CLAIM_OBSTRUCTS: return true;
     case TTC_CLAIM_REVERSOR:
-    case TTC_CLAIM_SYMMETRY:
-        return parse_map(parser, claim);
-    case TTC_CLAIM_PERIODIC:
-        return ttc_parse_expect_mark(parser, '=', "the state") && parse_period(parser, claim);
+    case TTC_CLAIM_SYMMETRY: return parse_map(parser, claim);
+    case TTC_CLAIM_PERIODIC: return ttc_parse_expect_mark(parser, '=', "the state") && parse_period(parser, claim);
     case TTC_CLAIM_EQUILIBRIA:
         return ttc_parse_expect_mark(parser, ':', "the name") &&
                ttc_parse_bindings(parser, &claim->bindings, 1u << TTC_STATE, "a state");
@@ -165,14 +155,10 @@ static bool parse_body(ttc_parser *parser, ttc_claim *claim)
         if (!ttc_parse_at_keyword(parser, TTC_KEYWORD_BY)) return parse_reduction(parser, claim);
         claim->kind = TTC_CLAIM_DESCENT;
         return ttc_parse_way(parser, claim);
-    case TTC_CLAIM_EMBEDDING:
-        return ttc_parse_expect_mark(parser, ':', "the name") && parse_reduction(parser, claim);
-    case TTC_CLAIM_LIFT:
-        return ttc_parse_expect_mark(parser, ':', "the name") && ttc_parse_way(parser, claim);
-    case TTC_CLAIM_SECTION:
-        return ttc_parse_expect_mark(parser, ':', "the name") && ttc_parse_section(parser, claim);
-    case TTC_CLAIM_MATRIX:
-        return ttc_parse_expect_mark(parser, '=', "the family") && parse_matrix(parser, claim);
+    case TTC_CLAIM_EMBEDDING: return ttc_parse_expect_mark(parser, ':', "the name") && parse_reduction(parser, claim);
+    case TTC_CLAIM_LIFT: return ttc_parse_expect_mark(parser, ':', "the name") && ttc_parse_way(parser, claim);
+    case TTC_CLAIM_SECTION: return ttc_parse_expect_mark(parser, ':', "the name") && ttc_parse_section(parser, claim);
+    case TTC_CLAIM_MATRIX: return ttc_parse_expect_mark(parser, '=', "the family") && parse_matrix(parser, claim);
     case TTC_CLAIM_POSITIVE:
         if (!ttc_parse_expect_mark(parser, ':', "the name")) return false;
         claim->expression = ttc_parse_expression(parser);
@@ -193,29 +179,12 @@ static bool parse_body(ttc_parser *parser, ttc_claim *claim)
     }
 }
 
+/* The kind of claim that the keyword opens; of the two that `reduction` may open, the first. */
 static ttc_claim_kind kind_of(ttc_keyword keyword)
 {
-    switch (keyword) {
-    case TTC_KEYWORD_INTEGRAL: return TTC_CLAIM_INTEGRAL;
-    case TTC_KEYWORD_INVARIANT: return TTC_CLAIM_INVARIANT;
-    case TTC_KEYWORD_MEASURE: return TTC_CLAIM_MEASURE;
-    case TTC_KEYWORD_REVERSOR: return TTC_CLAIM_REVERSOR;
-    case TTC_KEYWORD_EQUILIBRIA: return TTC_CLAIM_EQUILIBRIA;
-    case TTC_KEYWORD_TRACE: return TTC_CLAIM_TRACE;
-    case TTC_KEYWORD_CHARPOLY: return TTC_CLAIM_CHARPOLY;
-    case TTC_KEYWORD_OBSTRUCTS: return TTC_CLAIM_OBSTRUCTS;
-    case TTC_KEYWORD_MATRIX: return TTC_CLAIM_MATRIX;
-    case TTC_KEYWORD_LEFTNULL: return TTC_CLAIM_LEFT_NULL;
-    case TTC_KEYWORD_EQUAL: return TTC_CLAIM_EQUAL;
-    case TTC_KEYWORD_RATE: return TTC_CLAIM_RATE;
-    case TTC_KEYWORD_EMBEDDING: return TTC_CLAIM_EMBEDDING;
-    case TTC_KEYWORD_POSITIVE: return TTC_CLAIM_POSITIVE;
-    case TTC_KEYWORD_SYMMETRY: return TTC_CLAIM_SYMMETRY;
-    case TTC_KEYWORD_PERIODIC: return TTC_CLAIM_PERIODIC;
-    case TTC_KEYWORD_SECTION: return TTC_CLAIM_SECTION;
-    case TTC_KEYWORD_LIFT: return TTC_CLAIM_LIFT;
-    default: return TTC_CLAIM_REDUCTION;
-    }
+    ttc_claim_kind kind = TTC_CLAIM_INTEGRAL;
+    while (kind < TTC_CLAIM_LIFT && strcmp(ttc_claim_kind_name(kind), ttc_keyword_text(keyword)) != 0) kind++;
+    return kind;
 }
 
 /* Report an error if the record itself sets a symbol that `when` sets. */
@@ -285,14 +254,10 @@ bool ttc_parse_claim(ttc_parser *parser, const ttc_token *keyword)
     ttc_model *model = parser->model;
     ttc_claim claim = { .kind = kind_of(keyword->keyword) };
     bool ok = parse_parts(parser, keyword, &claim);
-    ttc_claim *claims = claim.name == NULL || model->claim_count >= TTC_SYMBOL_LIMIT
-                            ? NULL
-                            : ttc_array_more(model->claims, model->claim_count, sizeof *claims);
-    if (claims == NULL) {
+    if (claim.name == NULL || model->claim_count >= TTC_SYMBOL_LIMIT || !TTC_ARRAY_GROW(model->claims, model->claim_count)) {
         ttc_claim_clear(&claim);
         return ok ? ttc_parse_no_memory(parser) : false;
     }
-    model->claims = claims;
-    claims[model->claim_count++] = claim;
+    model->claims[model->claim_count++] = claim;
     return ok;
 }

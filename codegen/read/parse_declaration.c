@@ -46,15 +46,6 @@ static bool parse_unit_and_meaning(ttc_parser *parser, uint32_t symbol)
     return ttc_parse_unit_and_meaning(parser, &entry->unit, &entry->meaning);
 }
 
-bool ttc_parse_append(ttc_parser *parser, uint32_t **list, size_t *count, uint32_t index)
-{
-    uint32_t *grown = ttc_array_more(*list, *count, sizeof *grown);
-    if (grown == NULL) return ttc_parse_no_memory(parser);
-    *list = grown;
-    grown[(*count)++] = index;
-    return true;
-}
-
 static bool parse_param(ttc_parser *parser)
 {
     uint32_t symbol;
@@ -374,10 +365,8 @@ bool ttc_parse_region(ttc_parser *parser)
     const size_t first = parser->at;
     ttc_id expression = ttc_parse_expression(parser);
     if (expression == TTC_NONE || !ttc_parse_positive(parser, "a domain is where an expression is > 0")) return false;
-    ttc_region *regions = ttc_array_more(model->regions, model->region_count, sizeof *regions);
-    if (regions == NULL) return ttc_parse_no_memory(parser);
-    model->regions = regions;
-    ttc_region *region = regions + model->region_count;
+    if (!TTC_ARRAY_GROW(model->regions, model->region_count)) return ttc_parse_no_memory(parser);
+    ttc_region *region = model->regions + model->region_count;
     *region = (ttc_region){ ttc_parse_copy(parser, name->text, name->length), ttc_parse_text_since(parser, first), expression,
                             ttc_token_place(name) };
     model->region_count++;

@@ -39,22 +39,14 @@ bool ttc_parse_uses(ttc_parser *parser, uint32_t symbol)
     const ttc_symbol_kind kind = parser->model->symbols[symbol].kind;
     if (kind != TTC_LET && !ttc_symbol_is_function(kind)) return true;
     if (parser->use_count > 0 && parser->uses[parser->use_count - 1] == symbol) return true;
-    uint32_t *uses = ttc_array_more(parser->uses, parser->use_count, sizeof *uses);
-    if (uses == NULL) return ttc_parse_no_memory(parser);
-    parser->uses = uses;
-    uses[parser->use_count++] = symbol;
-    return true;
+    return ttc_parse_append(parser, &parser->uses, &parser->use_count, symbol);
 }
 
 /* Record a divisor of the current record, unless it is a number. Returns false when memory is out. */
 static bool note_divisor(ttc_parser *parser, ttc_id divisor)
 {
     if (ttc_kind_of(parser->model->graph, divisor) == TTC_NUMBER) return true;
-    ttc_id *divisors = ttc_array_more(parser->divisors, parser->divisor_count, sizeof *divisors);
-    if (divisors == NULL) return ttc_parse_no_memory(parser);
-    parser->divisors = divisors;
-    divisors[parser->divisor_count++] = divisor;
-    return true;
+    return ttc_parse_append(parser, &parser->divisors, &parser->divisor_count, divisor);
 }
 
 static bool is_integer(const ttc_token *token)

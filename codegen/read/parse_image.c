@@ -3,11 +3,9 @@
 
 static bool add_name(ttc_parser *parser, char ***names, size_t *count, const ttc_token *name)
 {
-    char **grown = ttc_array_more(*names, *count, sizeof *grown);
-    if (grown == NULL) return ttc_parse_no_memory(parser);
-    *names = grown;
-    grown[*count] = ttc_parse_copy(parser, name->text, name->length);
-    if (grown[*count] == NULL) return false;
+    if (!TTC_ARRAY_GROW(*names, *count)) return ttc_parse_no_memory(parser);
+    (*names)[*count] = ttc_parse_copy(parser, name->text, name->length);
+    if ((*names)[*count] == NULL) return false;
     ++*count;
     return true;
 }
@@ -58,13 +56,8 @@ static bool parse_entries(ttc_parser *parser, ttc_claim *claim, unsigned forms, 
     }
     if (*form == TTC_GIVEN_ROOT && !ttc_parse_expect_mark(parser, ')', "the argument")) return false;
     if (pair[1] == TTC_NONE) return ttc_parse_no_memory(parser);
-    for (int k = 0; k < 2; k++) {
-        ttc_id *entries = ttc_array_more(claim->entries, claim->entry_count, sizeof *entries);
-        if (entries == NULL) return ttc_parse_no_memory(parser);
-        claim->entries = entries;
-        entries[claim->entry_count++] = pair[k];
-    }
-    return true;
+    return ttc_parse_append(parser, &claim->entries, &claim->entry_count, pair[0]) &&
+           ttc_parse_append(parser, &claim->entries, &claim->entry_count, pair[1]);
 }
 
 bool ttc_parse_image(ttc_parser *parser, ttc_image *image, ttc_claim *claim, unsigned forms, const char *expected)
@@ -86,11 +79,9 @@ bool ttc_parse_image(ttc_parser *parser, ttc_image *image, ttc_claim *claim, uns
         if (image->count >= TTC_STATE_LIMIT)
             return ttc_parse_error(parser, ttc_token_place(name), "too many coordinates (expected at most %d)",
                                    TTC_STATE_LIMIT);
-        ttc_given_form *grown = ttc_array_more(image->forms, image->count, sizeof *grown);
-        if (grown == NULL) return ttc_parse_no_memory(parser);
-        image->forms = grown;
+        if (!TTC_ARRAY_GROW(image->forms, image->count)) return ttc_parse_no_memory(parser);
         if (!parse_entries(parser, claim, forms, &form)) return false;
-        grown[image->count] = form;
+        image->forms[image->count] = form;
         if (!add_name(parser, &image->names, &image->count, name)) return false;
     } while (ttc_parse_accept_mark(parser, ','));
     return true;

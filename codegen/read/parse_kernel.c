@@ -40,10 +40,8 @@ static bool parse_variant(ttc_parser *parser, const ttc_token *name)
     for (size_t i = 0; i < model->variant_count; i++)
         if (ttc_token_is(name, model->variants[i].name)) taken = model->variants[i].name;
     if (!check_new(parser, name, "variant", model->variant_count, taken)) return false;
-    ttc_variant *variants = ttc_array_more(model->variants, model->variant_count, sizeof *variants);
-    if (variants == NULL) return ttc_parse_no_memory(parser);
-    model->variants = variants;
-    ttc_variant *variant = variants + model->variant_count;
+    if (!TTC_ARRAY_GROW(model->variants, model->variant_count)) return ttc_parse_no_memory(parser);
+    ttc_variant *variant = model->variants + model->variant_count;
     memset(variant, 0, sizeof *variant);
     variant->place = ttc_token_place(name);
     if ((variant->name = ttc_parse_copy(parser, name->text, name->length)) == NULL) return false;
@@ -67,10 +65,7 @@ static bool parse_lifted(ttc_parser *parser, ttc_time *time)
             if (time->lifted[i] == symbol)
                 return ttc_parse_error(parser, ttc_token_place(name), "'%s' is lifted twice",
                                        parser->model->symbols[symbol].name);
-        uint32_t *lifted = ttc_array_more(time->lifted, time->lifted_count, sizeof *lifted);
-        if (lifted == NULL) return ttc_parse_no_memory(parser);
-        time->lifted = lifted;
-        lifted[time->lifted_count++] = symbol;
+        if (!ttc_parse_append(parser, &time->lifted, &time->lifted_count, symbol)) return false;
     } while (ttc_parse_accept_mark(parser, ','));
     return true;
 }
@@ -82,10 +77,8 @@ static bool parse_time(ttc_parser *parser, const ttc_token *name)
     for (size_t i = 0; i < model->time_count; i++)
         if (ttc_token_is(name, model->times[i].name)) taken = model->times[i].name;
     if (!check_new(parser, name, "time", model->time_count, taken)) return false;
-    ttc_time *times = ttc_array_more(model->times, model->time_count, sizeof *times);
-    if (times == NULL) return ttc_parse_no_memory(parser);
-    model->times = times;
-    ttc_time *time = times + model->time_count;
+    if (!TTC_ARRAY_GROW(model->times, model->time_count)) return ttc_parse_no_memory(parser);
+    ttc_time *time = model->times + model->time_count;
     memset(time, 0, sizeof *time);
     time->place = ttc_token_place(name);
     if ((time->name = ttc_parse_copy(parser, name->text, name->length)) == NULL) return false;
@@ -116,10 +109,8 @@ static bool parse_elimination(ttc_parser *parser, const ttc_token *name)
     for (size_t i = 0; i < model->elimination_count; i++)
         if (ttc_token_is(name, model->eliminations[i].name)) taken = model->eliminations[i].name;
     if (!check_new(parser, name, "eliminate", model->elimination_count, taken)) return false;
-    ttc_elimination *eliminations = ttc_array_more(model->eliminations, model->elimination_count, sizeof *eliminations);
-    if (eliminations == NULL) return ttc_parse_no_memory(parser);
-    model->eliminations = eliminations;
-    ttc_elimination *elimination = eliminations + model->elimination_count;
+    if (!TTC_ARRAY_GROW(model->eliminations, model->elimination_count)) return ttc_parse_no_memory(parser);
+    ttc_elimination *elimination = model->eliminations + model->elimination_count;
     memset(elimination, 0, sizeof *elimination);
     elimination->place = ttc_token_place(name);
 

@@ -31,16 +31,11 @@ static bool append_symbol(ttc_parser *parser, ttc_symbol_entry entry, uint32_t h
 {
     ttc_model *model = parser->model;
     size_t count = model->symbol_count;
-    ttc_symbol_entry *symbols = ttc_array_more(model->symbols, count, sizeof *symbols);
-    if (symbols != NULL) model->symbols = symbols;
-    uint32_t *hashes = ttc_array_more(parser->hashes, count, sizeof *hashes);
-    if (hashes != NULL) parser->hashes = hashes;
-    unsigned char *used = ttc_array_more(parser->used, count, sizeof *used);
-    if (used != NULL) parser->used = used;
-    if (symbols == NULL || hashes == NULL || used == NULL) return ttc_parse_no_memory(parser);
-    symbols[count] = entry;
-    hashes[count] = hash;
-    used[count] = 0;
+    if (!TTC_ARRAY_GROW(model->symbols, count) || !TTC_ARRAY_GROW(parser->hashes, count) || !TTC_ARRAY_GROW(parser->used, count))
+        return ttc_parse_no_memory(parser);
+    model->symbols[count] = entry;
+    parser->hashes[count] = hash;
+    parser->used[count] = 0;
     model->symbol_count++;
     return true;
 }
@@ -157,9 +152,7 @@ bool ttc_parse_refer(ttc_parser *parser, ttc_reference_role role, size_t owner, 
     if (parser->reference_count >= TTC_REFERENCE_LIMIT)
         return ttc_parse_error(parser, ttc_token_place(name), "too many names of claims (expected at most %d)",
                                TTC_REFERENCE_LIMIT);
-    ttc_reference *references = ttc_array_more(parser->references, parser->reference_count, sizeof *references);
-    if (references == NULL) return ttc_parse_no_memory(parser);
-    parser->references = references;
-    references[parser->reference_count++] = (ttc_reference){ role, owner, name };
+    if (!TTC_ARRAY_GROW(parser->references, parser->reference_count)) return ttc_parse_no_memory(parser);
+    parser->references[parser->reference_count++] = (ttc_reference){ role, owner, name };
     return true;
 }

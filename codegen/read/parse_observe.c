@@ -32,12 +32,8 @@ static bool observe(ttc_parser *parser, uint32_t symbol, ttc_place place)
                                name);
     if (is_column(name)) return ttc_parse_error(parser, place, "'%s' is a column of every table (expected another name)", name);
     if (is_observed(model, symbol)) return ttc_parse_error(parser, place, "'%s' is observed twice", name);
-    uint32_t *observed = ttc_array_more(model->observed, model->observed_count, sizeof *observed);
-    if (observed == NULL) return ttc_parse_no_memory(parser);
-    model->observed = observed;
-    observed[model->observed_count++] = symbol;
     parser->used[symbol] = 1;
-    return true;
+    return ttc_parse_append(parser, &model->observed, &model->observed_count, symbol);
 }
 
 /* NAME [= expression] [unit] "meaning" */
@@ -74,10 +70,8 @@ bool ttc_parse_valid(ttc_parser *parser)
     ttc_id expression = ttc_parse_expression(parser);
     parser->may_rate = false;
     if (expression == TTC_NONE || !ttc_parse_positive(parser, "the model holds where an expression is > 0")) return false;
-    ttc_validity *validities = ttc_array_more(model->validities, model->validity_count, sizeof *validities);
-    if (validities == NULL) return ttc_parse_no_memory(parser);
-    model->validities = validities;
-    ttc_validity *validity = validities + model->validity_count;
+    if (!TTC_ARRAY_GROW(model->validities, model->validity_count)) return ttc_parse_no_memory(parser);
+    ttc_validity *validity = model->validities + model->validity_count;
     *validity = (ttc_validity){ .expression = expression, .place = ttc_token_place(name) };
     if ((validity->name = ttc_parse_copy(parser, name->text, name->length)) == NULL) return false;
     model->validity_count++;

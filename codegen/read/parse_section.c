@@ -42,24 +42,9 @@ bool ttc_parse_pole(ttc_parser *parser)
     if (!is_number(model, entry->low) || !is_number(model, entry->high))
         return ttc_parse_error(parser, pole.place, "'%s' has no interval that ends at numbers, and no poles (expected 'state %s in "
                                "(LO, HI)')", entry->name, entry->name);
-    ttc_pole *poles = ttc_array_more(model->poles, model->pole_count, sizeof *poles);
-    if (poles == NULL) return ttc_parse_no_memory(parser);
-    model->poles = poles;
-    poles[model->pole_count] = pole;
-    return ttc_parse_meaning(parser, &poles[model->pole_count++].meaning);
-}
-
-static ttc_section *add_section(ttc_parser *parser)
-{
-    ttc_model *model = parser->model;
-    ttc_section *sections = ttc_array_more(model->sections, model->section_count, sizeof *sections);
-    if (sections == NULL) {
-        ttc_parse_no_memory(parser);
-        return NULL;
-    }
-    model->sections = sections;
-    sections[model->section_count] = (ttc_section){ .claim = (uint32_t)model->claim_count };
-    return sections + model->section_count++;
+    if (!TTC_ARRAY_GROW(model->poles, model->pole_count)) return ttc_parse_no_memory(parser);
+    model->poles[model->pole_count] = pole;
+    return ttc_parse_meaning(parser, &model->poles[model->pole_count++].meaning);
 }
 
 /* QUANTITY, ... */
@@ -75,11 +60,7 @@ static bool parse_shown(ttc_parser *parser, uint32_t **list, size_t *count)
                                    entry->name);
         for (size_t i = 0; i < *count; i++)
             if ((*list)[i] == symbol) return ttc_parse_error(parser, ttc_token_place(name), "'%s' is shown twice", entry->name);
-        if (!ttc_parse_uses(parser, symbol)) return false;
-        uint32_t *grown = ttc_array_more(*list, *count, sizeof *grown);
-        if (grown == NULL) return ttc_parse_no_memory(parser);
-        *list = grown;
-        grown[(*count)++] = symbol;
+        if (!ttc_parse_uses(parser, symbol) || !ttc_parse_append(parser, list, count, symbol)) return false;
     } while (ttc_parse_accept_mark(parser, ','));
     return true;
 }
@@ -87,13 +68,16 @@ static bool parse_shown(ttc_parser *parser, uint32_t **list, size_t *count)
 /* by FILE.tt at STATE = number with ... [beside ...] [ending ...] */
 bool ttc_parse_section(ttc_parser *parser, ttc_claim *claim)
 {
-    ttc_section *section = add_section(parser);
-    if (section == NULL || !ttc_parse_expect_keyword(parser, TTC_KEYWORD_BY, "':'") ||
+    ttc_model *model = parser->model;
+    if (!TTC_ARRAY_GROW(model->sections, model->section_count)) return ttc_parse_no_memory(parser);
+    ttc_section *section = model->sections + model->section_count++;
+    *section = (ttc_section){ .claim = (uint32_t)model->claim_count };
+    if (!ttc_parse_expect_keyword(parser, TTC_KEYWORD_BY, "':'") ||
         !ttc_parse_target_file(parser, &claim->target) || !ttc_parse_expect_keyword(parser, TTC_KEYWORD_AT, "the table"))
         return false;
     const ttc_place place = ttc_token_place(ttc_parse_peek(parser));
     if (!ttc_parse_bindings(parser, &claim->when, 1u << TTC_STATE, "a state")) return false;
-    if (claim->when.count > 1 || !is_number(parser->model, claim->when.items[0].expression))
+    if (claim->when.count > 1 || !is_number(model, claim->when.items[0].expression))
         return ttc_parse_error(parser, place, "not a section (expected one state, which is a number there)");
     if (!ttc_parse_expect_keyword(parser, TTC_KEYWORD_WITH, "the number") ||
         !ttc_parse_image(parser, &section->image, claim, 1u << TTC_GIVEN_PLAIN | 1u << TTC_GIVEN_ANGLE,
@@ -159,10 +143,8 @@ bool ttc_parse_start(ttc_parser *parser)
                                    (unsigned)model->starts[i].place.line);
     if (model->start_count >= TTC_REGION_LIMIT)
         return ttc_parse_error(parser, ttc_token_place(name), "too many starts (expected at most %d)", TTC_REGION_LIMIT);
-    ttc_start *starts = ttc_array_more(model->starts, model->start_count, sizeof *starts);
-    if (starts == NULL) return ttc_parse_no_memory(parser);
-    model->starts = starts;
-    ttc_start *start = starts + model->start_count;
+    if (!TTC_ARRAY_GROW(model->starts, model->start_count)) return ttc_parse_no_memory(parser);
+    ttc_start *start = model->starts + model->start_count;
     *start = (ttc_start){ .place = ttc_token_place(name), .point = malloc((model->state_count + 1) * sizeof *start->point) };
     if (start->point == NULL) return ttc_parse_no_memory(parser);
     for (size_t i = 0; i < model->state_count; i++) start->point[i] = TTC_NONE;

@@ -27,47 +27,32 @@ static bool is_named(const ttc_parser *parser)
 static bool parse_record(ttc_parser *parser, const ttc_token *keyword)
 {
     switch (keyword->keyword) {
-    case TTC_KEYWORD_MODEL:
-        return parse_model(parser, keyword);
+    case TTC_KEYWORD_MODEL: return parse_model(parser, keyword);
     case TTC_KEYWORD_TITLE:
-    case TTC_KEYWORD_SOURCE:
-        return ttc_parse_title(parser, keyword);
+    case TTC_KEYWORD_SOURCE: return ttc_parse_title(parser, keyword);
     case TTC_KEYWORD_PARAM:
     case TTC_KEYWORD_STATE:
     case TTC_KEYWORD_ROOT:
     case TTC_KEYWORD_ANGLE:
     case TTC_KEYWORD_EXP:
     case TTC_KEYWORD_LOG:
-    case TTC_KEYWORD_LET:
-        return ttc_parse_quantity(parser, keyword);
-    case TTC_KEYWORD_EQ:
-        return ttc_parse_equation(parser);
-    case TTC_KEYWORD_DEFAULT:
-        return ttc_parse_default(parser);
+    case TTC_KEYWORD_LET: return ttc_parse_quantity(parser, keyword);
+    case TTC_KEYWORD_EQ: return ttc_parse_equation(parser);
+    case TTC_KEYWORD_DEFAULT: return ttc_parse_default(parser);
     case TTC_KEYWORD_VARIANT:
     case TTC_KEYWORD_TIME:
-    case TTC_KEYWORD_ELIMINATE:
-        return ttc_parse_kernel(parser, keyword);
-    case TTC_KEYWORD_DOMAIN:
-        return ttc_parse_region(parser);
-    case TTC_KEYWORD_OBSERVE:
-        return ttc_parse_observe(parser);
-    case TTC_KEYWORD_VALID:
-        return ttc_parse_valid(parser);
-    case TTC_KEYWORD_POLE:
-        return ttc_parse_pole(parser);
-    case TTC_KEYWORD_LIFT:
-        return is_named(parser) ? ttc_parse_claim(parser, keyword) : ttc_parse_lift(parser, keyword);
-    case TTC_KEYWORD_TIER:
-        return ttc_parse_tier(parser, keyword);
-    case TTC_KEYWORD_START:
-        return ttc_parse_start(parser);
-    case TTC_KEYWORD_TURNS:
-        return ttc_parse_turns(parser, keyword);
+    case TTC_KEYWORD_ELIMINATE: return ttc_parse_kernel(parser, keyword);
+    case TTC_KEYWORD_DOMAIN: return ttc_parse_region(parser);
+    case TTC_KEYWORD_OBSERVE: return ttc_parse_observe(parser);
+    case TTC_KEYWORD_VALID: return ttc_parse_valid(parser);
+    case TTC_KEYWORD_POLE: return ttc_parse_pole(parser);
+    case TTC_KEYWORD_LIFT: return is_named(parser) ? ttc_parse_claim(parser, keyword) : ttc_parse_lift(parser, keyword);
+    case TTC_KEYWORD_TIER: return ttc_parse_tier(parser, keyword);
+    case TTC_KEYWORD_START: return ttc_parse_start(parser);
+    case TTC_KEYWORD_TURNS: return ttc_parse_turns(parser, keyword);
     case TTC_KEYWORD_NONE:
         return false; /* reported by the lexer */
-    default:
-        return ttc_parse_claim(parser, keyword);
+    default: return ttc_parse_claim(parser, keyword);
     }
 }
 
@@ -88,7 +73,7 @@ static bool defines_by_expression(ttc_keyword keyword)
 }
 
 /* Store divisors and uses of the record in the model. Their owner is what it added to the model since the counts were `before`. */
-static void keep_divisors(ttc_parser *parser, ttc_keyword keyword, record_counts before)
+static bool keep_divisors(ttc_parser *parser, ttc_keyword keyword, record_counts before)
 {
     ttc_model *model = parser->model;
     const record_counts now = counts_of(model);
@@ -103,26 +88,17 @@ static void keep_divisors(ttc_parser *parser, ttc_keyword keyword, record_counts
     else if (keyword == TTC_KEYWORD_TIER) d.role = TTC_DIVIDES_TIER;
     else if (keyword == TTC_KEYWORD_LIFT || keyword == TTC_KEYWORD_TURNS) d.role = TTC_DIVIDES_LIFT;
     for (size_t i = 0; i < parser->divisor_count; i++) {
-        ttc_divisor *divisors = ttc_array_more(model->divisors, model->divisor_count, sizeof *divisors);
-        if (divisors == NULL) {
-            ttc_parse_no_memory(parser);
-            return;
-        }
-        model->divisors = divisors;
+        if (!TTC_ARRAY_GROW(model->divisors, model->divisor_count)) return ttc_parse_no_memory(parser);
         d.divisor = parser->divisors[i];
-        divisors[model->divisor_count++] = d;
+        model->divisors[model->divisor_count++] = d;
     }
     parser->divisor_count = 0;
     for (size_t i = 0; i < parser->use_count; i++) {
-        ttc_use *uses = ttc_array_more(model->uses, model->use_count, sizeof *uses);
-        if (uses == NULL) {
-            ttc_parse_no_memory(parser);
-            return;
-        }
-        model->uses = uses;
-        uses[model->use_count++] = (ttc_use){ parser->uses[i], d.role, d.owner };
+        if (!TTC_ARRAY_GROW(model->uses, model->use_count)) return ttc_parse_no_memory(parser);
+        model->uses[model->use_count++] = (ttc_use){ parser->uses[i], d.role, d.owner };
     }
     parser->use_count = 0;
+    return true;
 }
 
 static void parse_table(ttc_parser *parser)
@@ -141,7 +117,7 @@ static void parse_table(ttc_parser *parser)
         parser->use_count = 0;
         const record_counts before = counts_of(parser->model);
         if (keyword->kind == TTC_TOKEN_RECORD && parse_record(parser, keyword)) ttc_parse_record_end(parser);
-        keep_divisors(parser, keyword->keyword, before);
+        if (!keep_divisors(parser, keyword->keyword, before)) return;
         while (ttc_parse_peek(parser)->kind != TTC_TOKEN_RECORD && ttc_parse_peek(parser)->kind != TTC_TOKEN_END) parser->at++;
     }
 }

@@ -42,14 +42,10 @@ bool ttc_parse_target_bindings(ttc_parser *parser, ttc_bindings *bindings, char 
         ttc_id expression = ttc_parse_expression(parser);
         if (expression == TTC_NONE) return false;
         size_t count = bindings->count;
-        ttc_binding *items = ttc_array_more(bindings->items, count, sizeof *items);
-        if (items != NULL) bindings->items = items;
-        char **grown = ttc_array_more(*names, count, sizeof *grown);
-        if (grown != NULL) *names = grown;
-        if (items == NULL || grown == NULL) return ttc_parse_no_memory(parser);
-        grown[count] = ttc_parse_copy(parser, name->text, name->length);
-        if (grown[count] == NULL) return false;
-        items[count] = (ttc_binding){ 0, expression, ttc_token_place(name) };
+        if (!TTC_ARRAY_GROW(bindings->items, count) || !TTC_ARRAY_GROW(*names, count)) return ttc_parse_no_memory(parser);
+        (*names)[count] = ttc_parse_copy(parser, name->text, name->length);
+        if ((*names)[count] == NULL) return false;
+        bindings->items[count] = (ttc_binding){ 0, expression, ttc_token_place(name) };
         bindings->count++;
     } while (ttc_parse_accept_mark(parser, ','));
     return true;

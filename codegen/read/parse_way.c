@@ -11,26 +11,11 @@ static bool parse_inequalities(ttc_parser *parser, ttc_inequalities *list, const
                                    TTC_REGION_LIMIT);
         const ttc_id expression = ttc_parse_expression(parser);
         if (expression == TTC_NONE || !ttc_parse_positive(parser, rule)) return false;
-        ttc_inequality *items = ttc_array_more(list->items, list->count, sizeof *items);
-        if (items == NULL) return ttc_parse_no_memory(parser);
-        list->items = items;
-        items[list->count] = (ttc_inequality){ expression, ttc_parse_text_since(parser, first) };
-        if (items[list->count++].text == NULL) return false;
+        if (!TTC_ARRAY_GROW(list->items, list->count)) return ttc_parse_no_memory(parser);
+        list->items[list->count] = (ttc_inequality){ expression, ttc_parse_text_since(parser, first) };
+        if (list->items[list->count++].text == NULL) return false;
     } while (ttc_parse_accept_mark(parser, ','));
     return true;
-}
-
-static ttc_way *add_way(ttc_parser *parser)
-{
-    ttc_model *model = parser->model;
-    ttc_way *ways = ttc_array_more(model->ways, model->way_count, sizeof *ways);
-    if (ways == NULL) {
-        ttc_parse_no_memory(parser);
-        return NULL;
-    }
-    model->ways = ways;
-    ways[model->way_count] = (ttc_way){ .claim = (uint32_t)model->claim_count };
-    return ways + model->way_count++;
 }
 
 /* by FILE.tt with NAME = expr | atan2(expr, expr) | sqrt(expr) | INTEGRAL, ... [when PARAM = expr, ...] [where EXPR > 0,
@@ -39,8 +24,11 @@ bool ttc_parse_way(ttc_parser *parser, ttc_claim *claim)
 {
     const bool descends = claim->kind == TTC_CLAIM_DESCENT;
     const unsigned forms = 1u << TTC_GIVEN_PLAIN | (descends ? 1u << TTC_GIVEN_ANGLE | 1u << TTC_GIVEN_ROOT : 0u);
-    ttc_way *way = add_way(parser);
-    if (way == NULL || !ttc_parse_expect_keyword(parser, descends ? TTC_KEYWORD_BY : TTC_KEYWORD_INTO, "':'") ||
+    ttc_model *model = parser->model;
+    if (!TTC_ARRAY_GROW(model->ways, model->way_count)) return ttc_parse_no_memory(parser);
+    ttc_way *way = model->ways + model->way_count++;
+    *way = (ttc_way){ .claim = (uint32_t)model->claim_count };
+    if (!ttc_parse_expect_keyword(parser, descends ? TTC_KEYWORD_BY : TTC_KEYWORD_INTO, "':'") ||
         !ttc_parse_target_file(parser, &claim->target) || !ttc_parse_expect_keyword(parser, TTC_KEYWORD_WITH, "the table") ||
         !ttc_parse_image(parser, &way->image, claim, forms,
                          descends ? "a state or parameter of the table" : "a state, root or parameter of the table"))

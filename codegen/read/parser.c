@@ -52,6 +52,13 @@ bool ttc_parse_no_memory(ttc_parser *parser)
     return false;
 }
 
+bool ttc_parse_append(ttc_parser *parser, uint32_t **list, size_t *count, uint32_t index)
+{
+    if (!TTC_ARRAY_GROW(*list, *count)) return ttc_parse_no_memory(parser);
+    (*list)[(*count)++] = index;
+    return true;
+}
+
 ttc_id ttc_parse_graph_error(ttc_parser *parser, ttc_place place)
 {
     ttc_graph_status status = ttc_graph_error(parser->model->graph);
@@ -73,8 +80,7 @@ bool ttc_parse_unexpected(ttc_parser *parser, const char *expected)
     ttc_place place = ttc_token_place(token);
     int length = token->length > 40 ? 40 : (int)token->length;
     switch (token->kind) {
-    case TTC_TOKEN_BAD:
-        return false;
+    case TTC_TOKEN_BAD: return false;
     case TTC_TOKEN_END:
         return ttc_parse_error(parser, place_after(token - 1), "the table ends within a record (expected %s)", expected);
     case TTC_TOKEN_RECORD:
@@ -82,12 +88,9 @@ bool ttc_parse_unexpected(ttc_parser *parser, const char *expected)
     case TTC_TOKEN_KEYWORD:
         return ttc_parse_error(parser, place, "'%.*s' is a keyword and names nothing (expected %s)", length, token->text,
                                expected);
-    case TTC_TOKEN_STRING:
-        return ttc_parse_error(parser, place, "unexpected text in quotes (expected %s)", expected);
-    case TTC_TOKEN_UNIT:
-        return ttc_parse_error(parser, place, "unexpected unit (expected %s)", expected);
-    default:
-        return ttc_parse_error(parser, place, "unexpected '%.*s' (expected %s)", length, token->text, expected);
+    case TTC_TOKEN_STRING: return ttc_parse_error(parser, place, "unexpected text in quotes (expected %s)", expected);
+    case TTC_TOKEN_UNIT: return ttc_parse_error(parser, place, "unexpected unit (expected %s)", expected);
+    default: return ttc_parse_error(parser, place, "unexpected '%.*s' (expected %s)", length, token->text, expected);
     }
 }
 

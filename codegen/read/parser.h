@@ -78,7 +78,7 @@ bool ttc_token_is(const ttc_token *token, const char *name);
 TTC_PRINTF(3, 4) bool ttc_parse_error(ttc_parser *parser, ttc_place place, const char *format, ...); /* always false */
 bool ttc_parse_no_memory(ttc_parser *parser); /* always false */
 
-/* Append a symbol or the index of a claim to a list of the model. Returns false when memory is out. */
+/* Append a symbol, an expression or the index of a claim to a list. Returns false when memory is out. */
 bool ttc_parse_append(ttc_parser *parser, uint32_t **list, size_t *count, uint32_t index);
 
 /* Expressions. */

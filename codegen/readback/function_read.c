@@ -142,9 +142,7 @@ static bool read_line(reader *r, ttc_value *outputs, size_t count)
         if (read_index(r) != r->count) r->failed = true;
         expect(r, " = ");
         const ttc_value value = read_expression(r);
-        ttc_value *grown = ttc_array_more(r->temporaries, r->count, sizeof *grown);
-        if (grown == NULL) return false;
-        r->temporaries = grown;
+        if (!TTC_ARRAY_GROW(r->temporaries, r->count)) return false;
         r->temporaries[r->count++] = value;
     } else {
         expect(r, "out[");

@@ -208,13 +208,9 @@ static void from_values(proof *p, ttc_ratio *out, ttc_kernel_kind kind, size_t i
     case TTC_KERNEL_INTEGRAL_GRADIENTS:
         add_partial(p, out, &p->values[TTC_KERNEL_INTEGRAL_VALUES].items[index / n], index % n);
         break;
-    case TTC_KERNEL_DOMAIN_GRADIENTS:
-        add_partial(p, out, &p->values[TTC_KERNEL_DOMAIN_VALUES].items[index / n], index % n);
-        break;
+    case TTC_KERNEL_DOMAIN_GRADIENTS: add_partial(p, out, &p->values[TTC_KERNEL_DOMAIN_VALUES].items[index / n], index % n); break;
     case TTC_KERNEL_DIVERGENCE: add_divergence(p, out, &one); break;
-    case TTC_KERNEL_MEASURE_DIVERGENCES:
-        add_divergence(p, out, &p->values[TTC_KERNEL_MEASURE_VALUES].items[index]);
-        break;
+    case TTC_KERNEL_MEASURE_DIVERGENCES: add_divergence(p, out, &p->values[TTC_KERNEL_MEASURE_VALUES].items[index]); break;
     default: ttc_ratio_set(p->free.ring, out, &p->values[kind].items[index]); break;
     }
     ttc_ratio_clear(p->free.ring, &one);

@@ -148,15 +148,9 @@ static void print_sum(const printer *p, ttc_id id)
     const ttc_graph *graph = p->model->graph;
     const fmpq one = { 1, 1 };
     switch (ttc_kind_of(graph, id)) {
-    case TTC_NUMBER:
-        print_signed(p, ttc_coefficient(graph, id), TTC_NONE, true);
-        break;
-    case TTC_SYMBOL:
-        print_signed(p, &one, id, true);
-        break;
-    case TTC_PRODUCT:
-        print_signed(p, ttc_coefficient(graph, id), id, true);
-        break;
+    case TTC_NUMBER: print_signed(p, ttc_coefficient(graph, id), TTC_NONE, true); break;
+    case TTC_SYMBOL: print_signed(p, &one, id, true); break;
+    case TTC_PRODUCT: print_signed(p, ttc_coefficient(graph, id), id, true); break;
     case TTC_SUM:
         for (size_t i = 0; i < ttc_part_count(graph, id); i++) {
             ttc_part part = ttc_part_at(graph, id, i);

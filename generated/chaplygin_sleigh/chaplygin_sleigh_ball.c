@@ -118,27 +118,6 @@ static void general_integral_gradients(arb_ptr out, arb_srcptr x, arb_srcptr par
     _arb_vec_clear(t, 12);
 }
 
-static void general_trace0(arb_ptr out, arb_srcptr x, arb_srcptr params, slong prec)
-{
-    arb_ptr t = _arb_vec_init(11);
-    (void)x;
-    (void)params;
-    (void)prec;
-    arb_mul(t + 2, params + 0, params + 2, prec);
-    arb_mul(t + 4, t + 2, x + 0, prec);
-    arb_mul(t + 6, params + 2, params + 2, prec);
-    arb_mul(t + 7, params + 0, t + 6, prec);
-    arb_add(t + 8, params + 1, t + 7, prec);
-    arb_div(t + 9, t + 4, t + 8, prec);
-    arb_neg(t + 10, t + 9);
-    arb_set(out + 0, t + 10);
-    _arb_vec_clear(t, 11);
-}
-
-static const char *const general_trace[] = { "straight" };
-
-static const jlt_ball_function general_traces[] = { general_trace0 };
-
 extern const jlt_ball_table jlt_balls_chaplygin_sleigh_general;
 const jlt_ball_table jlt_balls_chaplygin_sleigh_general = {
     .model = "chaplygin_sleigh", .time = "", .elimination = "",
@@ -150,8 +129,5 @@ const jlt_ball_table jlt_balls_chaplygin_sleigh_general = {
     .integral = general_integral,
     .integral_values = general_integral_values,
     .integral_gradients = general_integral_gradients,
-    .trace_count = 1,
-    .trace = general_trace,
-    .traces = general_traces,
 };
 

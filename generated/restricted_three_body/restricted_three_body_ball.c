@@ -219,21 +219,6 @@ static void general_integral_gradients(arb_ptr out, arb_srcptr x, arb_srcptr par
     _arb_vec_clear(t, 32);
 }
 
-static void general_trace0(arb_ptr out, arb_srcptr x, arb_srcptr params, slong prec)
-{
-    arb_ptr t = _arb_vec_init(1);
-    (void)x;
-    (void)params;
-    (void)prec;
-    arb_set_si(t + 0, 0);
-    arb_set(out + 0, t + 0);
-    _arb_vec_clear(t, 1);
-}
-
-static const char *const general_trace[] = { "triangular" };
-
-static const jlt_ball_function general_traces[] = { general_trace0 };
-
 extern const jlt_ball_table jlt_balls_restricted_three_body_general;
 const jlt_ball_table jlt_balls_restricted_three_body_general = {
     .model = "restricted_three_body", .time = "", .elimination = "",
@@ -245,8 +230,5 @@ const jlt_ball_table jlt_balls_restricted_three_body_general = {
     .integral = general_integral,
     .integral_values = general_integral_values,
     .integral_gradients = general_integral_gradients,
-    .trace_count = 1,
-    .trace = general_trace,
-    .traces = general_traces,
 };
 

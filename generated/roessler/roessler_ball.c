@@ -60,22 +60,6 @@ static void general_divergence(arb_ptr out, arb_srcptr x, arb_srcptr params, slo
     _arb_vec_clear(t, 5);
 }
 
-static void general_trace0(arb_ptr out, arb_srcptr x, arb_srcptr params, slong prec)
-{
-    arb_ptr t = _arb_vec_init(5);
-    (void)x;
-    (void)params;
-    (void)prec;
-    arb_sub(t + 2, params + 0, params + 2, prec);
-    arb_add(t + 4, t + 2, x + 0, prec);
-    arb_set(out + 0, t + 4);
-    _arb_vec_clear(t, 5);
-}
-
-static const char *const general_trace[] = { "foci" };
-
-static const jlt_ball_function general_traces[] = { general_trace0 };
-
 extern const jlt_ball_table jlt_balls_roessler_general;
 const jlt_ball_table jlt_balls_roessler_general = {
     .model = "roessler", .time = "", .elimination = "",
@@ -83,8 +67,5 @@ const jlt_ball_table jlt_balls_roessler_general = {
     .rhs = general_rhs,
     .jacobian = general_jacobian,
     .divergence = general_divergence,
-    .trace_count = 1,
-    .trace = general_trace,
-    .traces = general_traces,
 };
 

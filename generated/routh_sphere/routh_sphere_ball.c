@@ -566,32 +566,6 @@ static void general_integral_gradients(arb_ptr out, arb_srcptr x, arb_srcptr par
     _arb_vec_clear(t, 90);
 }
 
-static void general_trace0(arb_ptr out, arb_srcptr x, arb_srcptr params, slong prec)
-{
-    arb_ptr t = _arb_vec_init(1);
-    (void)x;
-    (void)params;
-    (void)prec;
-    arb_set_si(t + 0, 0);
-    arb_set(out + 0, t + 0);
-    _arb_vec_clear(t, 1);
-}
-
-static void general_trace1(arb_ptr out, arb_srcptr x, arb_srcptr params, slong prec)
-{
-    arb_ptr t = _arb_vec_init(1);
-    (void)x;
-    (void)params;
-    (void)prec;
-    arb_set_si(t + 0, 0);
-    arb_set(out + 0, t + 0);
-    _arb_vec_clear(t, 1);
-}
-
-static const char *const general_trace[] = { "precession", "rolling" };
-
-static const jlt_ball_function general_traces[] = { general_trace0, general_trace1 };
-
 extern const jlt_ball_table jlt_balls_routh_sphere_general;
 const jlt_ball_table jlt_balls_routh_sphere_general = {
     .model = "routh_sphere", .time = "", .elimination = "",
@@ -603,9 +577,6 @@ const jlt_ball_table jlt_balls_routh_sphere_general = {
     .integral = general_integral,
     .integral_values = general_integral_values,
     .integral_gradients = general_integral_gradients,
-    .trace_count = 2,
-    .trace = general_trace,
-    .traces = general_traces,
 };
 
 static void general_in_regular_rhs(arb_ptr out, arb_srcptr x, arb_srcptr params, slong prec)

@@ -670,87 +670,6 @@ static void general_integral_gradients(arb_ptr out, arb_srcptr x, arb_srcptr par
     _arb_vec_clear(t, 95);
 }
 
-static void general_trace0(arb_ptr out, arb_srcptr x, arb_srcptr params, slong prec)
-{
-    arb_ptr t = _arb_vec_init(31);
-    (void)x;
-    (void)params;
-    (void)prec;
-    arb_set_si(t + 0, 1);
-    arb_mul(t + 3, params + 0, params + 1, prec);
-    arb_mul(t + 5, t + 3, params + 5, prec);
-    arb_mul(t + 7, t + 5, x + 0, prec);
-    arb_mul(t + 9, t + 7, x + 1, prec);
-    arb_mul(t + 10, x + 0, x + 0, prec);
-    arb_sub(t + 11, t + 0, t + 10, prec);
-    arb_sqrt(t + 12, t + 11, prec); /* s */
-    arb_mul(t + 14, params + 5, params + 4, prec);
-    arb_mul(t + 15, params + 1, params + 1, prec);
-    arb_mul(t + 16, params + 0, t + 15, prec);
-    arb_mul(t + 17, params + 4, t + 16, prec);
-    arb_mul(t + 18, t + 12, t + 12, prec);
-    arb_mul(t + 19, t + 17, t + 18, prec);
-    arb_add(t + 20, t + 14, t + 19, prec);
-    arb_mul(t + 21, params + 0, params + 5, prec);
-    arb_mul(t + 23, params + 1, x + 0, prec);
-    arb_add(t + 24, params + 3, t + 23, prec); /* b */
-    arb_mul(t + 25, t + 24, t + 24, prec);
-    arb_mul(t + 26, t + 21, t + 25, prec);
-    arb_add(t + 27, t + 20, t + 26, prec); /* Theta */
-    arb_mul(t + 28, t + 12, t + 27, prec);
-    arb_div(t + 29, t + 9, t + 28, prec);
-    arb_neg(t + 30, t + 29);
-    arb_set(out + 0, t + 30);
-    _arb_vec_clear(t, 31);
-}
-
-static void general_trace1(arb_ptr out, arb_srcptr x, arb_srcptr params, slong prec)
-{
-    arb_ptr t = _arb_vec_init(29);
-    (void)x;
-    (void)params;
-    (void)prec;
-    arb_set_si(t + 0, 1);
-    arb_mul(t + 3, params + 0, params + 5, prec);
-    arb_mul(t + 5, t + 3, x + 1, prec);
-    arb_mul(t + 7, x + 0, x + 0, prec);
-    arb_sub(t + 8, t + 0, t + 7, prec);
-    arb_sqrt(t + 9, t + 8, prec); /* s */
-    arb_mul(t + 12, x + 0, params + 1, prec);
-    arb_add(t + 13, params + 3, t + 12, prec); /* b */
-    arb_mul(t + 14, t + 5, t + 13, prec);
-    arb_mul(t + 16, params + 5, params + 4, prec);
-    arb_mul(t + 17, params + 1, params + 1, prec);
-    arb_mul(t + 18, params + 0, t + 17, prec);
-    arb_mul(t + 19, params + 4, t + 18, prec);
-    arb_mul(t + 20, t + 9, t + 9, prec);
-    arb_mul(t + 21, t + 19, t + 20, prec);
-    arb_add(t + 22, t + 16, t + 21, prec);
-    arb_mul(t + 23, t + 13, t + 13, prec);
-    arb_mul(t + 24, t + 3, t + 23, prec);
-    arb_add(t + 25, t + 22, t + 24, prec); /* Theta */
-    arb_mul(t + 26, t + 9, t + 25, prec);
-    arb_div(t + 27, t + 14, t + 26, prec);
-    arb_neg(t + 28, t + 27);
-    arb_set(out + 0, t + 28);
-    _arb_vec_clear(t, 29);
-}
-
-static void general_trace2(arb_ptr out, arb_srcptr x, arb_srcptr params, slong prec)
-{
-    arb_ptr t = _arb_vec_init(1);
-    (void)x;
-    (void)params;
-    (void)prec;
-    arb_set_si(t + 0, 0);
-    arb_set(out + 0, t + 0);
-    _arb_vec_clear(t, 1);
-}
-
-static const char *const general_trace[] = { "spin", "spin_weightless", "precession" };
-
-static const jlt_ball_function general_traces[] = { general_trace0, general_trace1, general_trace2 };
-
 extern const jlt_ball_table jlt_balls_spherical_top_general;
 const jlt_ball_table jlt_balls_spherical_top_general = {
     .model = "spherical_top", .time = "", .elimination = "",
@@ -762,9 +681,6 @@ const jlt_ball_table jlt_balls_spherical_top_general = {
     .integral = general_integral,
     .integral_values = general_integral_values,
     .integral_gradients = general_integral_gradients,
-    .trace_count = 3,
-    .trace = general_trace,
-    .traces = general_traces,
 };
 
 static void general_on_level_omega_n_rhs(arb_ptr out, arb_srcptr x, arb_srcptr params, slong prec)

@@ -658,43 +658,6 @@ static void general_integral_gradients(arb_ptr out, arb_srcptr x, arb_srcptr par
     _arb_vec_clear(t, 113);
 }
 
-static void general_trace0(arb_ptr out, arb_srcptr x, arb_srcptr params, slong prec)
-{
-    arb_ptr t = _arb_vec_init(30);
-    (void)x;
-    (void)params;
-    (void)prec;
-    arb_set_si(t + 0, 1);
-    arb_mul(t + 3, params + 0, params + 1, prec);
-    arb_mul(t + 5, t + 3, params + 4, prec);
-    arb_mul(t + 7, t + 5, x + 0, prec);
-    arb_mul(t + 9, t + 7, x + 1, prec);
-    arb_mul(t + 10, x + 0, x + 0, prec);
-    arb_sub(t + 11, t + 0, t + 10, prec);
-    arb_sqrt(t + 12, t + 11, prec); /* s */
-    arb_mul(t + 13, params + 1, params + 1, prec);
-    arb_mul(t + 15, t + 13, params + 3, prec);
-    arb_mul(t + 16, t + 12, t + 12, prec);
-    arb_mul(t + 17, t + 15, t + 16, prec);
-    arb_mul(t + 19, params + 1, x + 0, prec);
-    arb_add(t + 20, params + 5, t + 19, prec); /* b */
-    arb_mul(t + 21, t + 20, t + 20, prec);
-    arb_mul(t + 22, params + 4, t + 21, prec);
-    arb_add(t + 23, t + 17, t + 22, prec); /* K */
-    arb_mul(t + 24, params + 0, t + 23, prec);
-    arb_mul(t + 25, params + 4, params + 3, prec);
-    arb_add(t + 26, t + 24, t + 25, prec); /* Theta */
-    arb_mul(t + 27, t + 12, t + 26, prec);
-    arb_div(t + 28, t + 9, t + 27, prec);
-    arb_neg(t + 29, t + 28);
-    arb_set(out + 0, t + 29);
-    _arb_vec_clear(t, 30);
-}
-
-static const char *const general_trace[] = { "spinning" };
-
-static const jlt_ball_function general_traces[] = { general_trace0 };
-
 extern const jlt_ball_table jlt_balls_spherical_top_level_general;
 const jlt_ball_table jlt_balls_spherical_top_level_general = {
     .model = "spherical_top_level", .time = "", .elimination = "",
@@ -706,9 +669,6 @@ const jlt_ball_table jlt_balls_spherical_top_level_general = {
     .integral = general_integral,
     .integral_values = general_integral_values,
     .integral_gradients = general_integral_gradients,
-    .trace_count = 1,
-    .trace = general_trace,
-    .traces = general_traces,
 };
 
 static void general_in_regular_rhs(arb_ptr out, arb_srcptr x, arb_srcptr params, slong prec)

@@ -17,10 +17,8 @@ static jlt_exit add(jlt_assign_list *list, const char *name, size_t name_length,
         if (strlen(list->items[i].name) == name_length && memcmp(list->items[i].name, name, name_length) == 0)
             return jlt_command_fail(JLT_EXIT_INPUT, "%s: '%s' is given twice", option, list->items[i].name);
     jlt_assignment item = { 0 };
-    jlt_assignment *items = jlt_memory_more(list->items, list->count, sizeof *items);
-    jlt_status st = items == NULL ? JLT_ERR_NOMEM : JLT_OK;
+    jlt_status st = JLT_MEMORY_GROW(list->items, list->count) ? JLT_OK : JLT_ERR_NOMEM;
 
-    if (items != NULL) list->items = items;
     if (st == JLT_OK) st = jlt_number_parse(&item.value, value, length);
     if (st == JLT_OK) st = jlt_number_fraction(&item.fraction, value, length);
     if (st == JLT_OK && (item.name = strndup(name, name_length)) == NULL) st = JLT_ERR_NOMEM;

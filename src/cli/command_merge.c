@@ -89,13 +89,10 @@ typedef struct {
 
 static jlt_exit add_file(file_list *files, char *path)
 {
-    char **paths = path != NULL ? jlt_memory_more(files->paths, files->count, sizeof *paths) : NULL;
-
-    if (paths == NULL) {
+    if (path == NULL || !JLT_MEMORY_GROW(files->paths, files->count)) {
         free(path);
         return jlt_command_no_memory();
     }
-    files->paths = paths;
     files->paths[files->count++] = path;
     return JLT_EXIT_DONE;
 }

@@ -38,7 +38,8 @@ jlt_exit jlt_program_begin(void)
     jlt_interrupt_begin();
     ttc_exhaustion_handle(end_without_memory);
     argp_err_exit_status = JLT_EXIT_USAGE;
-    setenv("ARGP_HELP_FMT", "opt-doc-col=30", 0); /* the column of descriptions: wide enough for --start=STATE=VALUE,... */
+    /* The column of descriptions is wide enough for --start=STATE=VALUE,...; argp's note on short options says nothing here. */
+    setenv("ARGP_HELP_FMT", "opt-doc-col=30,no-dup-args-note", 0);
     return atexit(close_output) == 0 ? JLT_EXIT_DONE : JLT_EXIT_NUMERICAL;
 }
 

@@ -28,12 +28,10 @@ void jlt_section_picture_close(jlt_section_picture *self)
 jlt_status jlt_section_picture_add(jlt_section_picture *self, const double *q)
 {
     if (self->stream == NULL || isnan(q[0]) || self->count + self->running_count == POINTS) return JLT_OK;
-    double *grown = jlt_memory_more(self->running, self->running_count, 2 * sizeof *grown);
-    if (grown == NULL) return JLT_ERR_NOMEM;
-    self->running = grown;
+    if (!JLT_MEMORY_GROW(self->running, self->running_count)) return JLT_ERR_NOMEM;
     for (unsigned k = 0; k < 2; k++) {
         const double value = k == 0 && self->shown[0] == self->shown[1] ? (double)self->running_count : q[self->shown[k]];
-        self->running[2 * self->running_count + k] = value;
+        self->running[self->running_count][k] = value;
         jlt_extent_add(&self->extent[k], value);
     }
     self->running_count++;
@@ -43,7 +41,7 @@ jlt_status jlt_section_picture_add(jlt_section_picture *self, const double *q)
 void jlt_section_picture_end(jlt_section_picture *self, jlt_fate fate)
 {
     for (size_t i = 0; i < self->running_count; i++)
-        jlt_look_row(self->stream, (const double[]){ self->running[2 * i], self->running[2 * i + 1], (double)fate }, 3);
+        jlt_look_row(self->stream, (const double[]){ self->running[i][0], self->running[i][1], (double)fate }, 3);
     self->count += self->running_count;
     self->running_count = 0;
     self->orbits++;

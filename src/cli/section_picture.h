@@ -9,7 +9,7 @@ typedef struct {
     FILE *stream; /* collects in `text` the points of orbits that have ended; NULL: there is no picture */
     char *text;
     size_t size;
-    double *running; /* points of the current orbit: shape (running_count, 2) */
+    double (*running)[2]; /* points of the current orbit: shape (running_count,) */
     size_t running_count;
     size_t count, orbits, by_fate[JLT_FATE_COUNT]; /* points in `text`; orbits that have ended, in all and by fate */
     unsigned shown[2];       /* indices of the coordinates on the axes; if both are equal, y is plotted over the return number */

@@ -1,6 +1,5 @@
 #include "core/memory.h"
 
-#include <stdbool.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -20,10 +19,16 @@ void *jlt_memory_array(size_t count, size_t size)
     return array;
 }
 
-void *jlt_memory_more(void *array, size_t count, size_t size)
+bool jlt_memory_grow(void *place, size_t count, size_t size)
 {
     const bool full = (count & (count - 1)) == 0;
+    void *array;
 
-    if (count > SIZE_MAX / 2 / size) return NULL;
-    return full ? realloc(array, (count == 0 ? 1 : 2 * count) * size) : array;
+    if (!full) return true;
+    if (count > SIZE_MAX / 2 / size) return false;
+    memcpy(&array, place, sizeof array);
+    array = realloc(array, (count == 0 ? 1 : 2 * count) * size);
+    if (array == NULL) return false;
+    memcpy(place, &array, sizeof array);
+    return true;
 }

@@ -86,22 +86,13 @@ static int open_file(jlt_spool *self)
     return none;
 }
 
-/* Write all bytes at offset `place`; returns false on failure. */
-static bool put(int file, const void *bytes, size_t size, uint64_t place)
+/* Write, or else read, all bytes at offset `place`; returns false on failure. */
+static bool carry(int file, bool writes, void *bytes, size_t size, uint64_t place)
 {
     for (size_t done = 0; done < size;) {
-        const ssize_t part = pwrite(file, (const char *)bytes + done, size - done, (off_t)(place + done));
-        if (part < 0 && errno == EINTR) continue;
-        if (part <= 0) return false;
-        done += (size_t)part;
-    }
-    return true;
-}
-
-static bool get(int file, void *bytes, size_t size, uint64_t place)
-{
-    for (size_t done = 0; done < size;) {
-        const ssize_t part = pread(file, (char *)bytes + done, size - done, (off_t)(place + done));
+        char *const rest = (char *)bytes + done;
+        const off_t at = (off_t)(place + done);
+        const ssize_t part = writes ? pwrite(file, rest, size - done, at) : pread(file, rest, size - done, at);
         if (part < 0 && errno == EINTR) continue;
         if (part <= 0) return false;
         done += (size_t)part;
@@ -125,8 +116,10 @@ static jlt_status move_out(jlt_spool *self, size_t index)
 
     if (file < 0) return JLT_ERR_IO;
     if (s->blocks == 0) s->first = s->next = reserve(self);
-    const uint64_t here = place_of(self, s->next), next = reserve(self);
-    if (!put(file, &next, sizeof next, here) || !put(file, recent_of(self, index), block_bytes(self), here + sizeof next))
+    const uint64_t here = place_of(self, s->next);
+    uint64_t next = reserve(self);
+    if (!carry(file, true, &next, sizeof next, here)
+        || !carry(file, true, recent_of(self, index), block_bytes(self), here + sizeof next))
         return JLT_ERR_IO;
     s->next = next;
     s->blocks++;
@@ -141,11 +134,6 @@ jlt_status jlt_spool_add(jlt_spool *self, size_t index, const double *record)
     if (s->held == self->room) JLT_PASS(move_out(self, index));
     memcpy(recent_of(self, index) + s->held++ * self->width, record, self->width * sizeof *record);
     return JLT_OK;
-}
-
-size_t jlt_spool_count(const jlt_spool *self, size_t index)
-{
-    return self->of[index].blocks * self->room + self->of[index].held;
 }
 
 void jlt_spool_rewind(jlt_spool *self, size_t index)
@@ -164,8 +152,8 @@ jlt_status jlt_spool_read(jlt_spool *self, double *record)
         self->reading.at = 0;
         if (self->reading.blocks++ < s->blocks) {
             const uint64_t here = place_of(self, self->reading.next);
-            if (!get(self->file, &self->reading.next, sizeof self->reading.next, here) ||
-                !get(self->file, self->block, block_bytes(self), here + sizeof self->reading.next))
+            if (!carry(self->file, false, &self->reading.next, sizeof self->reading.next, here) ||
+                !carry(self->file, false, self->block, block_bytes(self), here + sizeof self->reading.next))
                 return JLT_ERR_IO;
         }
     }

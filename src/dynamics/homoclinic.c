@@ -225,12 +225,10 @@ static jlt_status find_candidates(refinement **out, size_t *count, const jlt_man
                                 stable->points + 2 * j, stable->points + 2 * j + 2)) continue;
             point.sigma_unstable = unstable->sigma[i] + a * (unstable->sigma[i + 1] - unstable->sigma[i]);
             point.sigma_stable = stable->sigma[j] + b * (stable->sigma[j + 1] - stable->sigma[j]);
-            refinement *grown = jlt_memory_more(list, *count, sizeof *grown);
-            if (grown == NULL) {
+            if (!JLT_MEMORY_GROW(list, *count)) {
                 free(list);
                 return JLT_ERR_NOMEM;
             }
-            list = grown;
             begin_refinement(&list[*count], &point);
             list[(*count)++].has_twin = mirrored && i != j;
         }

@@ -81,16 +81,10 @@ static jlt_status hire(worker *out, const jlt_map_batch *batch)
 
 static jlt_status append(jlt_map_batch *self, const jlt_flow *flow)
 {
-    jlt_flow *flows = jlt_memory_more(self->flows, self->flow_count, sizeof *flows);
-    jlt_batch_case *cases;
-
-    if (flows == NULL) return JLT_ERR_NOMEM;
-    self->flows = flows;
-    cases = jlt_memory_more(self->cases, self->flow_count, sizeof *cases);
-    if (cases == NULL) return JLT_ERR_NOMEM;
-    self->map.cases = self->cases = cases;
-    cases[self->flow_count] = (jlt_batch_case){ .p = flow->field->p, .level = flow->chart->level };
-    flows[self->flow_count++] = *flow;
+    if (!JLT_MEMORY_GROW(self->flows, self->flow_count) || !JLT_MEMORY_GROW(self->cases, self->flow_count)) return JLT_ERR_NOMEM;
+    self->map.cases = self->cases;
+    self->cases[self->flow_count] = (jlt_batch_case){ .p = flow->field->p, .level = flow->chart->level };
+    self->flows[self->flow_count++] = *flow;
     return JLT_OK;
 }
 

@@ -27,12 +27,8 @@ bool jlt_orbits_has(const jlt_orbits *self, const jlt_chart *chart, const jlt_pe
 
 jlt_status jlt_orbits_add(jlt_orbits *self, const jlt_chart *chart, const jlt_periodic *orbit)
 {
-    jlt_periodic *grown;
-
     if (jlt_orbits_has(self, chart, orbit)) return JLT_OK;
-    grown = jlt_memory_more(self->orbits, self->count, sizeof *grown);
-    if (grown == NULL) return JLT_ERR_NOMEM;
-    self->orbits = grown;
+    if (!JLT_MEMORY_GROW(self->orbits, self->count)) return JLT_ERR_NOMEM;
     self->orbits[self->count++] = *orbit;
     return JLT_OK;
 }

@@ -142,9 +142,7 @@ static jlt_status begin_window(grid_search *self, const double *window, size_t f
 
     for (size_t p = 1; p < filled; p++) {
         if (jlt_chart_distance(self->chart, window, window + p * d) > near) continue;
-        jlt_newton *grown = jlt_memory_more(self->newton, self->count, sizeof *grown);
-        if (grown == NULL) return JLT_ERR_NOMEM;
-        self->newton = grown;
+        if (!JLT_MEMORY_GROW(self->newton, self->count)) return JLT_ERR_NOMEM;
         JLT_PASS(jlt_newton_create(&self->newton[self->count], &self->flow, window, p, NULL));
         self->count++;
         self->points += p;

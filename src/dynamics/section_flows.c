@@ -21,11 +21,8 @@ jlt_status jlt_section_flows_section(jlt_section_flows *self, jlt_section **sect
 
 static jlt_status append(jlt_section_flows *self, const jlt_flow *flow, const jlt_instance *project)
 {
-    jlt_section_flows_entry *all = jlt_memory_more(self->all, self->count, sizeof *all);
-
-    if (all == NULL) return JLT_ERR_NOMEM;
-    self->all = all;
-    all[self->count++] = (jlt_section_flows_entry){ .flow = *flow, .project = project };
+    if (!JLT_MEMORY_GROW(self->all, self->count)) return JLT_ERR_NOMEM;
+    self->all[self->count++] = (jlt_section_flows_entry){ .flow = *flow, .project = project };
     return JLT_OK;
 }
 

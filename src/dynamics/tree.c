@@ -26,10 +26,7 @@ typedef struct {
 
 static jlt_status keep_node(tree *self, const jlt_continuation_point *point)
 {
-    node *grown = jlt_memory_more(self->nodes, self->count, sizeof *grown);
-
-    if (grown == NULL) return JLT_ERR_NOMEM;
-    self->nodes = grown;
+    if (!JLT_MEMORY_GROW(self->nodes, self->count)) return JLT_ERR_NOMEM;
     self->nodes[self->count++] = (node){ *point, self->branch, self->generation, false };
     return JLT_OK;
 }

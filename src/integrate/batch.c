@@ -7,15 +7,12 @@ static jlt_status run(const jlt_batch_job *job)
 {
     switch (job->map->kernels->lanes) {
 #if defined(JLT_HAVE_X86)
-    case 8:
-        return jlt_batch_lanes_avx512(job);
+    case 8: return jlt_batch_lanes_avx512(job);
     case 4:
         return jlt_batch_lanes_avx2(job);
 #endif
-    case 2:
-        return jlt_batch_lanes_baseline(job);
-    default:
-        return JLT_ERR_UNSUPPORTED;
+    case 2: return jlt_batch_lanes_baseline(job);
+    default: return JLT_ERR_UNSUPPORTED;
     }
 }
 

@@ -12,12 +12,8 @@ enum { NAMES_MAX = 512 };
 
 static jlt_status add_option(jlt_scene_job *job, const jlt_key *key, const char *text, int line)
 {
-    jlt_scene_option *grown = jlt_memory_more(job->options, job->count, sizeof *grown);
-    jlt_scene_option *option;
-
-    if (grown == NULL) return JLT_ERR_NOMEM;
-    job->options = grown;
-    option = &job->options[job->count++];
+    if (!JLT_MEMORY_GROW(job->options, job->count)) return JLT_ERR_NOMEM;
+    jlt_scene_option *option = &job->options[job->count++];
     *option = (jlt_scene_option){ .name = strdup(key->option), .value = text != NULL ? strdup(text) : NULL,
                                   .line = (unsigned)line, .is_file = key->kind == JLT_KEY_FILE };
     return option->name == NULL || (text != NULL && option->value == NULL) ? JLT_ERR_NOMEM : JLT_OK;

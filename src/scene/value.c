@@ -132,21 +132,13 @@ static jlt_status append_number(const jlt_value_reader *r, const config_setting_
 
     switch (config_setting_type(at)) {
     case CONFIG_TYPE_INT:
-    case CONFIG_TYPE_INT64:
-        snprintf(text, sizeof text, "%lld", config_setting_get_int64(at));
-        break;
-    case CONFIG_TYPE_FLOAT:
-        jlt_digits_shortest(text, config_setting_get_float(at));
-        break;
-    case CONFIG_TYPE_STRING:
-        string = config_setting_get_string(at);
-        break;
-    default:
-        return jlt_value_complain(r, jlt_value_line(at), "'%s' takes a number (such as 0.51 or \"1/3\")", name);
+    case CONFIG_TYPE_INT64: snprintf(text, sizeof text, "%lld", config_setting_get_int64(at)); break;
+    case CONFIG_TYPE_FLOAT: jlt_digits_shortest(text, config_setting_get_float(at)); break;
+    case CONFIG_TYPE_STRING: string = config_setting_get_string(at); break;
+    default: return jlt_value_complain(r, jlt_value_line(at), "'%s' takes a number (such as 0.51 or \"1/3\")", name);
     }
     switch (jlt_number_parse(&ignored, string, strlen(string))) {
-    case JLT_OK:
-        return append(r, at, v, string);
+    case JLT_OK: return append(r, at, v, string);
     case JLT_ERR_NONFINITE:
         return jlt_value_complain(r, jlt_value_line(at), "'%s' is beyond the range of numbers: %s", name, string);
     default:
