@@ -281,8 +281,8 @@ static void look_at_table(ttc_task *task, const ttc_model *table, uint32_t back)
 
 /* ---- in the model ---- */
 
-/* Require that the way's image leads back to the point itself: in states, roots, and parameters that the claim back determines, also
- * by equal names; a reduction gives parameters as numbers, too. */
+/* Require that the way's image leads back to the point itself: in states, roots, and parameters that the claim back determines,
+ * also by equal names; a reduction gives parameters as numbers, too. */
 static void require_same(ttc_task *task, ttc_valuation *map, const ttc_claim *back)
 {
     const ttc_model *model = task->model, *table = ttc_valuation_model(map);

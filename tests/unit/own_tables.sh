@@ -154,7 +154,8 @@ expect 3 "the parameter c of ring is missing in ring_section: write 'param c' th
 
 # One text under two names: another table embeds itself into each, and into one of them wrongly.
 printf 'model pace\nparam k\nstate y\neq y = k\nreduction same : by slow.tt with y = y\n' | tee one.tt > two.tt
-printf 'model slow\nparam k\nstate y\neq y = k\nembedding a : into one.tt with y = y\nembedding b : into two.tt with y = 2*y\n' > slow.tt
+printf 'model slow\nparam k\nstate y\neq y = k\nembedding a : into one.tt with y = y\n'\
+'embedding b : into two.tt with y = 2*y\n' > slow.tt
 expect 0 '"proved": true' jellett models ./one.tt --json
 expect 0 '"proved": false' jellett models ./two.tt --json
 
