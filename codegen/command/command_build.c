@@ -20,13 +20,13 @@ static void add_identity(ttc_text *key, const char *path)
                         found.st_mtim.tv_nsec);
 }
 
-/* A digest of all that determines the object: ttc, compiler, flags, the table, and those that its claims lead to. Returns false if
- * one of the latter is wrong: its errors must be reported again. */
+/* A digest of all that determines the object: ttc, compiler, flags, the table, its file's name, by which others lead back to it,
+ * and the tables that its claims lead to. Returns false if one of the latter is wrong: its errors must be reported again. */
 static bool make_key(char digest[65], const ttc_model *model, const char *compiler, unsigned lanes)
 {
     bool good = true;
     ttc_text key = { 0 };
-    ttc_text_format(&key, "ttc %s\n%s\n", JLT_VERSION, model->sha256);
+    ttc_text_format(&key, "ttc %s\n%s\n%s\n", JLT_VERSION, ttc_model_base_name(model), model->sha256);
     ttc_compiler_add_flags(&key, lanes);
     add_identity(&key, "/proc/self/exe");
     add_identity(&key, compiler);

@@ -281,8 +281,8 @@ static void look_at_table(ttc_task *task, const ttc_model *table, uint32_t back)
 
 /* ---- in the model ---- */
 
-/* Require that the way's image leads back to the point itself: in states, roots, and parameters that the claim back determines;
- * a reduction also gives parameters by equal names, or as numbers. */
+/* Require that the way's image leads back to the point itself: in states, roots, and parameters that the claim back determines,
+ * also by equal names; a reduction gives parameters as numbers, too. */
 static void require_same(ttc_task *task, ttc_valuation *map, const ttc_claim *back)
 {
     const ttc_model *model = task->model, *table = ttc_valuation_model(map);
@@ -291,8 +291,7 @@ static void require_same(ttc_task *task, ttc_valuation *map, const ttc_claim *ba
         const ttc_symbol_entry *entry = model->symbols + i;
         const uint32_t theirs = ttc_param_of(table, entry->name);
         ttc_id given = ttc_given_for(back, entry->name);
-        if (given == TTC_NONE && reduces && entry->kind == TTC_PARAM && theirs != UINT32_MAX)
-            given = table->symbols[theirs].node;
+        if (given == TTC_NONE && entry->kind == TTC_PARAM && theirs != UINT32_MAX) given = table->symbols[theirs].node;
         const bool counts = entry->kind == TTC_STATE || entry->kind == TTC_ROOT ||
                             (entry->kind == TTC_PARAM && (reduces || is_told(table, given)));
         if (given != TTC_NONE && counts)

@@ -34,10 +34,29 @@ typedef struct {
 
 static found look_at(values *v, ttc_id id);
 
+/* A function whose value is a rational number: a root of a square, exp(0), log(1), cos(0), sin(0). */
+static found look_at_function(values *v, ttc_id id, const ttc_symbol_entry *entry)
+{
+    const found of = look_at(v, entry->definition);
+    const fmpq *argument = v->numbers + entry->definition;
+    fmpq *value = v->numbers + id;
+    if (of != HAS_NUMBER) return of;
+    if (entry->kind == TTC_ROOT) {
+        if (fmpq_sgn(argument) < 0 || !fmpz_is_square(fmpq_numref(argument)) || !fmpz_is_square(fmpq_denref(argument)))
+            return IS_NO_NUMBER;
+        fmpz_sqrt(fmpq_numref(value), fmpq_numref(argument));
+        fmpz_sqrt(fmpq_denref(value), fmpq_denref(argument));
+        return HAS_NUMBER;
+    }
+    fmpq_set_si(value, entry->kind == TTC_EXP || entry->kind == TTC_COSINE, 1);
+    return (entry->kind == TTC_LOG ? fmpq_is_one(argument) : fmpq_is_zero(argument)) ? HAS_NUMBER : IS_NO_NUMBER;
+}
+
 static found look_at_symbol(values *v, ttc_id id)
 {
     const uint32_t symbol = ttc_symbol_of(v->model->graph, id);
     const ttc_symbol_entry *entry = v->model->symbols + symbol;
+    if (symbol < v->model->symbol_count && ttc_symbol_is_function(entry->kind)) return look_at_function(v, id, entry);
     if (symbol >= v->model->symbol_count || (entry->kind != TTC_LET && entry->kind != TTC_PARAM)) return IS_NO_NUMBER;
     const ttc_id value = entry->kind == TTC_LET ? entry->definition : entry->value;
     if (value == TTC_NONE) return IS_NO_NUMBER;

@@ -175,6 +175,10 @@ static void a_characteristic_polynomial_is_fixed_up_to_a_factor_free_of_lambda(v
         snprintf(table, sizeof table, "%scharpoly rest = %s\n", head, cases[i].polynomial);
         expect(table, "charpoly", "rest", cases[i].status, NULL);
     }
+    /* What is no polynomial for parameters in general is refuted where it is none, and not at a = 0. */
+    const char *quotient = "model quotient\nparam a\ndefault a = 0\nstate x\nstate v\neq x = v\neq v = -x\n"
+                           "equilibria rest : x = 0, v = 0\ncharpoly rest = lambda^2 + 1 + a/(lambda + 1)\n";
+    expect(quotient, "charpoly", "rest", TTC_REFUTED, "a = -1");
 }
 
 /* 1/x has its zero level at infinity; x/(1+y) keeps x = 0 although its cofactor has a denominator; y = 0 is left. */

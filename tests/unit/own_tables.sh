@@ -152,6 +152,13 @@ printf 'model ring\nparam c\nstate x\nstate v\nstate y\neq x = v\neq v = -x\neq 
 printf 'model ring_section\nstate x\nstate v\nlift into ring.tt with x = x, v = v, y = 0\n' > ring_section.tt
 expect 3 "the parameter c of ring is missing in ring_section: write 'param c' there" ttc prove ring.tt
 
+# One text under two names: another table embeds itself into each, and into one of them wrongly.
+printf 'model pace\nparam k\nstate y\neq y = k\nreduction same : by slow.tt with y = y\n' | tee one.tt > two.tt
+printf 'model slow\nparam k\nstate y\neq y = k\nembedding a : into one.tt with y = y\n'\
+'embedding b : into two.tt with y = 2*y\n' > slow.tt
+expect 0 '"proved": true' jellett models ./one.tt --json
+expect 0 '"proved": false' jellett models ./two.tt --json
+
 # What is not proved is not gone back to, nor mirrored by; of several reversors the section takes one that has its fixed points on
 # it.
 printf 'model bad\nstate x\nstate y\nstate z\neq x = y\neq y = -x\neq z = x\n - z\nintegral Z = z\nreversor y -> -y\n' > bad.tt

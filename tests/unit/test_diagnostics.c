@@ -158,8 +158,8 @@ static const mistake mistakes[] = {
       "5:13: error: the default of 'a' lies outside its own condition" },
     { HEAD "default a = 2\nlet b = 2*a\ndomain near : 3 - b > 0\n",
       "9:8: warning: the defaults lie outside the domain: 3 - b > 0 does not hold" },
-    { HEAD "default a = 2\ndomain near : 1/(a - 2) > 0\n",
-      "8:8: warning: the defaults lie outside the domain: 1/(a - 2) > 0 does not hold" },
+    { HEAD "default a = 2\nroot r = sqrt(a^2)\nexp e = exp(a-2)\nlog l = log(a-1)\nangle C S = cos(a-2) sin(a-2)\n"
+      "domain near : 1/(r-e-C+S+l) > 0\n", "12:8: warning: the defaults lie outside the domain: 1/(r-e-C+S+l) > 0 does not hold" },
     { "model t\nparam a\nroot r = sqrt(a^2 - 4)\nstate x\neq x = r\ndefault a = 2\n",
       "3:6: warning: the defaults lie outside the domain: what r is the root of is not positive" },
     { "model t\nparam a\nlet b = 1/(a - 2)\nstate x\neq x = b*x\ndefault a = 2\n",
