@@ -91,7 +91,7 @@ section=(jellett section ./henon_heiles.tt --section x=0 --start y=0.1,py=0)
 expect 3 "henon_heiles claims no integral 'L'; it has E" "${section[@]}" --level L=1 --solve px=1
 expect 2 "each level needs a state to solve for: --level names 1, and --solve 0" "${section[@]}" --level E=1/12
 expect 2 "each level needs a state to solve for: --level names 0, and --solve 1" "${section[@]}" --solve px=1
-expect 3 "crosses the section the other way" jellett orbits lorenz --section z=20 --set rho=22 --start x=7,y=5
+expect 4 "is crossed the other way: try --direction down" jellett orbits lorenz --section z=20 --set rho=22 --start x=7,y=5
 expect 3 "has no state 'p'" "${section[@]}" --level E=1/12 --solve p=1
 expect 3 "x is fixed by --section already" "${section[@]}" --level E=1/12 --solve x=1
 expect 4 "Newton's method finds no state with these levels there: try another guess in --solve" "${section[@]}" --level E=-1 \
