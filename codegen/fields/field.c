@@ -46,6 +46,18 @@ static ttc_role role_of(ttc_symbol_kind function)
     }
 }
 
+/* A function of a number whose value is a number, as sqrt(1 + a^2) for a = 0; TTC_NONE: it is none. */
+static ttc_id rational_value(ttc_graph *graph, ttc_symbol_kind function, ttc_id argument)
+{
+    ttc_id value = TTC_NONE;
+    fmpq_t number;
+    fmpq_init(number);
+    if (ttc_kind_of(graph, argument) == TTC_NUMBER && ttc_symbol_rational(number, function, ttc_coefficient(graph, argument)))
+        value = ttc_number(graph, number);
+    fmpq_clear(number);
+    return value;
+}
+
 /* The node that represents a symbol of the model in this field. Role and definition of the symbol are set at the first call. */
 static ttc_id resolve(void *context, uint32_t symbol)
 {
@@ -83,6 +95,11 @@ static ttc_id resolve(void *context, uint32_t symbol)
     case TTC_LOG:
         definition = ttc_field_specialise(field, entry->definition);
         if (definition == TTC_NONE) return TTC_NONE;
+        s->node = rational_value(field->graph, entry->kind, definition);
+        if (s->node != TTC_NONE) {
+            s->is_constant = true;
+            return s->node;
+        }
         s->definition = definition;
         s->partner = entry->partner;
         s->node = entry->node;

@@ -113,6 +113,7 @@ ttc_field_status ttc_field_create(ttc_field **out, const ttc_model *model, const
     if (!field->failed) {
         field->factor = time == NULL ? ttc_integer(field->graph, 1) : ttc_field_specialise(field, time->factor);
         make_rhs(field);
+        if (elimination != NULL) ttc_field_specialise(field, model->symbols[elimination->state].node); /* it may divide by zero */
     }
     if (!field->failed) {
         *out = field;

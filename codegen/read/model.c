@@ -146,6 +146,19 @@ const char *ttc_symbol_function(ttc_symbol_kind kind)
 
 bool ttc_symbol_is_function(ttc_symbol_kind kind) { return *ttc_symbol_function(kind) != '\0'; }
 
+bool ttc_symbol_rational(fmpq_t value, ttc_symbol_kind kind, const fmpq_t argument)
+{
+    if (kind != TTC_ROOT) {
+        const bool is_rational = kind == TTC_LOG ? fmpq_is_one(argument) : fmpq_is_zero(argument);
+        fmpq_set_si(value, kind == TTC_EXP || kind == TTC_COSINE, 1);
+        return is_rational;
+    }
+    if (!fmpz_is_square(fmpq_numref(argument)) || !fmpz_is_square(fmpq_denref(argument))) return false;
+    fmpz_sqrt(fmpq_numref(value), fmpq_numref(argument));
+    fmpz_sqrt(fmpq_denref(value), fmpq_denref(argument));
+    return true;
+}
+
 bool ttc_claim_speaks_of_family(ttc_claim_kind kind)
 {
     return kind == TTC_CLAIM_TRACE || kind == TTC_CLAIM_CHARPOLY || kind == TTC_CLAIM_OBSTRUCTS || kind == TTC_CLAIM_MATRIX ||

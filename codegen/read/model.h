@@ -317,6 +317,10 @@ const char *ttc_model_base_name(const ttc_model *model);
 /* Returns true if symbols of this kind are functions of their definition: roots, cosines, sines, exponentials, logarithms. */
 bool ttc_symbol_is_function(ttc_symbol_kind kind);
 
+/* The value of a function of this kind at a number. Returns false unless it is rational: a root of a square, exp(0), log(1),
+ * cos(0), sin(0). */
+bool ttc_symbol_rational(fmpq_t value, ttc_symbol_kind kind, const fmpq_t argument);
+
 /* The name of the function, "sqrt", "cos", "sin", "exp" or "log"; "" for other kinds. */
 const char *ttc_symbol_function(ttc_symbol_kind kind);
 

@@ -34,22 +34,11 @@ typedef struct {
 
 static found look_at(values *v, ttc_id id);
 
-/* A function whose value is a rational number: a root of a square, exp(0), log(1), cos(0), sin(0). */
 static found look_at_function(values *v, ttc_id id, const ttc_symbol_entry *entry)
 {
     const found of = look_at(v, entry->definition);
-    const fmpq *argument = v->numbers + entry->definition;
-    fmpq *value = v->numbers + id;
     if (of != HAS_NUMBER) return of;
-    if (entry->kind == TTC_ROOT) {
-        if (fmpq_sgn(argument) < 0 || !fmpz_is_square(fmpq_numref(argument)) || !fmpz_is_square(fmpq_denref(argument)))
-            return IS_NO_NUMBER;
-        fmpz_sqrt(fmpq_numref(value), fmpq_numref(argument));
-        fmpz_sqrt(fmpq_denref(value), fmpq_denref(argument));
-        return HAS_NUMBER;
-    }
-    fmpq_set_si(value, entry->kind == TTC_EXP || entry->kind == TTC_COSINE, 1);
-    return (entry->kind == TTC_LOG ? fmpq_is_one(argument) : fmpq_is_zero(argument)) ? HAS_NUMBER : IS_NO_NUMBER;
+    return ttc_symbol_rational(v->numbers + id, entry->kind, v->numbers + entry->definition) ? HAS_NUMBER : IS_NO_NUMBER;
 }
 
 static found look_at_symbol(values *v, ttc_id id)
