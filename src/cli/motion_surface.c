@@ -58,14 +58,23 @@ static const char *own_section(char text[OWN_SECTION], const jlt_surface *surfac
     return text;
 }
 
-/* Refuse a section that exceeds the limits for sections that tables describe; plane sections do not have these limits. */
+/* Refuse a section that exceeds the limits for sections that tables describe, or whose names are not unique; plane sections do not
+ * have these limits. */
 static jlt_exit refuse_large(const jlt_surface *surface)
 {
     const jlt_section_chart *section = surface->section;
     const jlt_descriptor *table = surface->table;
     const unsigned values = table->param_count + section->level_count, coordinates = section->coordinate_count;
     char what[160], own[OWN_SECTION];
+    size_t index;
 
+    for (unsigned k = 0; k < section->level_count; k++)
+        if (jlt_descriptor_param(surface->asked, section->levels[k].name, &index))
+            return jlt_command_fail(JLT_EXIT_INPUT,
+                                    "the section %s of %s has a level %s, which is a parameter of %s: rename one of the two, or "
+                                    "ask for a section of the table itself, %s",
+                                    section->name, table->model, section->levels[k].name, surface->asked->model,
+                                    own_section(own, surface));
     if (coordinates > JLT_CHART_COORDINATES_MAX)
         snprintf(what, sizeof what, "has %u coordinates, and %d are the limit", coordinates, (int)JLT_CHART_COORDINATES_MAX);
     else if (values > JLT_CHART_VALUES_MAX)

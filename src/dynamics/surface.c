@@ -35,7 +35,7 @@ static const jlt_descriptor *widest(const jlt_descriptor *general)
 
 static jlt_status add(jlt_surface *out, const jlt_quantity *quantity, double value, unsigned entry)
 {
-    if (out->count == JLT_CHART_VALUES_MAX) return JLT_ERR_UNSUPPORTED;
+    if (out->count == JLT_CHART_VALUES_MAX || jlt_surface_value(out, quantity->name) < out->count) return JLT_ERR_UNSUPPORTED;
     out->names[out->count] = quantity->name;
     out->defaults[out->count] = value;
     out->entries[out->count++] = entry;
@@ -76,7 +76,7 @@ static jlt_status list_values(jlt_surface *out)
     for (unsigned i = 0; i < asked->param_count; i++) {
         const jlt_quantity *q = &asked->params[i];
         const bool is_other = !jlt_descriptor_param(table, q->name, &index) || source_of(out, q->name) == JLT_SOURCE_PARAMS;
-        if (is_other && jlt_surface_value(out, q->name) == out->count) JLT_PASS(add(out, q, q->value, JLT_SURFACE_COMPUTED));
+        if (is_other) JLT_PASS(add(out, q, q->value, JLT_SURFACE_COMPUTED));
     }
     out->params = out->count;
     for (unsigned i = 0; i < out->section->level_count; i++)

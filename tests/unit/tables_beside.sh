@@ -89,6 +89,13 @@ sed -i -e '/^pole/d' -e '/^matrix/,/^charpoly/d' -e '/^state gamma3/{h;d}' -e '/
 expect 0 'spherical_top names none (record .pole.)' jellett simulate ./spherical_top.tt --start $start --times 1,10
 grep -q '^t,v_nu' out && [ "$(last 10)" = left_domain ] || fail "at a pole that is not named: $(tail -2 out)"
 
+# A level and a parameter of one name could not be told apart.
+anew
+sed -i -e 's/\<E\>/H/g' -e 's/^param I1/param E\n&/' -e 's/^default /&E = 7, /' -e 's/^observe /observe squeezed = E*gamma3\n&/' \
+    spherical_top.tt
+expect 3 'the section turning of spherical_top_level has a level E, which is a parameter of spherical_top: rename one' \
+    jellett section ./spherical_top.tt "${section[@]}" --level E=2
+
 # What is advised can be done: names are those of the table asked for, and what no record could mend is not asked to be written.
 anew
 sed -i -e 's/\<omega_tau\>/wt/g' -e 's/\<wt = wt\>/omega_tau = wt/' spherical_top.tt
@@ -107,7 +114,7 @@ expect 3 'reduction half is not proved of this table: dF0/dt' jellett section ./
 grep 'embedded' err && fail 'a table is called embedded though that is refuted'
 anew
 echo 'garbage here' >> spherical_top_balanced.tt
-expect 3 "the claim 'reduction momentum' of ./spherical_top.tt, .* could not be read: ./spherical_top_balanced.tt:[0-9]*:1: 'garbage'" \
+expect 3 "'reduction momentum' of ./spherical_top.tt, .* not be read: ./spherical_top_balanced.tt:[0-9]*:1: 'garbage'" \
     jellett portrait ./spherical_top.tt --set a3=0 --start $start
 
 # The same where the table asked for is to the letter what is built in, and tables at one remove.
