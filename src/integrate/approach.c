@@ -102,15 +102,14 @@ static jlt_status way_left(double *y, const double *a, const double *f, unsigned
 bool jlt_approach_is_near(const jlt_field *field, const double *x, double size, double distance)
 {
     static const double singular = 1e-9;
-    double a[DIM_MAX * DIM_MAX], f[DIM_MAX], y[DIM_MAX], image[DIM_MAX], slowest, fastest, nearest = 0;
+    double a[DIM_MAX * DIM_MAX], f[JLT_FIELD_DIM_MAX], y[DIM_MAX], image[DIM_MAX], slowest, fastest, nearest = 0, most = 0;
     const unsigned n = field->dim;
     unsigned count;
-    bool moves = false;
 
-    if (n > DIM_MAX) return true;
     field->call(x, field->p, f);
-    for (unsigned i = 0; i < n; i++) moves |= f[i] != 0;
-    if (!moves) return true;
+    for (unsigned i = 0; i < n; i++) most = fmax(most, fabs(f[i]));
+    if (n > DIM_MAX) return most <= distance * size;
+    if (most == 0) return true;
     jacobian(a, field, x);
     jlt_status st = rates(&slowest, &fastest, &count, a, n, 1);
     if (st == JLT_OK) st = jlt_eigen_least_squares(y, a, f, n, n, singular);

@@ -104,4 +104,8 @@ for start in --start=theta=0,phase=0 --grid=theta=0,phase=0; do
     jellett section ./swing.tt --section v=0 "$start" --returns 1 > out 2> err || fail "$start: $(cat err)"
     tail -1 out | grep -q ',budget$' || fail "$start: $(tail -1 out)"
 done
+# The same beside 32 more states, where no Jacobian is looked at.
+{ cat swing.tt; for i in $(seq 32); do printf 'state y%d\neq y%d = -y%d\n' "$i" "$i" "$i"; done; } > company.tt
+jellett section ./company.tt --section v=0 --start theta=0,phase=0$(printf ',y%d=0' $(seq 32)) --returns 1 > out 2> err
+tail -1 out | grep -q ',budget$' || fail "beside many states: $(tail -1 out) $(cat err)"
 exit $status
