@@ -228,9 +228,13 @@ jlt_status jlt_measure_try(jlt_measure_attempt *attempt, const jlt_instance *ins
         attempt->points = NULL;
         return JLT_OK;
     }
-    if (rests(attempt, instance, x)) return JLT_OK;
     for (unsigned i = 0; st == JLT_OK && attempt->closed_form == NULL && i < d->measure_count; i++)
         if (depends_on_one(instance, i, x, attempt->along, random)) st = compare(attempt, instance, i, x);
+    if (st == JLT_OK && attempt->difference > attempt->difference_bound && rests(attempt, instance, x)) {
+        free(attempt->closed);
+        attempt->closed = NULL;
+        attempt->closed_form = NULL;
+    }
     return st;
 }
 
