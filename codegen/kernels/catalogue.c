@@ -2,10 +2,14 @@
 
 #include <stdlib.h>
 
-static bool make_kernels(ttc_catalogue_entry *entry, const ttc_model *model, ttc_effort effort)
+/* plain: the entry without its time. Where that divides by zero there are no states to begin with, even if a factor of the time, or
+ * a root that it lifts, hides the zero. */
+static bool make_kernels(ttc_catalogue_entry *entry, const ttc_catalogue_entry *plain, const ttc_model *model, ttc_effort effort)
 {
     ttc_field *field = NULL;
-    entry->status = ttc_field_create(&field, model, entry->variant, entry->time, entry->elimination);
+    entry->status = plain->status == TTC_FIELD_DIVIDES_BY_ZERO
+                        ? TTC_FIELD_DIVIDES_BY_ZERO
+                        : ttc_field_create(&field, model, entry->variant, entry->time, entry->elimination);
     if (entry->status == TTC_FIELD_DIVIDES_BY_ZERO) return true;
     if (entry->status != TTC_FIELD_OK) return false;
     entry->kernels = ttc_kernels_create(field, effort);
@@ -48,7 +52,7 @@ bool ttc_catalogue_create(ttc_catalogue *catalogue, const ttc_model *model, ttc_
                 entry->variant = v == 0 ? NULL : model->variants + v - 1;
                 entry->time = t == 0 ? NULL : model->times + t - 1;
                 entry->elimination = e == 0 ? NULL : model->eliminations + e - 1;
-                const bool is_made = make_kernels(entry, model, effort);
+                const bool is_made = make_kernels(entry, entry - t * (eliminations + 1), model, effort);
                 if (is_made && (entry->kernels != NULL || catalogue->count > 1)) continue;
                 ttc_catalogue failed = { .failed_at = ttc_catalogue_place(entry, model), .failure = reason_of(model, entry) };
                 ttc_catalogue_clear(catalogue);

@@ -149,49 +149,36 @@ static slong lambda_variable(const ttc_task *task)
     return ttc_valuation_variable(task->field, ttc_model_lambda(task->model));
 }
 
-/* rest = the remainder of a power of lead times the numerator, divided by the denominator, whose leading coefficient in lambda is
- * lead. */
-static void divide_with_rest(ttc_task *task, fmpz_mpoly_t rest, fmpz_mpoly_t lead, const ttc_ratio *quotient, slong lambda)
-{
-    const fmpz_mpoly_ctx_struct *context = task->ring->context;
-    const ulong degree = (ulong)fmpz_mpoly_degree_si(quotient->denominator, lambda, context);
-    fmpz_mpoly_t multiple, power;
-    fmpz_mpoly_init(multiple, context);
-    fmpz_mpoly_init(power, context);
-    fmpz_mpoly_get_coeff_vars_ui(lead, quotient->denominator, &lambda, &degree, 1, context);
-    fmpz_mpoly_set(rest, quotient->numerator, context);
-    for (ulong top; !fmpz_mpoly_is_zero(rest, context) && (top = (ulong)fmpz_mpoly_degree_si(rest, lambda, context)) >= degree;) {
-        fmpz_mpoly_get_coeff_vars_ui(multiple, rest, &lambda, &top, 1, context);
-        fmpz_mpoly_mul(multiple, multiple, quotient->denominator, context);
-        fmpz_mpoly_gen(power, lambda, context);
-        fmpz_mpoly_pow_ui(power, power, top - degree, context);
-        fmpz_mpoly_mul(multiple, multiple, power, context);
-        fmpz_mpoly_mul(rest, rest, lead, context);
-        fmpz_mpoly_sub(rest, rest, multiple, context);
-    }
-    fmpz_mpoly_clear(power, context);
-    fmpz_mpoly_clear(multiple, context);
-}
-
-/* Refute that a ratio, whose denominator contains lambda, is a polynomial in lambda: where the division leaves a remainder. */
+/* Refute that a ratio, whose denominator contains lambda, is a polynomial in lambda: where the denominator's leading coefficient is
+ * not zero, and the remainder of a power of it times the numerator is not. */
 static void refute_quotient(ttc_task *task, const ttc_ratio *claimed, slong lambda)
 {
+    enum { REST, BELOW, LEAD, TOP, POWER, COUNT };
+    ttc_ring *ring = task->ring;
+    const slong degree = fmpz_mpoly_degree_si(claimed->denominator, lambda, ring->context);
     char *point = NULL;
-    ttc_ratio rest, lead, coefficient;
-    ttc_ratio_init(task->ring, &rest);
-    ttc_ratio_init(task->ring, &lead);
-    ttc_ratio_init(task->ring, &coefficient);
-    divide_with_rest(task, rest.numerator, lead.numerator, claimed, lambda);
-    for (slong k = fmpz_mpoly_degree_si(rest.numerator, lambda, task->ring->context); k >= 0 && point == NULL; k--) {
-        coefficient_of(task, &coefficient, &rest, lambda, (size_t)k);
-        ttc_ratio_multiply(task->ring, &coefficient, &coefficient, &lead);
-        ttc_task_search(task, &coefficient, TTC_IS_NONZERO, &point);
+    ttc_ratio *r = ttc_task_ratios(task, COUNT);
+    if (r == NULL) return;
+    ttc_ratio_set_polynomial(ring, &r[REST], claimed->numerator);
+    ttc_ratio_set_polynomial(ring, &r[BELOW], claimed->denominator);
+    coefficient_of(task, &r[LEAD], &r[BELOW], lambda, (size_t)degree);
+    for (slong k; ttc_task_open(task) && (k = fmpz_mpoly_degree_si(r[REST].numerator, lambda, ring->context)) >= degree;) {
+        coefficient_of(task, &r[TOP], &r[REST], lambda, (size_t)k);
+        ttc_ratio_multiply(ring, &r[TOP], &r[TOP], &r[BELOW]);
+        ttc_ratio_set_variable(ring, &r[POWER], lambda);
+        ttc_ratio_power(ring, &r[POWER], &r[POWER], k - degree);
+        ttc_ratio_multiply(ring, &r[TOP], &r[TOP], &r[POWER]);
+        ttc_ratio_multiply(ring, &r[REST], &r[REST], &r[LEAD]);
+        ttc_ratio_subtract(ring, &r[REST], &r[REST], &r[TOP]);
+    }
+    for (slong k = 0; k < degree && ttc_task_open(task) && point == NULL; k++) {
+        coefficient_of(task, &r[TOP], &r[REST], lambda, (size_t)k);
+        ttc_ratio_multiply(ring, &r[TOP], &r[TOP], &r[LEAD]);
+        ttc_task_search(task, &r[TOP], TTC_IS_NONZERO, &point);
     }
     if (point != NULL) ttc_task_refute_at(task, point, claimed, "not a polynomial in lambda: claimed");
     else ttc_task_unsettle(task, "no point is known at which the claimed ratio is no polynomial in lambda");
-    ttc_ratio_clear(task->ring, &coefficient);
-    ttc_ratio_clear(task->ring, &lead);
-    ttc_ratio_clear(task->ring, &rest);
+    ttc_task_free(task, r, COUNT);
 }
 
 /* claimed = factor * det(lambda E - A), the factor being the claimed coefficient of lambda^n, nonzero. */
