@@ -6,7 +6,6 @@
 #include "core/memory.h"
 #include "dynamics/lyapunov.h"
 #include "dynamics/scale.h"
-#include "dynamics/section_loss.h"
 #include "report/csv.h"
 
 #include <math.h>
@@ -88,6 +87,9 @@ typedef struct {
     jlt_progress progress;
     unsigned dim;
     size_t next;
+    jlt_map *map;      /* which watches the conditions of the model until one is lost */
+    double lost_at;    /* by this time; NAN: none is */
+    unsigned lost;
 } history;
 
 static void write_state(FILE *file, const jlt_lyapunov_state *state, unsigned dim)
@@ -101,12 +103,23 @@ static void write_state(FILE *file, const jlt_lyapunov_state *state, unsigned di
     fputc('\n', file);
 }
 
+static void note_loss(history *self, double t)
+{
+    const jlt_section_least least = jlt_map_least(self->map);
+
+    if (!(least.value <= 0)) return;
+    self->lost = least.condition;
+    self->lost_at = t;
+    jlt_map_watch(self->map, NULL);
+}
+
 static int observe(void *context, const jlt_lyapunov_state *state)
 {
     history *self = context;
 
     jlt_progress_show(&self->progress, state->returns, self->o->returns);
     if (self->o->motion.common.at_point) return jlt_motion_interrupted(&self->o->motion); /* only the last row is written, later */
+    note_loss(self, state->t);
     if (state->returns >= self->next || state->returns == self->o->returns) {
         write_state(self->file, state, self->dim);
         if (self->points != NULL) {
@@ -195,18 +208,8 @@ static bool follow_group(exponents *const *runs, size_t count)
 static void follow_alone(exponents *self, history *rows)
 {
     self->status = jlt_lyapunov_chart_skip(self->map, self->q, self->o.skip);
+    if (!self->o.motion.common.at_point) jlt_map_watch(self->map, self->system->flow.observed);
     if (self->status == JLT_OK) self->status = jlt_lyapunov_run(self->map, &self->state, self->q, self->o.returns, observe, rows);
-}
-
-/* Say from when on the model does not hold on the orbit. */
-static void tell_lost(const exponents *self)
-{
-    const jlt_flow *flow = &self->system->flow;
-    jlt_return at;
-
-    if (jlt_section_loss(&at, flow, self->q, 1, self->o.returns) != JLT_OK || !(at.least <= 0)) return;
-    fprintf(stderr, "jellett: by t = %.10g %s is lost, and the model does not hold from there on\n", at.t,
-            jlt_observed_condition(flow->observed, at.lost));
 }
 
 static jlt_exit write_history(exponents *self)
@@ -214,7 +217,8 @@ static jlt_exit write_history(exponents *self)
     options *o = &self->o;
     const jlt_chart *chart = self->system->flow.chart;
     const jlt_lyapunov_state *state = &self->state;
-    history rows = { .o = o, .dim = chart->dim, .next = 1, .file = o->motion.common.table.file, .points = o->motion.common.points };
+    history rows = { .o = o, .dim = chart->dim, .next = 1, .file = o->motion.common.table.file, .points = o->motion.common.points,
+                     .map = self->map, .lost_at = NAN };
 
     fputs("return,t", rows.file);
     for (unsigned k = 0; k < chart->dim; k++) fprintf(rows.file, ",lambda%u", k + 1);
@@ -229,7 +233,9 @@ static jlt_exit write_history(exponents *self)
                 o->motion.common.table.path);
         return JLT_EXIT_DONE;
     }
-    if (!o->motion.common.at_point) tell_lost(self);
+    if (!isnan(rows.lost_at))
+        fprintf(stderr, "jellett: by t = %.10g %s is lost, and the model does not hold from there on\n", rows.lost_at,
+                jlt_observed_condition(self->system->flow.observed, rows.lost));
     if (self->status == JLT_ERR_DOMAIN && state->returns > 0) {
         fprintf(
             stderr,

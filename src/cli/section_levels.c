@@ -41,11 +41,23 @@ void jlt_section_levels_close(jlt_section_levels *self) { free(self->now); }
 static double terms(const jlt_section_levels *self, const double *x, unsigned i, double value)
 {
     const jlt_descriptor *d = self->system->instance->descriptor;
+    const jlt_flow *flow = &self->system->flow;
     double sum = fabs(value);
 
     d->integral_gradients.call(x, self->system->told->prepared, self->gradients);
-    for (unsigned j = 0; j < d->state_count; j++) sum += fabs(self->gradients[i * d->state_count + j] * x[j]);
+    for (unsigned j = 0; j < d->state_count; j++) {
+        const double small = ldexp(jlt_field_small(flow->field, j, self->size), flow->units.state[j]);
+        sum += fabs(self->gradients[i * d->state_count + j]) * fmax(fabs(x[j]), small);
+    }
     return sum;
+}
+
+static double size_of(const jlt_flow *flow, const double *start)
+{
+    double counted[JLT_CHART_STATES_MAX];
+
+    for (unsigned k = 0; k < flow->chart->states; k++) counted[k] = ldexp(start[k], -flow->units.state[k]);
+    return jlt_field_size_at(flow->field, counted);
 }
 
 void jlt_section_levels_note(jlt_section_levels *self, size_t orbit, const jlt_return *at)
@@ -54,6 +66,7 @@ void jlt_section_levels_note(jlt_section_levels *self, size_t orbit, const jlt_r
     const double error = fmax(tolerance_of(self), rounding);
 
     if (self->count == 0 || at->fate != JLT_FATE_ALIVE) return;
+    if (at->number == 0) self->size = size_of(&self->system->flow, at->x);
     self->system->instance->descriptor->integral_values.call(at->x, self->system->told->prepared, self->now);
     for (unsigned k = 0; at->number > 0 && k < self->count; k++) {
         const unsigned i = self->watched[k];

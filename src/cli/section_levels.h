@@ -13,6 +13,7 @@ typedef struct {
     double *now, *last, *gradients;              /* of all integrals: at this return and the last one, shape (integrals,), and
                                                     (integrals, states); one array, owned */
     double x[JLT_CHART_STATES_MAX];              /* the last return */
+    double size;                                 /* of the orbit (integrate/field.h) */
     struct {
         double share, change; /* of the integral: in errors of one tolerance in every state, and itself */
         unsigned integral;

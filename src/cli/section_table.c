@@ -47,12 +47,13 @@ void jlt_section_table_names(FILE *stream, const jlt_section_table *table)
 static void write_check(FILE *stream, jlt_section_table *table, const jlt_section_row *row)
 {
     const unsigned d = table->system->flow.chart->dim, states = table->system->flow.chart->states;
+    const volatile sig_atomic_t *const interrupt = table->system->flow.interrupt;
     jlt_image image;
     double trace = 0;
 
     const bool asked = row->number > 0 && row->fate == JLT_FATE_ALIVE;
     if (!asked || jlt_map_apply(table->map, &image, row->values + d + states, 1, table->time_direction) != JLT_OK) {
-        table->unchecked += asked;
+        table->unchecked += asked && !(interrupt != NULL && *interrupt);
         fputs(",,,,", stream);
         return;
     }

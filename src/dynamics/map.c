@@ -24,6 +24,7 @@ struct jlt_map {
     double most, least;   /* largest and smallest size of a tangent vector on the way; 1 is counted too */
     double swing;         /* largest |integral of the divergence| on the way, at least 1 */
     size_t steps;         /* of the stepper before the return */
+    jlt_section_conditions watched; /* the model's conditions since jlt_map_watch */
     jlt_image image;      /* of the returns so far */
 };
 
@@ -43,6 +44,7 @@ static int watch(void *context, jlt_orbit *orbit)
         self->least = fmin(self->least, size);
     }
     self->swing = fmax(self->swing, fabs(stepper->x[self->varied.field.dim - 1]));
+    if (self->watched.observed != NULL) jlt_section_conditions_step(&self->watched, orbit);
     if (root >= 0 && fabs(stepper->x[root]) < root_floor) return 1;
     if (self->keeps && jlt_passage_keep(orbit, &self->varied) != JLT_OK) return 1;
     if (stepper->steps % SLOW_STEPS != 0) return 0;
@@ -73,6 +75,7 @@ jlt_status jlt_map_create(jlt_map **out, const jlt_flow *flow)
                               &(jlt_options){
                                   .tolerance = flow->tolerance, .max_steps = self->flow.max_steps, .interrupt = flow->interrupt }));
     jlt_orbit_observe(self->orbit, watch, self);
+    jlt_map_watch(self, NULL);
     JLT_PASS(jlt_section_create(&self->section, &self->flow));
     *out = self;
     self = NULL; /* ownership moved to the caller */
@@ -93,6 +96,14 @@ const jlt_flow *jlt_map_flow(const jlt_map *self)
     return &self->flow;
 }
 
+void jlt_map_watch(jlt_map *self, const jlt_observed *observed)
+{
+    self->watched = (jlt_section_conditions){ .observed = observed, .looks_within = true };
+    jlt_section_conditions_begin(&self->watched);
+}
+
+jlt_section_least jlt_map_least(const jlt_map *self) { return self->watched.so_far; }
+
 static jlt_status to_section(jlt_map *self, jlt_outcome *outcome, const double *start, int time_direction)
 {
     jlt_event events[JLT_CHART_EVENTS_MAX];
@@ -103,11 +114,16 @@ static jlt_status to_section(jlt_map *self, jlt_outcome *outcome, const double *
 
     JLT_PASS(jlt_orbit_start(self->orbit, 0, start, time_direction));
     if (self->keeps) JLT_PASS(jlt_passage_keep(self->orbit, &self->varied));
+    jlt_section_conditions_turn(&self->watched);
+    jlt_section_conditions_arrive(&self->watched, 0, start);
     self->is_slow = false;
     self->most = self->least = self->swing = 1;
     self->steps = jlt_orbit_stepper(self->orbit)->steps;
     JLT_PASS(jlt_chart_crossing_find(&search, self->orbit, time_direction * t_max, time_direction, outcome));
-    if (outcome->end == JLT_END_EVENT) return JLT_OK;
+    if (outcome->end == JLT_END_EVENT) {
+        jlt_section_conditions_arrive(&self->watched, outcome->crossing.theta, outcome->x);
+        return JLT_OK;
+    }
     if (outcome->end == JLT_END_TIME) return JLT_ERR_BUDGET;
     return outcome->end == JLT_END_OBSERVER ? JLT_ERR_DOMAIN : JLT_ERR_NO_CONVERGENCE;
 }

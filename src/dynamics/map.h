@@ -15,6 +15,7 @@
 #define JLT_DYNAMICS_MAP_H
 
 #include "dynamics/section.h"
+#include "dynamics/section_conditions.h"
 
 typedef struct {
     double q[JLT_CHART_DIM_MAX]; /* (dim,), the last return in coordinates of the section */
@@ -42,6 +43,12 @@ JLT_OWNED_TYPE(jlt_map)
 
 /* The map's copy of the flow, borrowed. */
 const jlt_flow *jlt_map_flow(const jlt_map *self);
+
+/** Watch the conditions of the model, of all returns that jlt_map_apply makes from now on; NULL, as at first: none. */
+void jlt_map_watch(jlt_map *self, const jlt_observed *observed);
+
+/* What they were least since then. */
+jlt_section_least jlt_map_least(const jlt_map *self);
 
 /** P^count(q), shape (dim,), count >= 1 returns forwards (time_direction +1) or backwards (-1), with its derivative. Every
  *  return starts from the chart's point, exactly on the levels.

@@ -51,6 +51,13 @@ double jlt_field_scale(const jlt_field *field, unsigned i)
     return field->scale != NULL ? field->scale[i] : (int)i == field->root ? 0 : 1;
 }
 
+double jlt_field_small(const jlt_field *field, unsigned i, double size)
+{
+    const double scale = jlt_field_scale(field, i);
+
+    return scale == 1 && i < field->sized ? size : scale;
+}
+
 double jlt_field_size_at(const jlt_field *field, const double *x)
 {
     double largest = 0;

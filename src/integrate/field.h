@@ -72,6 +72,9 @@ double jlt_field_size_at(const jlt_field *field, const double *x);
 /** The scale of state i as the field declares it: 1 also where the orbit's size is to stand for it. */
 double jlt_field_scale(const jlt_field *field, unsigned i);
 
+/** The size below which state i counts as small on an orbit of this size. */
+double jlt_field_small(const jlt_field *field, unsigned i, double size);
+
 /** How near a state may come to a finite bound of its domain, relative to the bound. Nearer, fewer than 16 bits of the distance
  *  are left, and a field that divides by the root of that distance has no correct digits worth speaking of. */
 #define JLT_FIELD_NEAREST 0x1p-37

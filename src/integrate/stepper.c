@@ -25,8 +25,7 @@ static void set_scales(jlt_stepper *self, const double *x)
     self->size = jlt_field_size_at(field, x);
     for (unsigned i = 0; i < self->stride; i++) self->scale[i] = 1;
     for (unsigned i = 0; i < field->dim; i++) {
-        const double scale = jlt_field_scale(field, i), sized = scale == 1 && i < field->sized ? self->size : scale;
-        self->scale[i] = i < controlled ? fmax(sized, JLT_STEPPER_SCALE_LEAST) : INFINITY;
+        self->scale[i] = i < controlled ? fmax(jlt_field_small(field, i, self->size), JLT_STEPPER_SCALE_LEAST) : INFINITY;
     }
 }
 

@@ -71,6 +71,9 @@ for command in orbits "certify cycle"; do
     expect 143 "" "$command"
     [ "$(head -1 "$scratch/err")" = "jellett: interrupted; nothing is saved" ] || fail "$command: says '$(cat "$scratch/err")'"
 done
+interrupt TERM jellett section --start eta=0.1,gamma3=-0.6 --returns 1000000 --check -o t.csv
+expect 143 "t.csv " "section --check"
+grep -q "DP could not be computed" "$scratch/err" && fail "section --check: says '$(cat "$scratch/err")'"
 interrupt TERM jellett verify --samples 10000000
 expect 143 "" "verify"
 # A scene is as quick as its command.

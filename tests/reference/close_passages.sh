@@ -108,6 +108,13 @@ done
 jellett section ./hill.tt --section y=0 --solve v=1 --level J=-2.2 --start x=0.3,u=0 --returns 20 > out 2> err ||
     fail "an ordinary orbit of Hill's: $(cat err)"
 [ -s err ] && fail "an ordinary orbit of Hill's: $(cat err)"
+# Nor is anything close where a small oscillation has errors of a tolerance of the large one beside it: K changes by 1e-6 of itself.
+printf '%s\n' 'model beside' 'state x' 'state y' 'state z' 'state w' 'eq x = y' 'eq y = -x' 'eq z = 20*w' 'eq w = -20*z' \
+    'integral K = z^2 + w^2' > beside.tt
+for start in '--start x=1,z=1e-6,w=1e-6' '--grid x=1:2:2,z=1e-6:2e-6:2,w=0'; do
+    jellett section ./beside.tt --section y=0 $start --returns 5 > out 2> err || fail "a small oscillation, $start: $(cat err)"
+    [ -s err ] && fail "a small oscillation, $start: $(cat err)"
+done
 
 # The unit circle, in the plane z = 0: multipliers exp(-4 pi) and exp(-pi).
 cat > plane.tt << 'T'
