@@ -10,9 +10,9 @@
 
 typedef enum {
     TTC_EXIT_DONE = 0,
-    TTC_EXIT_REFUTED = 1,   /* a claim is false */
+    TTC_EXIT_REFUTED = 1,   /* a claim is false, a mutant survives, or kernels would rest on a claim that is not proved */
     TTC_EXIT_USAGE = 2,
-    TTC_EXIT_BAD_TABLE = 3,
+    TTC_EXIT_BAD_TABLE = 3, /* a table is wrong, or a claim is not settled */
     TTC_EXIT_MEMORY = 4,    /* memory is out */
     TTC_EXIT_IO = 5,
     TTC_EXIT_INTERNAL = 70 /* a point contradicts a verdict */

@@ -44,7 +44,8 @@ typedef struct {
     size_t count, width;
 } ttc_points;
 
-/* parameters: as in ttc_flow_draw. Returns false if no point was found; clear in any case. */
+/* Draw points. In: parameters, shape (variable_count,), as ttc_flow_draw_parameters draws them. Returns false if one was not found;
+ * clear in any case. */
 bool ttc_points_draw(ttc_points *points, size_t count, const ttc_flow *flow, ulong *parameters, uint64_t *source);
 void ttc_points_clear(ttc_points *points);
 

@@ -1,6 +1,7 @@
 /** Extents: the signs that a value can have on the whole domain, and bounds on it.
  *
- *  Every operation is conservative: its result contains the results for all values within its operands. */
+ *  Every operation is conservative: its result contains the results for all values within its operands, as bounds are rounded
+ *  outwards. */
 #ifndef TTC_EXTENT_H
 #define TTC_EXTENT_H
 

@@ -44,7 +44,7 @@ typedef struct {
 const char *jlt_fates_crowd_grid(const jlt_motion_options *motion, const jlt_system *system);
 
 /** Add a system with the same section as those before, or NULL where the levels have no state, and values (count,) for `done`. Its
- *  starts are followed whenever a block is full. With `done`, the crowd owns the system. Says what is wrong. */
+ *  starts are followed whenever a block is full. With `done`, the crowd owns the system. Prints errors. */
 jlt_exit jlt_fates_crowd_follow(jlt_fates_crowd *self, jlt_system *system, const double *values, size_t count);
 
 /** Follow the starts that are still waiting. After an interrupt only orbits that were followed to their end are counted, and `done`

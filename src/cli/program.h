@@ -8,11 +8,12 @@
  *  FLINT or GMP run out of memory, and with JLT_EXIT_IO when standard output could not be written. */
 jlt_exit jlt_program_begin(void);
 
-/** Run the command once, by itself. argv[0] is "jellett NAME" already. */
+/** Run the command once in this process, without other runs beside it (cli/shelf.h); argv[0] is "jellett NAME" already. Returns its
+ *  status, which may be JLT_EXIT_PLANNED. */
 jlt_exit jlt_program_call(const jlt_command *command, int argc, char **argv);
 
-/* Run a command, with "jellett NAME" for argv[0]. Does not return if the command was interrupted: the program then ends by the
- * signal, after the command has saved its rows. */
+/* The same for a command that the user typed: argv[0] is set meanwhile, and a plan counts as JLT_EXIT_DONE. Does not return if the
+ * command was interrupted: the program then ends by the signal, after the command has saved its rows. */
 jlt_exit jlt_program_run(const jlt_command *command, int argc, char **argv);
 
 /** The path of the file `name` in the folder of this program. Out: path, shape (size,). Returns false if the folder is not known,
