@@ -256,6 +256,13 @@ static jlt_status rest_of_step(jlt_orbit *self, jlt_outcome *out, bool *found, d
     return JLT_OK;
 }
 
+/* Whether the orbit reaches the pole before t_end, or in no time that doubles tell from none. */
+static bool ends_before(const jlt_orbit *self, double t_end)
+{
+    const double pole = self->pole.t_end;
+    return (pole - t_end) * self->stepper->direction <= 0 || pole == jlt_stepper_time(self->stepper);
+}
+
 static void hand_out_pole(jlt_orbit *self, jlt_outcome *out)
 {
     hand_out_point(self, out, JLT_END_POLE);
@@ -332,7 +339,7 @@ jlt_status jlt_orbit_next(jlt_orbit *self, double t_end, const jlt_event *events
     for (;;) {
         JLT_TRY(rest_of_step(self, out, &found, t_end));
         if (found) return JLT_OK;
-        if (self->pole.ends) {
+        if (self->pole.ends && ends_before(self, t_end)) {
             hand_out_pole(self, out);
             return JLT_OK;
         }

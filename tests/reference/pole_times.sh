@@ -34,6 +34,12 @@ for factor in 's' '3*s' 's*(1 + x^2)' 's/1000' 's/1000000' 's/(2 + x)'; do
     ttc prove sphere.tt > proofs || fail "dt = $factor dtau: $(cat proofs)"
     ends pole+ "$factor" 1e-12
 done
+# Times just before it have their rows too: u = sqrt 3 at the pole, where u' = -1/2.
+table s
+before=$(python3 -c "print(*($end - d for d in (1e-7, 1e-9, 1e-11)), sep=',')")
+jellett simulate ./sphere.tt --start x=0,u=2 --times "$before,10" > out 2> err || fail "before the pole: $(cat err)"
+awk -F, -v t="$end" '/alive$/ { n++; off = $3 - sqrt(3) - (t - $1)/2; bad += !(off < 1e-12 && off > -1e-12) }
+    END { exit !(n == 3 && !bad) }' out && grep -q 'of 4 times 3 lie before it' err || fail "before the pole: $(cat out err)"
 # In t steps end where 1 - x keeps half of its digits: 1e-11 of x, and sqrt(2e-11)/1.7 = 3e-6 of t.
 for factor in 's^2' '1' 's + 1'; do
     table "$factor"
