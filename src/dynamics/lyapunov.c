@@ -180,18 +180,20 @@ static double growth_of(const double *slope, unsigned d)
 /* Of each orbit the product of its returns' derivatives, (d, d), without a factor 2^exponent, which may be beyond doubles. */
 typedef struct {
     double *slopes, *exponents;
-    unsigned d;
+    const jlt_chart *chart;
 } products;
 
 static void add_slope(void *context, size_t i, const jlt_map_batch_return *made)
 {
     const products *all = context;
-    const size_t size = (size_t)all->d * all->d;
-    double *slope = all->slopes + i * size, largest = 0;
+    const unsigned d = all->chart->dim;
+    const size_t size = (size_t)d * d;
+    double *slope = all->slopes + i * size, scaled[JLT_CHART_DIM_MAX * JLT_CHART_DIM_MAX], largest = 0;
     int most = 0;
 
-    jlt_linear_multiply(slope, made->slope, slope, all->d);
-    for (size_t k = 0; k < size; k++) largest = fmax(largest, fabs(slope[k]));
+    jlt_linear_multiply(slope, made->slope, slope, d);
+    jlt_chart_scaled_slope(all->chart, scaled, slope); /* in any units the same factor */
+    for (size_t k = 0; k < size; k++) largest = fmax(largest, fabs(scaled[k]));
     if (isfinite(largest)) (void)frexp(largest, &most);
     for (size_t k = 0; k < size; k++) slope[k] = ldexp(slope[k], -most);
     all->exponents[i] += most;
@@ -204,7 +206,7 @@ jlt_status jlt_lyapunov_finite_each(jlt_map_batch *maps, double *exponents, cons
     const unsigned d = flow->chart->dim;
     JLT_FREED size_t *flow_of = calloc(count, sizeof *flow_of);
     JLT_FREED double *slopes = calloc(count * d, d * sizeof *slopes);
-    products all = { slopes, exponents, d };
+    products all = { slopes, exponents, flow->chart };
 
     if (count > 0 && (flow_of == NULL || slopes == NULL)) return JLT_ERR_NOMEM;
     for (size_t i = 0; i < count; i++) {
