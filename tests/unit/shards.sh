@@ -151,7 +151,7 @@ END
 expect 0 "" jellett sweep edited.scene --into=edited
 jellett sweep edited.scene --into=meanwhile 2> log &
 meanwhile=$!
-for _ in $(seq 100); do grep -q "of them are there" log && break; sleep 0.05; done
+for _ in $(seq 1200); do grep -q "of them are there" log && break; sleep 0.05; done
 sed -i.before 's/-k\*x/-2*k*x/' edited.tt
 wait $meanwhile
 code=$?
@@ -305,7 +305,7 @@ expect 0 "refused every point of refused/1-of-8.shard: its 1 pieces have no rows
     jellett sweep exponents.scene --shard=1/8 --into=refused
 expect 0 "4 of 8 pieces" jellett merge exponents.shards -o exponents.csv -o exponents.sqlite
 for a3 in 0.3 0.4 0.5 0.6; do
-    jellett lyapunov --set a3=$a3 --level E=2,G=-0.56 --start eta=0.1,gamma3=-0.6 --returns 3 | rows |
+    jellett lyapunov --set a3=$a3 --level E=2,G=-0.56 --start eta=0.1,gamma3=-0.6 --returns 3 2> log | rows |
         awk -v a3=$a3 '{ print (NR > 1 ? a3 ",2," : "a3,E,") $0 }'
 done | awk 'NR == 1 || !/^a3/' | diff - <(rows exponents.csv) > diff ||
     { fail "rows over a3 and E are others than those that are typed:"; head -5 diff; }
