@@ -20,7 +20,7 @@
 /** What rows say of the model's conditions. */
 typedef enum {
     JLT_SECTION_BATCH_UNWATCHED, /* nothing */
-    JLT_SECTION_BATCH_LOSS,      /* whether one has been lost: `least` <= 0, and no smaller than where it was seen first */
+    JLT_SECTION_BATCH_LOSS,      /* whether one has been lost: `least` is <= 0 if so, and is that of the first loss */
     JLT_SECTION_BATCH_LEAST      /* the least value */
 } jlt_section_batch_watch;
 
