@@ -23,6 +23,7 @@ enum { CORNERS = 8, FEWER = 6, REFINEMENTS = 16 };
 typedef struct {
     double sigma, q[2], area; /* area: between the piece and its chord; NaN: the branch has no point there */
     double error;             /* of area: its change by fewer corners, or by the tangents' displacement in place of the chord */
+    double gap;               /* while open, of the piece that this is half of, as of `part` */
     size_t index;             /* of a requested point, else SIZE_MAX */
     bool ends;                /* a fundamental domain ends; the piece is the jump, O(seed) along the branch, to the next one */
     bool is_open;             /* the piece is not integrated yet */
@@ -37,7 +38,7 @@ static int compare(const void *left, const void *right)
 
 static void add(joint *list, size_t *count, double sigma, const double *q, size_t index)
 {
-    list[*count] = (joint){ .sigma = sigma, .index = index };
+    list[*count] = (joint){ .sigma = sigma, .index = index, .gap = INFINITY };
     memcpy(list[(*count)++].q, q, sizeof list->q);
 }
 
@@ -125,10 +126,7 @@ static double polynomial_area(joint *of, double divided[CORNERS][2], const doubl
     for (int j = 0; j < NODES; j++) {
         evaluate(fewer, fewer_slope, divided, at, FEWER, node[j]);
         evaluate(value, slope, divided, at, CORNERS, node[j]);
-        for (int c = 0; c < 2; c++) {
-            value[c] -= start[c];
-            fewer[c] -= start[c];
-        }
+        for (int c = 0; c < 2; c++) value[c] -= start[c], fewer[c] -= start[c];
         of->area += weight[j] * cross(value, slope) / 2;
         fewer_area += weight[j] * cross(fewer, fewer_slope) / 2;
         for (int c = 0; c < 2; c++) fewer[c] -= value[c];
@@ -139,9 +137,10 @@ static double polynomial_area(joint *of, double divided[CORNERS][2], const doubl
     return apart;
 }
 
-/* Set the area of the piece from joint k to the next by interpolation. Returns false, and sets nothing, unless the polynomials
- * through more and through fewer corners agree, and the ends are those of the piece, to the tolerance. */
-static bool interpolate(joint *list, size_t joint_count, size_t k, const jlt_chart *chart)
+/* Set the area of the piece from joint k to the next by interpolation. Returns false, and sets the gap alone, unless the
+ * polynomials through more and through fewer corners agree, and the ends are those of the piece, to the tolerance; or that gap is
+ * no more than the error that points have at least, and halving has reduced it by less than a factor of 8: it would by 2^6. */
+static bool interpolate(joint *list, size_t joint_count, size_t k, const jlt_chart *chart, double tolerance)
 {
     const double from = list[k].sigma, width = list[k + 1].sigma - from;
     size_t corners[CORNERS];
@@ -164,9 +163,12 @@ static bool interpolate(joint *list, size_t joint_count, size_t k, const jlt_cha
         gap = fmax(gap, hypot(off[0], off[1]));
     }
     jlt_chart_scaled(chart, chord, chord);
-    if (!(gap * hypot(chord[0], chord[1]) <= enough)) return false;
-    list[k] = tried;
-    return true;
+    const double length = hypot(chord[0], chord[1]);
+    const bool done = gap * length <= enough || gap > tried.gap / 8;
+    if (gap * length > enough) tried.error = fmax(tried.error, gap * length);
+    if (done) list[k] = tried;
+    list[k].gap = gap <= tolerance ? gap : INFINITY;
+    return done;
 }
 
 /* Arguments of jlt_branch_points for count points of one branch. */
@@ -202,7 +204,7 @@ static jlt_status make_samples(samples *self, size_t count, const jlt_branch *br
 
 /* Interpolate all pieces; where that fails, add a corner in the middle, up to REFINEMENTS times. Pieces that still fail stay open.
  * A point without its tangent costs a fifth of one with it. */
-static jlt_status refine(joint **list, size_t *count, const jlt_branch *branch)
+static jlt_status refine(joint **list, size_t *count, const jlt_branch *branch, double tolerance)
 {
     const jlt_chart *chart = jlt_map_flow(branch->map)->chart;
 
@@ -210,7 +212,7 @@ static jlt_status refine(joint **list, size_t *count, const jlt_branch *branch)
     for (int round = 0; round <= REFINEMENTS; round++) {
         size_t left = 0, n = 0;
         for (size_t k = 0; k + 1 < *count; k++)
-            if ((*list)[k].is_open) left += (*list)[k].is_open = !interpolate(*list, *count, k, chart);
+            if ((*list)[k].is_open) left += (*list)[k].is_open = !interpolate(*list, *count, k, chart, tolerance);
         if (left == 0 || round == REFINEMENTS) return JLT_OK;
         joint *finer = calloc(*count + left, sizeof *finer);
         samples middles;
@@ -225,7 +227,7 @@ static jlt_status refine(joint **list, size_t *count, const jlt_branch *branch)
             finer[n++] = (*list)[k];
             if (!(*list)[k].is_open) continue;
             joint *middle = &finer[n++];
-            *middle = (joint){ .sigma = middles.sigma[of], .index = SIZE_MAX, .is_open = true };
+            *middle = (joint){ .sigma = middles.sigma[of], .index = SIZE_MAX, .is_open = true, .gap = finer[n - 2].gap };
             memcpy(middle->q, middles.q + 2 * of, sizeof middle->q);
             if (middles.status[of++] != JLT_OK) middle->area = NAN;
         }
@@ -276,7 +278,7 @@ static jlt_status find_ends(joint *list, size_t joint_count, const jlt_branch *b
  * part's end to the tolerance, or if halving has reduced the gap to the end by less than a factor of 8: it would by 2^11, so that
  * only errors of the points are left. Returns false if the part is to be halved; what is added is then the area between its chord
  * and those of its halves. */
-static bool integrate(joint *of, part *p, const double *q, const double *tangent, const jlt_chart *chart)
+static bool integrate(joint *of, part *p, const double *q, const double *tangent, const jlt_chart *chart, double tolerance)
 {
     const double width = p->sigma[1] - p->sigma[0];
     double chord[2], led[2] = { 0, 0 }, area = 0, length = 0, from[2], step[2];
@@ -294,7 +296,7 @@ static bool integrate(joint *of, part *p, const double *q, const double *tangent
     jlt_chart_scaled(chart, led, led);
     const double gap = hypot(led[0], led[1]);
     const bool done = gap * length <= enough || gap > p->gap / 8;
-    p->gap = gap <= length / 1000 ? gap : INFINITY;
+    p->gap = gap <= fmax(length / 1000, tolerance) ? gap : INFINITY;
     jlt_chart_difference(chart, from, q + 2 * MIDDLE, p->q[0]);
     jlt_chart_difference(chart, step, p->q[1], q + 2 * MIDDLE);
     of->area += done ? area : cross(from, step) / 2;
@@ -324,7 +326,8 @@ static jlt_status integrate_all(joint *list, part *parts, size_t count, const jl
             bool known = true;
             for (int j = 0; j < NODES; j++) known = known && s.status[NODES * i + (size_t)j] == JLT_OK;
             if (!known) list[now[i].joint].area = NAN;
-            if (!known || integrate(&list[now[i].joint], &now[i], q, s.tangent + 2 * NODES * i, chart)) continue;
+            const double *tangent = s.tangent + 2 * NODES * i;
+            if (!known || integrate(&list[now[i].joint], &now[i], q, tangent, chart, jlt_map_batch_tolerance(maps))) continue;
             for (int k = 0; k < 2; k++) {
                 part *half = &next[left++];
                 *half = now[i];
@@ -354,7 +357,7 @@ jlt_status jlt_branch_area_to(jlt_branch_area *areas, const jlt_branch *branch, 
     JLT_FREED joint *list = joints_of(&joint_count, curve, sigma, q, count);
     if (list == NULL) return JLT_ERR_NOMEM;
     JLT_PASS(find_ends(list, joint_count, branch, maps));
-    JLT_PASS(refine(&list, &joint_count, branch));
+    JLT_PASS(refine(&list, &joint_count, branch, tolerance));
     JLT_FREED part *parts = calloc(joint_count, sizeof *parts);
     if (parts == NULL) return JLT_ERR_NOMEM;
     for (size_t k = 0; k + 1 < joint_count; k++) {

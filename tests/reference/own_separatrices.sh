@@ -123,4 +123,17 @@ jellett manifolds ./driven.tt --section phi=0 --start x=-1/40,v=0 --no-crossings
 
 jellett manifolds ./well.tt --section phi=0 --start x=1e-9,v=0 --seed 1e-9 > out 2> err < /dev/null
 [ $? -eq 3 ] && grep -q -- '--seed:' err || { echo "a seed out of range: $(cat err)"; status=1; }
+# At loose tolerances pieces of branches are halved until errors of their points are left, and no longer: lobes of the top are
+# those at a tight tolerance, within both error bars.
+jellett manifolds --length 0.5 --tol 1e-12 --crossings tight.csv > out 2> err < /dev/null || fail "lobes at 1e-12: $(cat err)"
+timeout 60 jellett manifolds --length 0.5 --tol 1e-6 --crossings loose.csv > out 2> err < /dev/null ||
+    fail "lobes at 1e-6: $(cat err)"
+timeout 60 jellett manifolds --length 0.5 --tol 1e-5 --crossings loose.csv > out 2> err < /dev/null ||
+    fail "lobes at 1e-5: $(cat err)"
+awk -F, '/^#/ || /^eta/ { next }
+    NR == FNR { n++; x[n] = $1; y[n] = $2; lobe[n] = $10; bar[n] = $11; next }
+    $10 == "" || $10 == "nan" { next }
+    { for (i = near = 1; i <= n; i++) if (($1 - x[i])^2 + ($2 - y[i])^2 < ($1 - x[near])^2 + ($2 - y[near])^2) near = i
+      d = $10 - lobe[near]; all++; bad += !(d*d <= ($11 + bar[near])^2) }
+    END { exit !(all > 10 && bad == 0) }' tight.csv loose.csv || fail "lobes at 1e-5 are outside their error bars"
 exit $status
