@@ -79,19 +79,22 @@ static void multiply(double *out, const double *a, const double *x, unsigned n, 
 }
 
 /* Find the remaining displacement y, a y = f, in the decaying subspace, which a f, a^2 f, ... span, `count` of them; f itself has
- * a part of second order along the equilibria, where a is 0. Singular values below 1e-9 of the largest are rounding. */
-static jlt_status way_left(double *y, const double *a, const double *f, unsigned n, unsigned count, double fastest)
+ * a part of second order along the equilibria, where a is 0. Equation i counts by importance[i]. Singular values below 1e-9 of the
+ * largest are rounding. */
+static jlt_status way_left(double *y, const double *a, const double *f, const double *importance, unsigned n, unsigned count,
+                           double fastest)
 {
-    double power[DIM_MAX][DIM_MAX], system[DIM_MAX * DIM_MAX], weight[DIM_MAX];
+    double power[DIM_MAX][DIM_MAX], system[DIM_MAX * DIM_MAX], weight[DIM_MAX], right[DIM_MAX];
 
     multiply(power[0], a, f, n, 1 / fastest);
     for (unsigned k = 1; k < count; k++) multiply(power[k], a, power[k - 1], n, 1 / fastest);
     for (unsigned k = 0; k < count; k++) {
         double image[DIM_MAX];
         multiply(image, a, power[k], n, 1 / fastest);
-        for (unsigned i = 0; i < n; i++) system[i * count + k] = image[i];
+        for (unsigned i = 0; i < n; i++) system[i * count + k] = importance[i] * image[i];
     }
-    const jlt_status st = jlt_eigen_least_squares(weight, system, f, n, count, 1e-9);
+    for (unsigned i = 0; i < n; i++) right[i] = importance[i] * f[i];
+    const jlt_status st = jlt_eigen_least_squares(weight, system, right, n, count, 1e-9);
     for (unsigned i = 0; i < n; i++) {
         y[i] = 0;
         for (unsigned k = 0; st == JLT_OK && k < count; k++) y[i] += weight[k] * power[k][i] / fastest;
@@ -134,8 +137,8 @@ bool jlt_approach_is_known(const jlt_approach *self, const jlt_stepper *stepper)
 jlt_status jlt_approach_judge(jlt_approach *out, const jlt_stepper *stepper)
 {
     const jlt_field *field = stepper->field;
-    double whole[DIM_MAX * DIM_MAX], a[DIM_MAX * DIM_MAX], f[DIM_MAX], y[DIM_MAX], image[DIM_MAX], largest = 0, defect = 0,
-                                                                                                   slope = 0;
+    double whole[DIM_MAX * DIM_MAX], a[DIM_MAX * DIM_MAX], f[DIM_MAX], y[DIM_MAX], image[DIM_MAX], importance[DIM_MAX];
+    double largest = 0, defect = 0, slope = 0;
     unsigned moving[DIM_MAX], count;
 
     *out = (jlt_approach){ .decays = false };
@@ -145,6 +148,7 @@ jlt_status jlt_approach_judge(jlt_approach *out, const jlt_stepper *stepper)
     if (n == 0) return JLT_OK;
     for (unsigned i = 0; i < n; i++) {
         f[i] = stepper->f[moving[i]];
+        slope = fmax(slope, fabs(f[i]));
         for (unsigned j = 0; j < n; j++) {
             a[i * n + j] = whole[moving[i] * field->dim + moving[j]];
             largest = fmax(largest, fabs(a[i * n + j]));
@@ -154,14 +158,16 @@ jlt_status jlt_approach_judge(jlt_approach *out, const jlt_stepper *stepper)
         if (fabs(a[i]) < nothing * largest) a[i] = 0;
     JLT_PASS(rates(&out->slowest, &out->fastest, &count, a, n, stepper->direction));
     if (!(out->slowest > 0) || count == 0) return JLT_OK;
-    JLT_PASS(way_left(y, a, f, n, count, out->fastest));
+    /* That of the root holds relative to the root, which may push another state a million times as far. */
+    for (unsigned i = 0; i < n; i++)
+        importance[i] = (int)moving[i] == field->root && fabs(f[i]) > nothing * slope ? slope / fabs(f[i]) : 1;
+    JLT_PASS(way_left(y, a, f, importance, n, count, out->fastest));
     multiply(image, a, y, n, 1);
     for (unsigned i = 0; i < n; i++) {
         out->left[moving[i]] = y[i];
         out->longest = fmax(out->longest, fabs(y[i]) / jlt_approach_size(stepper, moving[i]));
         const double rest = fabs(image[i] - f[i]);
         defect = fmax(defect, rest);
-        slope = fmax(slope, fabs(f[i]));
         if ((int)moving[i] == field->root) out->root_left_out = rest / out->slowest;
     }
     out->decays = defect <= 1e-3 * slope;
