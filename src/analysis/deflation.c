@@ -65,6 +65,7 @@ static double condition(const jlt_deflation_problem *p, const jlt_deflation_choi
         y2 += r * r + i * i;
     }
     const double product = hypot(product_re, product_im);
+    if (!(x2 > 0.0 && y2 > 0.0)) return NAN; /* no entry: several eigenvectors, or less than the least double */
     return product == 0.0 ? INFINITY : sqrt(x2) * (sqrt(y2) / lambda) / product;
 }
 

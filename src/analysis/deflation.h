@@ -20,7 +20,8 @@ enum { JLT_DEFLATION_SIZE_MAX = 32 };
 
 typedef struct {
     double re, im;
-    double condition; /* |x| |y| / |y^H x| of the whole matrix; INFINITY if defective, NaN for the eigenvalue zero */
+    double condition; /* |x| |y| / |y^H x| of the whole matrix; INFINITY if defective, NaN for the eigenvalue zero,
+                         or with several eigenvectors */
     double error;     /* first-order bound on the absolute error, from the errors of the entries and of the arithmetic */
     int source;       /* row of the gradient that this exactly zero eigenvalue is attributed to; else -1 */
 } jlt_eigenvalue;

@@ -75,6 +75,8 @@ END
 says ' -1 exactly, condition infinite: defective' multiple.tt
 says ' -2 exactly, condition 1' multiple.tt
 says ' -1 exactly, condition not defined' multiple.tt --set k=0
+says ' -1 exactly, condition infinite: defective' multiple.tt --fast
+says ' -1 exactly, condition not defined' multiple.tt --set k=0 --fast
 says 'verdict stable' multiple.tt
 cat > alike.tt <<'END'
 model alike
