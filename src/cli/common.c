@@ -9,6 +9,7 @@
 #endif
 
 #include "cli/grid.h"
+#include "cli/merged.h"
 #include "cli/plot.h"
 #include "cli/table.h"
 #include "integrate/invariant.h"
@@ -88,9 +89,12 @@ static error_t parse_common(int key, char *value, struct argp_state *state)
 static error_t parse_files(int key, char *value, struct argp_state *state)
 {
     jlt_common *self = state->input;
+    jlt_merged_kind kind;
 
     switch (key) {
     case 'o':
+        if (jlt_merged_known(&kind, value) && kind == JLT_MERGED_SQLITE)
+            argp_error(state, "--output: '%s' would be a database, which 'jellett merge' alone writes: name a .csv or .npy", value);
         if (self->output != NULL) argp_error(state, "--output is given twice: a command writes one table");
         self->output = value;
         return 0;

@@ -101,6 +101,10 @@ echo 'compute = ( { what = "eigen"; parameters = { a3 = 0; }; at = { v_nu = 0.7;
     report.scene
 jellett run report.scene > out 2> err && fail "a scene wrote a report as an array"
 grep -q "a report is no table" err || fail "a scene's report: $(cat err)"
+for name in none.sqlite none.db; do
+    jellett section --start eta=0.1,gamma3=-0.6 --returns 1 -o $name 2> err
+    [ $? -eq 2 ] && grep -q "'jellett merge' alone writes" err && [ ! -e $name ] || fail "$name: $(cat err)"
+done
 ln -s /dev/null null.npy
 jellett section --start eta=0.1,gamma3=-0.6 --returns 1 -o null.npy 2> err && fail "an array went to a device"
 grep -q "arrays go to files alone" err || fail "an array for a device: $(cat err)"
