@@ -1,5 +1,6 @@
 /* `jellett lyapunov`: Lyapunov exponents of an orbit with their convergence, or a chart of finite-time exponents. */
 #include "cli/lyapunov_chart.h"
+#include "cli/lyapunov_losses.h"
 #include "cli/progress.h"
 #include "cli/shelf.h"
 #include "cli/swept.h"
@@ -71,6 +72,8 @@ static const struct argp parser = {
     "Differences of points are measured in coordinates, counted in units of the problem, powers of two. Other units, other "
     "coordinates or another order of states measure them differently: exponents of N returns change by a part that falls as "
     "1/t, and their limits do not.\n\n"
+    "Orbits on which a condition of the model breaks are told of at the end; those of a chart and of a sweep are followed once "
+    "more for that, and the returns of --skip count.\n\n"
     "With --sweep, a history is its last row. The starts of a chart, and the histories of a sweep, are followed side by side, "
     "by a method that --tol chooses; with --method, one at a time.\n\n"
     "Examples:\n"
@@ -118,8 +121,8 @@ static int observe(void *context, const jlt_lyapunov_state *state)
     history *self = context;
 
     jlt_progress_show(&self->progress, state->returns, self->o->returns);
-    if (self->o->motion.common.at_point) return jlt_motion_interrupted(&self->o->motion); /* only the last row is written, later */
     note_loss(self, state->t);
+    if (self->o->motion.common.at_point) return jlt_motion_interrupted(&self->o->motion); /* only the last row is written, later */
     if (state->returns >= self->next || state->returns == self->o->returns) {
         write_state(self->file, state, self->dim);
         if (self->points != NULL) {
@@ -170,7 +173,8 @@ typedef struct {
     double q[JLT_CHART_DIM_MAX]; /* start of a history */
     jlt_lyapunov_state state;    /* its end */
     jlt_status status;
-    bool has_end;                /* the history was followed in a batch: state and status are set */
+    int lost;                    /* as jlt_lyapunov_losses says; JLT_LYAPUNOV_HELD until it is known */
+    bool has_end;                /* the history was followed in a batch: state, status and lost are set */
 } exponents;
 
 /* Follow the history of the first run, and in the same batch those of later runs that fit it. Returns false if the batch fails, or
@@ -184,21 +188,28 @@ static bool follow_group(exponents *const *runs, size_t count)
     size_t made = 0;
     JLT_FREED jlt_lyapunov_state *states = malloc(count * sizeof *states);
     JLT_FREED jlt_status *statuses = malloc(count * sizeof *statuses);
+    JLT_FREED const jlt_system **systems = malloc(count * sizeof(jlt_system *));
+    JLT_FREED int *lost = malloc(count * sizeof *lost);
+    const options *o = &runs[0]->o;
 
-    if (own == NULL || q == NULL || flow_of == NULL || states == NULL || statuses == NULL) return false;
+    if (own == NULL || q == NULL || flow_of == NULL || states == NULL || statuses == NULL || systems == NULL || lost == NULL)
+        return false;
     for (size_t i = 0; i < count; i++) {
         exponents *run = runs[i];
         flow_of[made] = 0;
         if (run->maps == NULL || run->has_end) continue;
         if (i > 0 && jlt_map_batch_add(runs[0]->maps, &flow_of[made], &run->system->flow) != JLT_OK) continue;
         memcpy(q + made * d, run->q, d * sizeof *q);
+        systems[flow_of[made]] = run->system;
         own[made++] = run;
     }
-    if (jlt_lyapunov_run_each(runs[0]->maps, states, statuses, q, flow_of, made, runs[0]->o.skip, runs[0]->o.returns) != JLT_OK)
+    if (jlt_lyapunov_run_each(runs[0]->maps, states, statuses, q, flow_of, made, o->skip, o->returns) != JLT_OK
+        || jlt_lyapunov_losses(lost, systems, made, q, flow_of, made, o->skip + o->returns, true, o->threads) != JLT_OK)
         return false;
     for (size_t i = 0; i < made; i++) {
         own[i]->state = states[i];
         own[i]->status = statuses[i];
+        own[i]->lost = lost[i];
         own[i]->has_end = true;
     }
     return true;
@@ -208,8 +219,10 @@ static bool follow_group(exponents *const *runs, size_t count)
 static void follow_alone(exponents *self, history *rows)
 {
     self->status = jlt_lyapunov_chart_skip(self->map, self->q, self->o.skip);
-    if (!self->o.motion.common.at_point) jlt_map_watch(self->map, self->system->flow.observed);
+    jlt_map_watch(self->map, self->system->flow.observed);
     if (self->status == JLT_OK) self->status = jlt_lyapunov_run(self->map, &self->state, self->q, self->o.returns, observe, rows);
+    const jlt_section_least least = jlt_map_least(self->map);
+    if (least.value <= 0) self->lost = (int)least.condition; /* after the last return */
 }
 
 static jlt_exit write_history(exponents *self)
@@ -236,6 +249,9 @@ static jlt_exit write_history(exponents *self)
     if (!isnan(rows.lost_at))
         fprintf(stderr, "jellett: by t = %.10g %s is lost, and the model does not hold from there on\n", rows.lost_at,
                 jlt_observed_condition(self->system->flow.observed, rows.lost));
+    if (self->lost >= 0)
+        fprintf(stderr, "jellett: on the way %s is lost, and the model does not hold from there on\n",
+                jlt_observed_condition(self->system->flow.observed, (unsigned)self->lost));
     if (self->status == JLT_ERR_DOMAIN && state->returns > 0) {
         fprintf(
             stderr,
@@ -301,6 +317,7 @@ static void *begin(jlt_exit *code, int argc, char **argv)
         return NULL;
     }
     options *o = &self->o;
+    self->lost = JLT_LYAPUNOV_HELD;
     jlt_motion_begin(&o->motion, argc, argv);
     o->motion.flow.method = NULL;
     argp_parse(&parser, argc, argv, 0, NULL, o);

@@ -4,6 +4,8 @@
 #include <string.h>
 
 #include "cli/interrupt.h"
+#include "cli/lyapunov_losses.h"
+#include "cli/orbit_losses.h"
 #include "cli/progress.h"
 #include "core/memory.h"
 #include "dynamics/lyapunov.h"
@@ -62,11 +64,13 @@ jlt_exit jlt_lyapunov_chart_write(jlt_motion_map *picture, jlt_map *map, jlt_map
     const unsigned d = chart->dim;
     const size_t all = jlt_motion_grid_size(axes, system), block = BLOCK * o->threads;
     JLT_FREED double *q = malloc(block * (d + 1) * sizeof *q);
+    JLT_FREED int *lost = malloc(block * sizeof *lost);
+    jlt_orbit_losses losses = { .first = NAN };
     jlt_map_images images = { 0 };
     jlt_csv_names names;
     jlt_progress progress;
     size_t unresolved = 0, strayed = 0;
-    jlt_status st = q == NULL ? JLT_ERR_NOMEM : jlt_map_batch_images(&images, d, block);
+    jlt_status st = q == NULL || lost == NULL ? JLT_ERR_NOMEM : jlt_map_batch_images(&images, d, block);
 
     if (o->returns == 0) o->returns = 10;
     FILE *line = jlt_csv_names_begin(&names, table->file);
@@ -79,11 +83,16 @@ jlt_exit jlt_lyapunov_chart_write(jlt_motion_map *picture, jlt_map *map, jlt_map
         for (size_t i = 0; i < count; i++) jlt_motion_grid_point(q + i * d, axes, system, first + i);
         double *exponents = q + block * d;
         st = measure(exponents, &images, o, map, maps, q, count);
+        if (st == JLT_OK)
+            st = jlt_lyapunov_losses(lost, &picture->system, 1, q, NULL, count, o->skip + o->returns, o->motion.in_lanes,
+                                     o->threads);
         if (jlt_motion_interrupted(&o->motion)) break;
         for (size_t i = 0; st == JLT_OK && i < count; i++) {
             const bool has_returned = images.status[i] == JLT_OK;
             unresolved += has_returned && isnan(exponents[i]);
             strayed += images.status[i] == JLT_ERR_NO_CONVERGENCE && chart->solved_count > 0;
+            losses.orbits += lost[i] != JLT_LYAPUNOV_NO_ORBIT;
+            if (lost[i] >= 0) losses.all++, losses.lost[lost[i]]++;
             jlt_csv_values(table->file, q + i * d, d);
             fputc(',', table->file);
             jlt_csv_row(table->file, (const double[]){ exponents[i], has_returned ? images.T[i] : NAN }, 2);
@@ -99,6 +108,7 @@ jlt_exit jlt_lyapunov_chart_write(jlt_motion_map *picture, jlt_map *map, jlt_map
     if (strayed > 0)
         fprintf(stderr, "jellett: of %zu starts a return left the branch of --solve, or was not found: they have no exponent\n",
                 strayed);
+    jlt_orbit_losses_tell(&losses, system->flow.observed, "");
     if (jlt_motion_interrupted(&o->motion)) fprintf(stderr, "jellett: interrupted; whole rows are saved in %s\n", table->path);
     return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, system, "chart");
 }

@@ -89,4 +89,28 @@ grep -qFf wanted err || fail "continue: not '$(cat wanted)' but $(cat err)"
 expect 0 'by t = 12.5663706. high is lost' jellett lyapunov ./decay.tt --section x=0 --start y=1,z=1 --returns 9
 jellett lyapunov ./decay.tt --section x=0 --start y=1,z=1 --returns 1 > out 2> err || fail "lyapunov: $(cat err)"
 grep -q lost err && fail "nothing is lost in one return: $(cat err)"
+
+# Exponents tell of the same losses as returns do: of a history, to its pole; of a sweep, in lanes or not; and of a chart.
+says() { # WANT ARGUMENT...: whether `jellett lyapunov` says that contact is lost
+    local want=$1
+    shift
+    jellett lyapunov "$@" > out 2> err
+    [ "$(grep -c 'contact is lost' err)" -eq "$want" ] || fail "lyapunov $*: wanted $want: $(cat err)"
+}
+from=(--start eta=0.5,gamma3=-0.3 --returns 5)
+for E in 2.1 2.15 2.2; do
+    jellett section "${from[@]}" --level E=$E > out 2> err
+    lose=$(grep -c 'orbits lose contact' err)
+    says "$lose" "${from[@]}" --level E=$E
+    says "$lose" "${from[@]}" --level E=$E --method dop853
+    says "$lose" "${from[@]}" --sweep E=$E:$E:1
+    says "$lose" "${from[@]}" --sweep E=$E:$E:1 --method gauss
+done
+says 1 --start eta=0.5,gamma3=-0.3 --returns 4 --skip 1
+says 2 "${from[@]}" --sweep E=2.1:2.2:3
+for how in "" "--method gauss"; do
+    of=$(jellett section --grid 6x5 --returns 3 $how 2>&1 > out | sed -n 's/.* \([0-9]* of 30\) orbits lose.*/\1/p')
+    jellett lyapunov --grid 6x5 --returns 3 $how 2> err > out
+    [ -n "$of" ] && grep -q "on $of orbits contact is lost" err || fail "a chart, $how: not '$of': $(cat err)"
+done
 exit $status
