@@ -130,27 +130,43 @@ static bool follows(const runner *self, const place *from, const place *to, doub
            jlt_continuation_step_straight(&middle, to, turn_across, self->d);
 }
 
+/* A place within a step, at s from its beginning, and test k there times `side`. Returns false if it is not found on the branch. */
+static bool visit(const runner *self, place *within, double *value, const place *from, const place *to, double s, unsigned k,
+                  double side)
+{
+    if (jlt_continuation_step_to(self, within, from, s, NULL) != JLT_OK || !follows(self, from, within, s)
+        || !jlt_continuation_step_straight(within, to, turn, self->d)) return false;
+    *value = side * within->test[k];
+    return true;
+}
+
 /* Whether test k, of one sign at both ends of a step, has the other in between, at a place that becomes *within: where the parabola
- * through its values has its extremum, also at `before`, the place before the step. */
+ * through its values has its extremum. The first goes also through `before`, the place before the step, and may be off by half a
+ * step, and by a fiftieth of the values; later ones go through places beside the extremum found, as far off as such a parabola
+ * takes to rise by four times the value there. */
 static bool changes_twice(const runner *self, place *within, const place *before, const place *from, const place *to, unsigned k)
 {
-    const double side = from->test[k] > 0 ? 1 : -1;
-    double s[3] = { before->arc - from->arc, 0, to->arc - from->arc };
+    const double side = from->test[k] > 0 ? 1 : -1, end = to->arc - from->arc;
+    double s[3] = { before->arc - from->arc, 0, end };
     double g[3] = { side * before->test[k], side * from->test[k], side * to->test[k] };
 
     for (int i = 0; i < EXTREMUM; i++) {
         const double left = (g[1] - g[0]) / (s[1] - s[0]), right = (g[2] - g[1]) / (s[2] - s[1]);
         const double bend = (right - left) / (s[2] - s[0]), at = (s[0] + s[1]) / 2 - left / (2 * bend);
-        const double least = g[0] + (at - s[0]) * (left + (at - s[1]) * bend);
-        if (!(bend > 0 && at > 0 && at < to->arc - from->arc && least < fmin(g[1], g[2]) / 2)) return false;
-        if (jlt_continuation_step_to(self, within, from, at, NULL) != JLT_OK || !follows(self, from, within, at) ||
-            !jlt_continuation_step_straight(within, to, turn, self->d)) return false;
-        const double value = side * within->test[k];
-        if (value < -noise_of_determinant) return true;
-        const bool less = value < g[1];
-        const unsigned far = (at > s[1]) == less ? 0 : 2; /* from the least of the four */
-        s[far] = less ? s[1] : at, g[far] = less ? g[1] : value;
-        if (less) s[1] = at, g[1] = value;
+        const double least = g[0] + (at - s[0]) * (left + (at - s[1]) * bend), spare = i == 0 ? end / 2 : 0;
+        const double low = i == 0 ? fmax(0.9 * fmin(g[1], g[2]), 0.02 * fmax(g[0], g[2])) : fmin(g[1], g[2]) / 2;
+        if (!(bend > 0 && at > -spare && at < end + spare && least < low)) return false;
+        s[1] = fmin(fmax(at, spare / 8), end - spare / 8);
+        if (!visit(self, within, &g[1], from, to, s[1], k, side)) return false;
+        if (g[1] < -noise_of_determinant) return true;
+        const double reach = 2 * sqrt(fmax(g[1], noise_of_determinant) / bend);
+        s[0] = fmax(s[1] - reach, s[1] / 2);
+        s[2] = fmin(s[1] + reach, (s[1] + end) / 2);
+        for (unsigned j = 0; j < 3; j += 2) {
+            if (!visit(self, within, &g[j], from, to, s[j], k, side)) return false;
+            if (g[j] < -noise_of_determinant) return true;
+        }
+        if (g[1] <= noise_of_determinant) return false;
     }
     return false;
 }
