@@ -137,9 +137,7 @@ static void visit(cover *c, const ttc_subcase *b)
             free(task->remainder);
             task->status = before;
             task->remainder = reason;
-        } else if (before == TTC_UNSETTLED) {
-            free(reason);
-        }
+        } else if (before == TTC_UNSETTLED) free(reason);
         if (task->ring->choice_count > most) most = task->ring->choice_count;
         again = choices + 1 < 1u << most && !task->exhibited;
         ttc_subcase_close(task);
@@ -236,7 +234,8 @@ static void meet(cover *c, const ttc_subcase *b)
     } else if (status != TTC_RING_OK) {
         ttc_task_unsettle(task, "on the zero level, %s", ttc_ring_status_text(status));
     } else if (is_invariant(task) && b->goal_count == 1 && !b->own_solved && !b->is_degenerate && !b->is_orphan
-               && b->terms_added == 0 && !ttc_task_moves(task, &value) && look_for_point(c, b)) {
+               && b->terms_added == 0 && (ttc_conditions_signs(&task->domain, value.numerator) & TTC_CAN_BE_ZERO)
+               && !ttc_task_moves(task, &value) && look_for_point(c, b)) {
         ttc_task_unsettle(task, "%s does not depend on the states, or is zero wherever its conditions hold: that says nothing",
                           task->claim->name);
     } else if (ttc_ratio_is_zero(task->ring, &value)) {

@@ -14,3 +14,11 @@ jlt_status jlt_guard_leave(jlt_guard *guard)
     if (raised & (FE_DIVBYZERO | FE_INVALID)) return JLT_ERR_DOMAIN;
     return raised == 0 ? JLT_OK : JLT_ERR_NONFINITE;
 }
+
+jlt_status jlt_guard_leave_finite(jlt_guard *guard)
+{
+    const int overflowed = fetestexcept(FE_OVERFLOW);
+
+    fesetenv(&guard->saved);
+    return overflowed == 0 ? JLT_OK : JLT_ERR_NONFINITE;
+}

@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/guard.h"
 #include "core/memory.h"
 #include "integrate/edge.h"
 #include "integrate/method.h"
@@ -100,6 +101,7 @@ static void forget_step(jlt_stepper *self)
 jlt_status jlt_stepper_start(jlt_stepper *self, double t, const double *x, double direction, double first_step)
 {
     const unsigned dim = self->field->dim;
+    jlt_guard guard;
 
     if (!isfinite(t) || !all_finite(x, dim)) return JLT_ERR_NONFINITE;
     set_scales(self, x);
@@ -111,7 +113,9 @@ jlt_status jlt_stepper_start(jlt_stepper *self, double t, const double *x, doubl
     self->approaches = 0;
     self->direction = direction < 0 ? -1 : 1;
     self->h_next = first_step > 0 ? first_step : 0;
+    jlt_guard_enter(&guard);
     jlt_field_rates(self->field, self->f, self->x);
+    JLT_PASS(jlt_guard_leave_finite(&guard));
     self->evaluations++;
     forget_step(self);
     self->at_edge = jlt_edge_is_outside(self);

@@ -66,7 +66,8 @@ JLT_CHECKED jlt_status jlt_stepper_create(jlt_stepper **out, const jlt_method *m
 void jlt_stepper_destroy(jlt_stepper *self); /* NULL is legal */
 
 /** Put the stepper at x, shape (dim,), at physical time t (tau starts at t as well), to go forwards (direction > 0) or backwards.
- *  first_step > 0 proposes the first step, 0 leaves it to the method. Errors: NONFINITE, x or the field there. */
+ *  first_step > 0 proposes the first step, 0 leaves it to the method. Errors: NONFINITE, x, the field there, or what
+ *  overflows on the way to it. */
 JLT_CHECKED jlt_status jlt_stepper_start(jlt_stepper *self, double t, const double *x, double direction,
                                          double first_step);
 
