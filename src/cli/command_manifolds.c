@@ -252,11 +252,11 @@ static jlt_exit run(int argc, char **argv)
     if (jlt_swept_done(&code, &swept, &o.motion.common)) return code;
     if (o.motion.flow.method == NULL) o.motion.flow.method = jlt_method_find(NULL);
     JLT_PASS(jlt_motion_system(&system, &o.motion));
-    JLT_PASS(jlt_motion_default_start(&o.motion, system, JLT_START_SADDLE, "say near which saddle to begin: --start"));
-    JLT_PASS(jlt_motion_start(q, system, o.motion.starts[0]));
     if (system->flow.chart->dim != 2)
         return jlt_command_fail(JLT_EXIT_INPUT, "manifolds need a section of two coordinates, not of %u%s", system->flow.chart->dim,
                                 system->flow.chart->dim > 2 ? ": --level and --solve leave fewer" : "");
+    JLT_PASS(jlt_motion_default_start(&o.motion, system, JLT_START_SADDLE, "say near which saddle to begin: --start"));
+    JLT_PASS(jlt_motion_start(q, system, o.motion.starts[0]));
     JLT_PASS(jlt_motion_scale(system, q, NULL));
     JLT_PASS(jlt_motion_plan(system, &o.motion));
     JLT_PASS(jlt_common_write(&o.motion.common));

@@ -60,7 +60,8 @@ static jlt_exit set_projection(jlt_section_batch_options *batch_options, const j
     if (!options->in_lanes && system->surface != NULL)
         return jlt_command_fail(JLT_EXIT_USAGE,
                                 "--project works on this section only in lanes, and %s: ask for one of the table itself, --section "
-                                "STATE=VALUE, with all other states as coordinates", options->alone);
+                                "STATE=VALUE, with all other states as coordinates (--level and --solve leave fewer)",
+                                options->alone);
     if (!options->in_lanes) return jlt_motion_project(system);
     code = jlt_common_project(d);
     if (code == JLT_EXIT_DONE && d->integral_count == JLT_INVARIANTS_MAX)

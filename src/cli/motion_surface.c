@@ -84,7 +84,7 @@ static jlt_exit refuse_large(const jlt_surface *surface)
                   (int)JLT_CHART_SLOPES_MAX);
     return jlt_command_fail(JLT_EXIT_INPUT,
                             "the section %s of %s %s of sections that tables describe: ask for one of the table itself, "
-                            "%s, with all other states as coordinates",
+                            "%s, with all other states as coordinates (--level and --solve leave fewer)",
                             section->name, table->model, what, own_section(own, surface));
 }
 
@@ -162,7 +162,8 @@ static jlt_exit refuse_broken(const jlt_surface *surface, const jlt_claim *broke
     if (renamed == NULL && !told)
         jlt_command_fail(JLT_EXIT_INPUT, "%s %s is not proved of this table: %s", broken->kind, broken->name, broken->reason);
     return jlt_command_fail(JLT_EXIT_INPUT, "there is no section %s, then: ask for one of the table itself, %s, with all "
-                                            "other states as coordinates", surface->section->name, own_section(own, surface));
+                                            "other states as coordinates (--level and --solve leave fewer)",
+                            surface->section->name, own_section(own, surface));
 }
 
 /* If a proved reduction gives a parameter in a way that sections cannot follow, print it. Returns whether it does. */
@@ -202,7 +203,8 @@ static jlt_exit refuse_lost(const jlt_descriptor *asked, const jlt_way_tables *o
         if (claim->verdict != JLT_PROVED && strcmp(claim->kind, "integral") == 0 && claim->condition[0] == '\0')
             jlt_command_fail(JLT_EXIT_INPUT, "%s is no integral of this table: %s", claim->name, claim->reason);
     return jlt_command_fail(JLT_EXIT_INPUT, "there is no section that a table describes, then: ask for one of the table itself, "
-                                            "--section STATE=VALUE, with all other states as coordinates");
+                                            "--section STATE=VALUE, with all other states as coordinates "
+                                            "(--level and --solve leave fewer)");
 }
 
 enum { EMBEDDINGS_MAX = 4 };
@@ -235,7 +237,7 @@ static jlt_exit refuse_larger(const jlt_descriptor *asked, const jlt_way_tables 
     return jlt_command_fail(JLT_EXIT_INPUT,
                             "%s describes no section, and leads to no smaller table that does; the larger one that it is embedded "
                             "into has the section %s: ask %s, with the parameters that the embedding says, or for one of this "
-                            "table, --section STATE=VALUE, with all other states as coordinates",
+                            "table, --section STATE=VALUE, with all other states as coordinates (--level and --solve leave fewer)",
                             asked->model, surface.section->name, larger->model);
 }
 

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/table.h"
 #include "kernel/batch_isa.h"
 #include "kernel/descriptor.h"
 #include "report/json.h"
@@ -140,10 +141,10 @@ static jlt_exit count_pieces(jlt_study *self, size_t least)
 
 /* The tables that may serve, with their digests and the compiler that made their kernels. Tables that lie beside the user's own one
  * are listed with the digests of which its records were proved. */
-static json_t *kernels_of(const jlt_descriptor *model)
+static json_t *kernels_of(const jlt_descriptor *model, const jlt_way_tables *others)
 {
     jlt_tier tiers[JLT_TIERS_MAX];
-    const unsigned count = jlt_tier_list(tiers, model, NULL);
+    const unsigned count = jlt_tier_list(tiers, model, others);
     json_t *kernels = json_object();
 
     for (unsigned i = 0; i <= count; i++) {
@@ -163,16 +164,20 @@ static jlt_exit make_manifest(jlt_study *self)
 {
     const jlt_scene_job *job = self->job;
     const jlt_descriptor *model = self->scene->model;
-    json_t *options = json_object(), *whole;
+    const char *name = job->model != NULL ? job->model : model->model;
+    jlt_way_tables others;
+    json_t *options, *whole;
 
+    JLT_PASS(jlt_table_others(&others, model, name, "reduction", false));
+    options = json_object();
     for (size_t k = 0; k < job->count; k++)
         (void)json_object_set_new(options, job->options[k].name,
                                   job->options[k].value != NULL ? json_string(job->options[k].value) : json_true());
     /* Kernels with four and with eight lanes do the same operations; those with two have no fused multiply-add. */
-    whole = json_pack("{s:i, s:s, s:s, s:o, s:s?, s:I, s:I, s:I, s:s, s:o, s:s}", "format", 1, "command", job->what, "model",
-                      job->model != NULL ? job->model : model->model, "options", options, "over", self->scene->over, "points",
-                      (json_int_t)(self->outer * self->inner), "piece", (json_int_t)self->piece, "pieces", (json_int_t)self->pieces,
-                      "version", JLT_VERSION, "kernels", kernels_of(model), "arithmetic",
+    whole = json_pack("{s:i, s:s, s:s, s:o, s:s?, s:I, s:I, s:I, s:s, s:o, s:s}", "format", 1, "command", job->what, "model", name,
+                      "options", options, "over", self->scene->over, "points", (json_int_t)(self->outer * self->inner), "piece",
+                      (json_int_t)self->piece, "pieces", (json_int_t)self->pieces, "version", JLT_VERSION, "kernels",
+                      kernels_of(model, &others), "arithmetic",
                       jlt_batch_isa_lanes() > 2 ? "fused" : "plain");
     self->manifest = whole != NULL ? json_dumps(whole, JSON_COMPACT) : NULL;
     json_decref(whole);

@@ -30,6 +30,7 @@ both 2 "multistep" section toda --section q1=0 --start q2=0.1,q3=-0.1,p1=0.2,p2=
 both 3 "a reversor that takes the section to itself" separation ./damped.tt --section v=0 --grid x=0:1:2,w=0:1:2 --cells 4x4
 both 3 "two coordinates, not of 5" separation toda --section q1=0 --grid 2x2 --cells 4x4
 both 3 "a section of two coordinates" manifolds toda --section q1=0 --start q2=0.1,q3=-0.1,p1=0.2,p2=0,p3=-0.2
+both 3 "a section of two coordinates" manifolds toda --section q1=0
 both 2 "say where to search" orbits lorenz --section z=27
 both 3 "the section has no coordinate 'q'" orbits lorenz --section z=27 --start x=-13,y=-19 --hold q
 both 3 "no coordinate 'q'" orbits lorenz --section z=27 --start x=-13,y=-19 --line q=0:1:3

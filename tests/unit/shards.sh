@@ -168,6 +168,12 @@ echo "# edited" >> spherical_top_balanced.tt
 expect 0 "" jellett sweep beside.scene
 echo "# edited" >> spherical_top_balanced.tt
 expect 3 "kernels.spherical_top_balanced: there" jellett sweep beside.scene --resume
+# So do those that only records of the tables beside it lead to, even if nothing else is edited: here the levels are a default.
+cp "$JLT_SOURCE_DIR"/codegen/models/spherical_top*.tt .
+sed 's/^levels.*//; s/^model.*//; 1i model = "./spherical_top.tt";' ends.scene > levels.scene
+expect 0 "" jellett sweep levels.scene --shard=1/2
+sed -i 's/E = 2.15/E = 2.25/' spherical_top_section.tt
+expect 3 "kernels.spherical_top_section: there" jellett sweep levels.scene --shard=1/2 --resume
 # A coordinate called as what a command counts orbits by is a coordinate.
 printf '%s\n' 'model counted' 'state orbit' 'state y' 'eq orbit = y' 'eq y = -orbit' > counted.tt
 cat > counted.scene << 'END'

@@ -103,6 +103,12 @@ expect 3 'ask for one of the table itself, --section STATE=VALUE' jellett sectio
 expect 3 'known of the states of spherical_top alone, and ./spherical_top.tt differs in the state omega_tau' \
     jellett rod ./spherical_top.tt --start ${start/omega_tau/wt}
 anew
+sed -i '/^reversor/d' spherical_top_level.tt
+expect 3 "write 'reversor STATE -> -STATE' in the table of spherical_top_level$" \
+    jellett separation ./spherical_top.tt --grid 2x2 --cells 2x2
+expect 3 "write 'reversor STATE -> -STATE' in the table of spherical_top_level$" \
+    jellett orbits ./spherical_top.tt --line gamma3=-0.7:-0.6:3 --start eta=0,gamma3=-0.61
+anew
 sed -i 's/\<g\>/grav/g' spherical_top.tt
 expect 3 "there is no section turning, then" jellett section ./spherical_top.tt "${section[@]}"
 expect 3 "the claim 'reduction level' of ./spherical_top.tt, .* the parameter g of spherical_top_level.tt is given no value" \
