@@ -89,7 +89,7 @@ static jlt_exit unknown(const char *name, const jlt_quantity *quantities, size_t
 {
     fprintf(stderr, "jellett: %s has no %s '%s'; it has", where, what, name);
     for (size_t i = 0; i < count; i++) fprintf(stderr, "%s %s", i == 0 ? "" : ",", quantities[i].name);
-    fputc('\n', stderr);
+    fputs(count == 0 ? " none\n" : "\n", stderr);
     return JLT_EXIT_INPUT;
 }
 

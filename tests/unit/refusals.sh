@@ -102,6 +102,9 @@ refuse 2 "say where orbits start" jellett fates lorenz --section z=27
 } > .many.tt
 XDG_CACHE_HOME=$scratch/.cache refuse 3 "many has more records .valid. than can end an orbit: take --contact report" \
     jellett section ./.many.tt --section x=0 --start y=0.5 --returns 1 --contact end
+printf 'model still\nstate x\neq x = -x\n' > .still.tt
+XDG_CACHE_HOME=$scratch/.cache refuse 3 "still has no parameter 'c'; it has none\$" \
+    jellett simulate ./.still.tt --start x=1 --set c=1 --times 1
 data=$JLT_SOURCE_DIR/tests/reference/data
 refuse 2 "jacobian knows no --method" jellett bench jacobian --method gauss
 refuse 2 "slope knows no --form" jellett bench slope --reference "$data/slopes_regular_51.csv" --form five
