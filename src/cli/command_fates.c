@@ -64,7 +64,9 @@ static const struct argp parser = {
     "  NAME_end          values at the end: of the spherical top three velocities,\n"
     "                    of another model all its states\n"
     "  NAME_min          with --contact report: the least value of the condition\n\n"
-    "What is not known is empty. The exit status is 4 where the method failed on an orbit.\n\n"
+    "What is not known is empty. The exit status is 4 where the method failed on an orbit. Orbits on which a proved integral "
+    "changes by more than a thousand errors of one tolerance a return, as on a pass close to a singularity, are counted at the "
+    "end.\n\n"
     "An orbit of the spherical top turns over when it starts with its centre of mass below the centre of the sphere (a low "
     "start) and ends at the pole where it is above.\n\n"
     "Columns with --sweep, for the spherical top:\n"
@@ -137,6 +139,7 @@ static jlt_exit one_system(options *o, jlt_system *system, jlt_motion_map *map)
             fprintf(stderr, "jellett: interrupted; whole rows are saved in %s\n", common->table.path);
         fputs("jellett: ", stderr);
         jlt_fates_table_summary(stderr, &o->motion, system, &sum);
+        jlt_fates_crowd_tell(&crowd, sum.all.starts);
         if (map->points != NULL) code = draw_fates(o, system, map, &sum);
     }
     return code == JLT_EXIT_DONE ? jlt_motion_failures(system, &sum.all.failures, sum.all.starts) : code;
@@ -214,23 +217,20 @@ static jlt_exit follow_points(jlt_fates_crowd *crowd, jlt_motion_family *family,
     return code == JLT_EXIT_DONE && !jlt_motion_interrupted(crowd->motion) ? jlt_fates_crowd_finish(crowd) : code;
 }
 
-static jlt_exit sweep(options *o, const jlt_system *base)
+/* `all`: the points of the grid that is swept. */
+static jlt_exit sweep(options *o, const jlt_system *base, size_t all)
 {
     jlt_common *common = &o->motion.common;
     JLT_CLEARED(jlt_motion_family_clear) jlt_motion_family family = { .surface = NULL };
-    jlt_grid_axis axes[JLT_FAMILY_AXES_MAX];
-    share_rows rows = { .o = o, .base = base };
+    const jlt_grid_axis *axes = o->motion.swept;
+    share_rows rows = { .o = o, .base = base, .axes = o->motion.swept_count };
     JLT_CLEARED(jlt_fates_crowd_close)
-    jlt_fates_crowd crowd = { .motion = &o->motion, .returns = o->returns, .done = write_shares, .context = &rows };
+    jlt_fates_crowd crowd = { .motion = &o->motion, .returns = o->returns, .done = write_shares, .context = &rows, .whole = all };
     jlt_progress progress;
     jlt_exit code;
 
-    JLT_PASS(read_sweep(axes, &rows.axes, &crowd.whole, o));
     JLT_PASS(jlt_motion_family_open(&family, base, &o->motion, axes, rows.axes, "--sweep"));
-    jlt_motion_options motion = o->motion;
-    motion.swept = axes;
-    motion.swept_count = rows.axes;
-    jlt_motion_header(common->table.file, &motion, base);
+    jlt_motion_header(common->table.file, &o->motion, base);
     jlt_fates_table_share_names(common->table.file, base, axes, rows.axes);
     jlt_progress_start(&progress, "starts");
     crowd.progress = &progress;
@@ -239,6 +239,7 @@ static jlt_exit sweep(options *o, const jlt_system *base)
     if (code == JLT_EXIT_DONE) code = jlt_common_save(common);
     if (code == JLT_EXIT_DONE && jlt_motion_interrupted(&o->motion))
         fprintf(stderr, "jellett: interrupted; the whole rows so far are saved in %s\n", common->table.path);
+    if (code == JLT_EXIT_DONE) jlt_fates_crowd_tell(&crowd, rows.starts);
     if (code == JLT_EXIT_DONE && common->plot != NULL) code = draw_sweep(o, base, &axes[0]);
     if (code == JLT_EXIT_DONE) code = jlt_motion_failures(base, &rows.failures, rows.starts);
     if (code == JLT_EXIT_DONE && rows.starts == 0 && axes[0].part == 0 && !jlt_motion_interrupted(&o->motion))
@@ -251,7 +252,8 @@ static jlt_exit run(int argc, char **argv)
     JLT_CLEARED(jlt_motion_end) options o = { .returns = 200 };
     JLT_OWNED(jlt_system) *system = NULL;
     JLT_CLEARED(jlt_motion_map_close) jlt_motion_map map = { .points = NULL };
-    jlt_grid_axis axes[JLT_CHART_DIM_MAX];
+    jlt_grid_axis axes[JLT_CHART_DIM_MAX], swept[JLT_FAMILY_AXES_MAX];
+    size_t all;
 
     jlt_motion_begin(&o.motion, argc, argv);
     jlt_motion_many_begin(&o.motion);
@@ -259,6 +261,8 @@ static jlt_exit run(int argc, char **argv)
     const bool sweeps = o.motion.common.own_sweep != NULL;
     jlt_motion_many_choose(&o.motion, o.motion.grid != NULL || o.motion.start_count != 1 || sweeps, false);
     o.motion.other = default_grid;
+    o.motion.swept = swept;
+    if (sweeps) JLT_PASS(read_sweep(swept, &o.motion.swept_count, &all, &o));
     JLT_PASS(jlt_motion_system(&system, &o.motion));
     if (jlt_fates_crowd_grid(&o.motion, system) == NULL && o.motion.start_count == 0)
         return jlt_command_fail(JLT_EXIT_USAGE, "say where orbits start: --start or --grid");
@@ -267,7 +271,7 @@ static jlt_exit run(int argc, char **argv)
     JLT_PASS(jlt_motion_check_starts(system, o.motion.starts, o.motion.start_count));
     JLT_PASS(jlt_motion_plan(system, &o.motion));
     JLT_PASS(jlt_common_write(&o.motion.common));
-    return sweeps ? sweep(&o, system) : one_system(&o, system, &map);
+    return sweeps ? sweep(&o, system, all) : one_system(&o, system, &map);
 }
 
 const jlt_command jlt_command_fates = {

@@ -16,6 +16,30 @@ const char *jlt_fates_crowd_grid(const jlt_motion_options *motion, const jlt_sys
 
 static jlt_fates_crowd_place *last_of(const jlt_fates_crowd *self) { return &self->places[self->place_count - 1]; }
 
+/* Compare the integrals that are proved at both ends of the orbit from start i of the block. */
+static jlt_status compare_levels(jlt_fates_crowd *self, size_t i, const double *q, const jlt_return *last)
+{
+    jlt_fates_crowd_place *place = &self->places[self->place_of[i]];
+    jlt_section_levels *levels = &place->levels;
+    const jlt_chart *chart = place->system->flow.chart;
+    const double share = levels->worst.share;
+    FILE *words;
+    jlt_return start;
+
+    if (levels->system == NULL) JLT_PASS(jlt_section_levels_open(levels, place->system, q));
+    JLT_PASS(jlt_section_batch_start(self->batch, &start, i));
+    (void)jlt_section_levels_note(levels, self->index[i], &start);
+    if (!jlt_section_levels_note(levels, self->index[i], last)) return JLT_OK;
+    self->strayed++;
+    if (!(levels->worst.share > share)) return JLT_OK;
+    if ((words = fmemopen(self->farthest, sizeof self->farthest, "w")) == NULL) return JLT_ERR_NOMEM;
+    fprintf(words, "%s by %.2g from ", place->system->instance->descriptor->integrals[levels->worst.integral].name,
+            levels->worst.change);
+    for (unsigned k = 0; k < chart->dim; k++) fprintf(words, "%s%s=%.10g", k > 0 ? "," : "", chart->names[k], q[k]);
+    (void)fclose(words);
+    return JLT_OK;
+}
+
 /* Count how the orbit from start i of the block ended, and write its row. */
 static jlt_exit count_start(jlt_fates_crowd *self, size_t i)
 {
@@ -23,12 +47,13 @@ static jlt_exit count_start(jlt_fates_crowd *self, size_t i)
     jlt_fates_crowd_place *place = &self->places[self->place_of[i]];
     const double *q = self->q + i * place->system->flow.chart->dim;
     jlt_return last;
-    const jlt_status st = jlt_section_batch_last(self->batch, &last, i);
+    jlt_status st = jlt_section_batch_last(self->batch, &last, i);
 
     if (self->index[i] >= motion->start_count && (st == JLT_ERR_EMPTY || st == JLT_ERR_DOMAIN)) {
         place->sum.empty++;
         return JLT_EXIT_DONE;
     }
+    if (st == JLT_OK && !last.interrupted) st = compare_levels(self, i, q, &last);
     if (st != JLT_OK)
         return jlt_motion_fail(st, place->system,
                                self->index[i] < motion->start_count ? motion->starts[self->index[i]] : "a start of the grid");
@@ -56,6 +81,7 @@ static void let_go(jlt_fates_crowd *self, size_t end)
     self->batch = NULL;
     for (size_t k = 0; k < end; k++) {
         self->done(self->context, &self->places[k]);
+        jlt_section_levels_close(&self->places[k].levels);
         jlt_system_destroy(self->places[k].system);
     }
     self->place_count -= end;
@@ -142,10 +168,21 @@ jlt_exit jlt_fates_crowd_finish(jlt_fates_crowd *self)
 
 const jlt_shares *jlt_fates_crowd_sum(const jlt_fates_crowd *self) { return &last_of(self)->sum; }
 
+void jlt_fates_crowd_tell(const jlt_fates_crowd *self, size_t starts)
+{
+    if (self->strayed == 0) return;
+    fprintf(stderr, "jellett: on %zu of %zu orbits a proved integral changes by more than errors of one tolerance a step explain "
+            "(a pass close to a singularity?), as %s: their fates may be others at a smaller --tol\n", self->strayed, starts,
+            self->farthest);
+}
+
 void jlt_fates_crowd_close(jlt_fates_crowd *self)
 {
     jlt_section_batch_destroy(self->batch);
-    for (size_t k = 0; self->done != NULL && k < self->place_count; k++) jlt_system_destroy(self->places[k].system);
+    for (size_t k = 0; k < self->place_count; k++) {
+        jlt_section_levels_close(&self->places[k].levels);
+        if (self->done != NULL) jlt_system_destroy(self->places[k].system);
+    }
     free(self->places);
     free(self->q);
     free(self->place_of);

@@ -5,6 +5,7 @@
 #include "cli/motion_many.h"
 #include "cli/motion_map.h"
 #include "cli/progress.h"
+#include "cli/section_levels.h"
 #include "dynamics/shares.h"
 
 enum { JLT_FATES_CROWD_VALUES_MAX = 8 };
@@ -15,6 +16,7 @@ typedef struct {
     double values[JLT_FATES_CROWD_VALUES_MAX]; /* those given to jlt_fates_crowd_follow */
     jlt_shares sum;
     size_t flow;        /* the number of its flow in the batch */
+    jlt_section_levels levels;
 } jlt_fates_crowd_place;
 
 /** The caller sets the members before the private ones, and zeroes those. */
@@ -31,6 +33,8 @@ typedef struct {
     void *context;
 
     /* private */
+    size_t strayed;      /* orbits on which an integral changes by more than errors of returns explain */
+    char farthest[512];  /* the one on which it changes most, in words; with `done` one of them */
     jlt_fates_crowd_place *places; /* systems under way; starts are being added for the last one */
     size_t place_count, place_room;
     jlt_section_batch *batch;      /* of the systems that have starts in the block; NULL: none has */
@@ -53,6 +57,9 @@ jlt_exit jlt_fates_crowd_finish(jlt_fates_crowd *self);
 
 /** The counts of the last system. */
 const jlt_shares *jlt_fates_crowd_sum(const jlt_fates_crowd *self);
+
+/** If orbits, of `starts` in all, change an integral by more than errors of returns explain, say so. Legal after close. */
+void jlt_fates_crowd_tell(const jlt_fates_crowd *self, size_t starts);
 void jlt_fates_crowd_close(jlt_fates_crowd *self);
 
 #endif

@@ -58,9 +58,6 @@ jlt_exit jlt_motion_system(jlt_system **system, jlt_motion_options *options);
  *  asked for, prints it and returns JLT_EXIT_PLANNED. */
 jlt_exit jlt_motion_plan(const jlt_system *system, const jlt_motion_options *options);
 
-/** Print which states the levels are solved for, and from which guesses, in the header's line of levels. */
-void jlt_motion_plane_solved(FILE *stream, const jlt_system *system);
-
 /** Have orbits of the system put back onto the levels of its integrals after every step. JLT_EXIT_INPUT, JLT_EXIT_USAGE: an
  *  integral is not proved, there is none, there are too many, or the method is a multistep method. */
 jlt_exit jlt_motion_project(jlt_system *system);

@@ -59,14 +59,7 @@ static jlt_exit refuse(const jlt_motion_family *self, const jlt_descriptor *d, c
         if (strcmp(d->integrals[i].name, name) == 0)
             return jlt_command_fail(JLT_EXIT_INPUT, "%s: to vary the level %s, fix it first: add --level %s=VALUE --solve "
                                     "STATE=GUESS", option, name, name);
-    fprintf(stderr, "jellett: %s: there is no '%s'; there are the parameters", option, name);
-    for (unsigned i = 0; i < d->param_count; i++) fprintf(stderr, "%s %s", i == 0 ? "" : ",", d->params[i].name);
-    fputs(d->param_count == 0 ? " (none)" : "", stderr);
-    for (unsigned i = 0; i < self->plane.level_count; i++)
-        fprintf(stderr, "%s %s", i == 0 ? ", and of --level" : ",",
-                self->plane.descriptor->integrals[self->plane.levels[i].integral].name);
-    fputc('\n', stderr);
-    return JLT_EXIT_INPUT;
+    return jlt_motion_plane_refuse(&self->plane, name, option);
 }
 
 static double *entry_of(jlt_motion_family *self, const char *name)

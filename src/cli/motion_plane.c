@@ -3,7 +3,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/digits.h"
 #include "core/memory.h"
 #include "kernel/descriptor.h"
 
@@ -147,28 +146,52 @@ static jlt_exit find_integral(unsigned *index, const char *name, const jlt_descr
     return JLT_EXIT_DONE;
 }
 
+jlt_exit jlt_motion_plane_refuse(const jlt_motion_plane *plane, const char *name, const char *option)
+{
+    const jlt_descriptor *d = plane->descriptor;
+
+    fprintf(stderr, "jellett: %s: there is no '%s'; there are the parameters", option, name);
+    for (unsigned i = 0; i < d->param_count; i++) fprintf(stderr, "%s %s", i == 0 ? "" : ",", d->params[i].name);
+    fputs(d->param_count == 0 ? " (none)" : "", stderr);
+    for (unsigned i = 0; i < plane->level_count; i++)
+        fprintf(stderr, "%s %s", i == 0 ? ", and of --level" : ",", d->integrals[plane->levels[i].integral].name);
+    fputc('\n', stderr);
+    return JLT_EXIT_INPUT;
+}
+
+static jlt_exit add_level(jlt_motion_plane *out, const char *name, double value, const jlt_descriptor *d)
+{
+    if (d->integral_count > JLT_CHART_INTEGRALS_MAX)
+        return jlt_command_fail(JLT_EXIT_INPUT, "--level: %s has %u integrals; levels are served of tables with up to %d", d->model,
+                                d->integral_count, JLT_CHART_INTEGRALS_MAX);
+    if (out->level_count == JLT_INVARIANTS_MAX)
+        return jlt_command_fail(JLT_EXIT_INPUT, "--level: at most %d levels at once", JLT_INVARIANTS_MAX);
+    JLT_PASS(find_integral(&out->levels[out->level_count].integral, name, d));
+    out->levels[out->level_count++].value = value;
+    return JLT_EXIT_DONE;
+}
+
+/* Take the levels of --level, and those that are swept, and the states to solve for. */
 static jlt_exit read_levels(jlt_motion_plane *out, const jlt_motion_options *options, const jlt_descriptor *d)
 {
     const jlt_assign_list *list = &options->level;
     size_t states[JLT_CHART_STATES_MAX], count;
     double guesses[JLT_CHART_STATES_MAX];
+    size_t param;
 
-    out->level_count = (unsigned)list->count;
-    if (list->count > 0 && d->integral_count > JLT_CHART_INTEGRALS_MAX)
-        return jlt_command_fail(JLT_EXIT_INPUT, "--level: %s has %u integrals; levels are served of tables with up to %d", d->model,
-                                d->integral_count, JLT_CHART_INTEGRALS_MAX);
-    for (size_t i = 0; i < list->count; i++) {
-        if (i == JLT_INVARIANTS_MAX)
-            return jlt_command_fail(JLT_EXIT_INPUT, "--level: at most %d levels at once", JLT_INVARIANTS_MAX);
-        JLT_PASS(find_integral(&out->levels[i].integral, list->items[i].name, d));
-        out->levels[i].value = list->items[i].value;
+    for (size_t i = 0; i < list->count; i++) JLT_PASS(add_level(out, list->items[i].name, list->items[i].value, d));
+    for (size_t i = 0; i < options->swept_count; i++) {
+        const jlt_grid_axis *axis = &options->swept[i];
+        if (jlt_descriptor_param(d, axis->name, &param) || jlt_motion_plane_value(out, axis->name) != NULL) continue;
+        if (jlt_descriptor_claim(d, "integral", axis->name) == NULL) return jlt_motion_plane_refuse(out, axis->name, "--sweep");
+        JLT_PASS(add_level(out, axis->name, axis->low, d));
     }
     JLT_PASS(read_states(states, guesses, &count, options->solve, d, "--solve"));
-    if (count != list->count)
+    if (count != out->level_count)
         return jlt_command_fail(JLT_EXIT_USAGE,
-                                "each level needs a state to solve for: --level names %zu, and --solve %zu (write --solve "
+                                "each level needs a state to solve for: %u levels are given, and --solve names %zu (write --solve "
                                 "STATE=GUESS,...)",
-                                list->count, count);
+                                out->level_count, count);
     for (size_t i = 0; i < count; i++) {
         out->levels[i].state = (unsigned)states[i];
         out->levels[i].guess = guesses[i];
@@ -366,16 +389,4 @@ jlt_exit jlt_motion_project(jlt_system *system)
     JLT_PASS(jlt_common_one_step(system->flow.method));
     const jlt_status st = jlt_system_invariants(&system->flow.kept, system);
     return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, system, "--project");
-}
-
-void jlt_motion_plane_solved(FILE *stream, const jlt_system *system)
-{
-    char text[JLT_DIGITS_SIZE];
-
-    fputs("; solved for", stream);
-    for (unsigned i = 0; i < system->flow.chart->solved_count; i++) {
-        const jlt_level *level = &system->chart.level.levels[i];
-        jlt_digits_shortest(text, level->guess);
-        fprintf(stream, "%s %s from %s", i == 0 ? "" : ",", system->instance->descriptor->states[level->state].name, text);
-    }
 }

@@ -50,6 +50,18 @@ const char *jlt_motion_method(const jlt_motion_options *options)
     return options->flow.method != NULL ? options->flow.method->name : "each";
 }
 
+static void write_solved(FILE *stream, const jlt_system *system)
+{
+    char text[JLT_DIGITS_SIZE];
+
+    fputs("; solved for", stream);
+    for (unsigned i = 0; i < system->flow.chart->solved_count; i++) {
+        const jlt_level *level = &system->chart.level.levels[i];
+        jlt_digits_shortest(text, level->guess);
+        fprintf(stream, "%s %s from %s", i == 0 ? "" : ",", system->instance->descriptor->states[level->state].name, text);
+    }
+}
+
 void jlt_motion_header(FILE *stream, const jlt_motion_options *options, const jlt_system *system)
 {
     static const char *const directions[] = { "downwards", "in both directions", "upwards" };
@@ -73,7 +85,7 @@ void jlt_motion_header(FILE *stream, const jlt_motion_options *options, const jl
         fputs("# levels", stream);
         for (unsigned k = 0; k < level_count; k++)
             jlt_decimal_write_named(stream, &(jlt_quantity){ .name = names[k] }, &levels[k], 1);
-        if (chart->solved_count > 0) jlt_motion_plane_solved(stream, system);
+        if (chart->solved_count > 0) write_solved(stream, system);
         fputc('\n', stream);
     }
     jlt_digits_shortest(digits, ldexp(chart->level, system->flow.units.state[chart->column]));

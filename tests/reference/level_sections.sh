@@ -59,6 +59,17 @@ awk -F, '/^1,/ { n++; bad += ($6 - 1)^2 > 1e-18; T[n] = $4 } END { exit !(n >= 5
 expect 0 '^64,' jellett lyapunov ./henon_heiles.tt "${level[@]}" --start y=0.1,py=0.05 --returns 64
 awk -F, '/^64,/ { good = NF == 5 && ($3 + $4)^2 < 1e-18 } END { exit !good }' out || fail "exponents of a level: $(tail -1 out)"
 
+# A sweep over a level follows at each value the orbits that --level follows there.
+fates=(jellett fates ./henon_heiles.tt --section x=0 --solve px=1 --grid y=0:0.2:3,py=0:0.1:2)
+expect 0 '^0' "${fates[@]}" --sweep E=1/12:1/6:2 --returns 20
+cut -d, -f1,2,5 out | grep '^0' > swept
+for e in 1/12 1/6; do
+    "${fates[@]}" --level E=$e --returns 20 2> err |
+        awk -F, '/alive/ { n++ } END { print n }'
+done > alive
+cut -d, -f3 swept | diff - alive > /dev/null || fail "a sweep over E: $(cat out) beside $(cat alive)"
+expect 3 "there is no 'L'; there are the parameters .none." "${fates[@]}" --sweep L=1:2:2
+
 # Two levels of a nonholonomic table, where one is the length of a unit vector: rows keep both. Four returns err by the tolerance.
 two=(--section gamma1=0 --level E=2,gamma=1 --solve omega1=1,gamma3=0.9)
 expect 0 alive jellett section ./suslov.tt "${two[@]}" --start omega2=0.3,gamma2=0.2 --returns 4 --direction both
@@ -89,8 +100,8 @@ paste -d, rows.csv turned/rows.csv |
 # Refused by name.
 section=(jellett section ./henon_heiles.tt --section x=0 --start y=0.1,py=0)
 expect 3 "henon_heiles claims no integral 'L'; it has E" "${section[@]}" --level L=1 --solve px=1
-expect 2 "each level needs a state to solve for: --level names 1, and --solve 0" "${section[@]}" --level E=1/12
-expect 2 "each level needs a state to solve for: --level names 0, and --solve 1" "${section[@]}" --solve px=1
+expect 2 "each level needs a state to solve for: 1 levels are given, and --solve names 0" "${section[@]}" --level E=1/12
+expect 2 "each level needs a state to solve for: 0 levels are given, and --solve names 1" "${section[@]}" --solve px=1
 expect 4 "is crossed the other way: try --direction down" jellett orbits lorenz --section z=20 --set rho=22 --start x=7,y=5
 expect 3 "has no state 'p'" "${section[@]}" --level E=1/12 --solve p=1
 expect 3 "x is fixed by --section already" "${section[@]}" --level E=1/12 --solve x=1
