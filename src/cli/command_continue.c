@@ -361,7 +361,7 @@ static jlt_exit run(int argc, char **argv)
     o.motion.flow.tolerance = 1e-13;
     argp_parse(&parser, argc, argv, 0, NULL, &o);
     if (jlt_swept_done(&code, &swept, &o.motion.common)) return code;
-    o.motion.flow.max_steps = 20000;
+    if (o.motion.flow.max_steps == 0) o.motion.flow.max_steps = 20000;
     JLT_PASS(jlt_motion_system(&system, &o.motion));
     JLT_PASS(parse_range(&axis, o.along));
     JLT_PASS(choose_axes(to.shown, &o, system, &axis));

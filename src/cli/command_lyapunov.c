@@ -292,7 +292,7 @@ static jlt_exit open_maps(exponents *self, bool has_method)
     const bool is_chart = o->motion.grid != NULL;
     jlt_status st;
 
-    if (is_chart) self->system->flow.max_steps = 20000;
+    if (is_chart && self->system->flow.max_steps == 0) self->system->flow.max_steps = 20000;
     st = jlt_map_create(&self->map, &self->system->flow);
     if (st == JLT_OK && (is_chart || (o->motion.common.at_point && !has_method)))
         st = jlt_lyapunov_chart_maps(&self->maps, o, self->system, has_method);

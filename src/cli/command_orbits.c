@@ -358,7 +358,7 @@ static jlt_exit run(int argc, char **argv)
     JLT_PASS(jlt_motion_shown(shown, &o.motion, system));
     JLT_PASS(jlt_motion_plan(system, &o.motion));
     JLT_PASS(jlt_common_write(common));
-    system->flow.max_steps = 20000;
+    if (system->flow.max_steps == 0) system->flow.max_steps = 20000;
     st = jlt_map_create(&map, &system->flow);
     if (st != JLT_OK) return jlt_motion_fail(st, system, "the map");
     JLT_PASS(o.motion.starts[0] != NULL ? from_start(&list, map, &line, held, &o, system) : search_all(&list, map, &o, system));

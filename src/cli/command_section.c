@@ -74,7 +74,7 @@ static const struct argp parser = {
     "  equilibrium       the orbit has come to rest, to within 1000 tolerances; the\n"
     "                    values are the limits\n"
     "  left_domain       the model's domain ends there\n"
-    "  budget            one return took more than 100000 steps\n"
+    "  budget            one return took more than --max-steps\n"
     "  nonfinite, no_convergence, no_progress: the method failed\n\n"
     "Where the method failed, the exit status is 4; all other orbits are written. Where an integral that the table "
     "proves changes by more than a thousand errors of one tolerance a return, as on a pass close to a singularity, the worst such "

@@ -6,7 +6,7 @@
 #include "cli/interrupt.h"
 #include "dynamics/scale.h"
 
-enum { SECTION = 1100, SOLVE, MODULO, MIRROR, CONTACT, AT };
+enum { SECTION = 1100, SOLVE, MODULO, MIRROR, CONTACT, AT, MAX_STEPS };
 
 static const struct argp_option option_table[] = {
     { "level", 'l', "LEVEL=VALUE,...", 0,
@@ -30,6 +30,9 @@ static const struct argp_option option_table[] = {
     { "@level", AT, "LEVEL=VALUE,...", OPTION_HIDDEN, NULL, 10 },
     { "direction", 'd', "up|down|both", 0,
       "Which crossings count: those where the section's state rises (up, the default), falls (down), or both", 11 },
+    { "max-steps", MAX_STEPS, "N", 0,
+      "The most steps of the integrator for one return; default 100000, and 20000 for continue, orbits and charts of lyapunov. "
+      "An orbit that needs more ends there", 11 },
     { 0 },
 };
 
@@ -70,6 +73,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case MODULO: o->modulo = value; return 0;
     case MIRROR: o->mirror = value; return 0;
     case 'd': parse_direction(o, value, state); return 0;
+    case MAX_STEPS: jlt_common_count(&o->flow.max_steps, value, 1, 1000000000000, "--max-steps"); return 0;
     default: return ARGP_ERR_UNKNOWN;
     }
 }
@@ -127,90 +131,6 @@ static bool interval(const jlt_system *system, unsigned coordinate, double *low,
     return system->surface != NULL && jlt_surface_interval(system, coordinate, low, high);
 }
 
-/* Whether the method ended so because it was interrupted. */
-static bool interrupted(jlt_status status, const jlt_system *system)
-{
-    return status == JLT_ERR_NO_CONVERGENCE && system != NULL && system->flow.interrupt != NULL && *system->flow.interrupt;
-}
-
-jlt_exit jlt_motion_fail(jlt_status status, const jlt_system *system, const char *what)
-{
-    double low, high;
-
-    if (interrupted(status, system)) return jlt_command_fail(JLT_EXIT_NUMERICAL, "interrupted; nothing is saved");
-    for (unsigned k = 0; status == JLT_ERR_EMPTY && system != NULL && k < system->flow.chart->dim; k++)
-        if (interval(system, k, &low, &high))
-            return jlt_command_fail(JLT_EXIT_INPUT, "%s: no state has these levels there; %s may lie in (%.10g, %.10g)", what,
-                                    system->flow.chart->names[k], low, high);
-    if (status == JLT_ERR_EMPTY && system != NULL && system->flow.chart->solved_count > 0)
-        return jlt_command_fail(JLT_EXIT_NUMERICAL,
-                                "%s: Newton's method finds no state with these levels there: try another guess in "
-                                "--solve, or other coordinates",
-                                what);
-    if (status == JLT_ERR_NO_CONVERGENCE && system != NULL && system->flow.chart->solved_count > 0)
-        return jlt_command_fail(JLT_EXIT_NUMERICAL,
-                                "%s: %s, or a return left the branch of --solve: try another --direction or section", what,
-                                jlt_status_text(status));
-    if (status == JLT_ERR_BUDGET && system != NULL)
-        return jlt_command_fail(JLT_EXIT_NUMERICAL,
-                                "%s: %s on one return, which lasts too long, or whose motion is stiff: no --method here is made "
-                                "for that ('jellett simulate' tells which)",
-                                what, jlt_status_text(status));
-    if (status == JLT_ERR_NO_PROGRESS && system != NULL)
-        return jlt_command_fail(JLT_EXIT_NUMERICAL,
-                                "%s: %s on one return: the orbit runs into a singularity, or hardly ever meets the section "
-                                "('jellett simulate' tells which)",
-                                what, jlt_status_text(status));
-    if (status == JLT_ERR_DOMAIN && system != NULL && system->surface != NULL)
-        return jlt_command_fail(JLT_EXIT_INPUT, "%s: the orbit ends before it returns: take another start ('jellett fates' shows "
-                                "which return)", what);
-    if (status == JLT_ERR_DOMAIN && system != NULL)
-        return jlt_command_fail(JLT_EXIT_INPUT, "%s: the map has no derivative there: the orbit crosses the section the other way "
-                                "(--direction), leaves the model's domain, or does not come back", what);
-    if (status == JLT_ERR_UNSUPPORTED && system != NULL)
-        return system->flow.end_where_invalid
-                   ? jlt_command_fail(JLT_EXIT_INPUT, "--contact end: %s has more records 'valid' than can end an orbit: take "
-                                      "--contact report", system->instance->descriptor->model)
-                   : jlt_common_no_kernels(system->instance->descriptor, system->flow.method);
-    return jlt_command_fail(jlt_command_exit(status), "%s: %s", what, jlt_status_text(status));
-}
-
-/* The --direction in which the orbit crosses the section at a start, if that is not the one that counts; else NULL. */
-static const char *other_direction(const jlt_system *system, const char *start)
-{
-    const jlt_chart *chart = system->flow.chart;
-    double q[JLT_CHART_DIM_MAX], x[JLT_CHART_STATES_MAX], f[JLT_CHART_STATES_MAX];
-
-    if (jlt_motion_start(q, system, start) != JLT_EXIT_DONE || chart->lift(chart, x, NULL, q) != JLT_OK) return NULL;
-    system->instance->descriptor->rhs.call(x, system->instance->prepared, f);
-    if (!(f[chart->column] * (int)system->flow.direction < 0)) return NULL;
-    return system->flow.direction == JLT_RISING ? "down" : "up";
-}
-
-jlt_exit jlt_motion_no_orbit(jlt_status status, const jlt_system *system, const char *start)
-{
-    if (status != JLT_ERR_NO_CONVERGENCE || interrupted(status, system)) return jlt_motion_fail(status, system, start);
-    const char *other = other_direction(system, start);
-    if (other != NULL)
-        return jlt_command_fail(JLT_EXIT_NUMERICAL,
-                                "Newton's method finds no periodic orbit from %s, where the section is crossed the other way: "
-                                "try --direction %s, or another --start", start, other);
-    return jlt_command_fail(JLT_EXIT_NUMERICAL,
-                            "Newton's method finds no periodic orbit from %s%s: try another --start or --period", start,
-                            system->flow.chart->solved_count > 0 ? ", or a return left the branch of --solve" : "");
-}
-
-jlt_exit jlt_motion_failures(const jlt_system *system, const jlt_failures *failures, size_t orbits)
-{
-    if (failures->count == 0) return JLT_EXIT_DONE;
-    if (failures->unbounded > 0)
-        fprintf(stderr, "jellett: in %zu of %zu orbits a state seems to grow without bound: in the first of them %s, towards "
-                        "t = %.10g\n", failures->unbounded, orbits, system->instance->descriptor->states[failures->state].name,
-                failures->t);
-    return jlt_command_fail(JLT_EXIT_NUMERICAL, "the method failed on %zu of %zu orbits; the rows tell on which, or on how many",
-                            failures->count, orbits);
-}
-
 static unsigned coordinate(const jlt_chart *chart, const char *name)
 {
     unsigned k = 0;
@@ -247,6 +167,32 @@ jlt_exit jlt_motion_start(double *q, const jlt_system *system, const char *text)
     for (unsigned k = 0; code == JLT_EXIT_DONE && k < chart->dim; k++)
         if (!given[k]) code = jlt_command_fail(JLT_EXIT_INPUT, "--start: give %s as well", chart->names[k]);
     return code == JLT_EXIT_DONE ? jlt_motion_refuse_point(system->surface, q, text) : code;
+}
+
+/* The --direction in which the orbit crosses the section at a start, if that is not the one that counts; else NULL. */
+static const char *other_direction(const jlt_system *system, const char *start)
+{
+    const jlt_chart *chart = system->flow.chart;
+    double q[JLT_CHART_DIM_MAX], x[JLT_CHART_STATES_MAX], f[JLT_CHART_STATES_MAX];
+
+    if (jlt_motion_start(q, system, start) != JLT_EXIT_DONE || chart->lift(chart, x, NULL, q) != JLT_OK) return NULL;
+    system->instance->descriptor->rhs.call(x, system->instance->prepared, f);
+    if (!(f[chart->column] * (int)system->flow.direction < 0)) return NULL;
+    return system->flow.direction == JLT_RISING ? "down" : "up";
+}
+
+jlt_exit jlt_motion_no_orbit(jlt_status status, const jlt_system *system, const char *start)
+{
+    if (status != JLT_ERR_NO_CONVERGENCE || (system->flow.interrupt != NULL && *system->flow.interrupt))
+        return jlt_motion_fail(status, system, start);
+    const char *other = other_direction(system, start);
+    if (other != NULL)
+        return jlt_command_fail(JLT_EXIT_NUMERICAL,
+                                "Newton's method finds no periodic orbit from %s, where the section is crossed the other way: "
+                                "try --direction %s, or another --start", start, other);
+    return jlt_command_fail(JLT_EXIT_NUMERICAL,
+                            "Newton's method finds no periodic orbit from %s%s: try another --start or --period", start,
+                            system->flow.chart->solved_count > 0 ? ", or a return left the branch of --solve" : "");
 }
 
 /* Print why no orbit can begin at a start. If it lies outside the domain on a plane section, names the condition that fails. */

@@ -37,4 +37,18 @@ for command in lyapunov 'orbits --period 1' 'continue --along mu=1e9:1e10' manif
     jellett $command ./clocked.tt --section phi=0 --start x=2,y=0 --set mu=1e9 > out 2> err
     [ $? -eq 4 ] && grep -q 'motion is stiff: no --method here is made for that' err || fail "$command: $(cat err)"
 done
+# Who has the time lets a return take more steps than maps do by themselves. The period of the cycle is, for large mu,
+# (3 - 2 ln 2) mu + 3 a mu^(-1/3) + O(ln mu/mu), -a = -2.33810741 the first zero of Airy's function (A. A. Dorodnitsyn,
+# Prikl. Mat. Mekh. 11, 1947).
+for command in section 'orbits --period 1' fates 'continue --along mu=300:310'; do
+    jellett $command ./pol.tt --section x=0 --start y=200 --set mu=300 > out 2> err
+    grep -qE 'budget|--max-steps allows more' out err || fail "$command of many steps: $(cat out err)"
+done
+for method in gauss rkf45; do
+    expect 0 ',alive$' jellett section ./pol.tt --section x=0 --start y=200 --set mu=300 --returns 2 --max-steps 3000000 \
+        --method $method
+    awk -F, '/^0,1,/ { t = $3 } /^0,2,/ { d = $3 - t - (3 - 2*log(2))*300 - 3*2.33810741*300^(-1/3); bound = 2*log(300)/300
+        exit !(d < bound && d > -bound) } END { if (NR < 8) exit 1 }' out || fail "$method, the period at mu = 300: $(tail -2 out)"
+done
+expect 3 "'0' is no whole number from 1" jellett section ./pol.tt --section x=0 --start y=200 --max-steps 0
 exit $status

@@ -1,0 +1,61 @@
+/* What users are told where an orbit, a return or a search fails. */
+#include "cli/motion.h"
+
+/* Whether the method ended so because it was interrupted. */
+static bool interrupted(jlt_status status, const jlt_system *system)
+{
+    return status == JLT_ERR_NO_CONVERGENCE && system != NULL && system->flow.interrupt != NULL && *system->flow.interrupt;
+}
+
+jlt_exit jlt_motion_fail(jlt_status status, const jlt_system *system, const char *what)
+{
+    double low, high;
+
+    if (interrupted(status, system)) return jlt_command_fail(JLT_EXIT_NUMERICAL, "interrupted; nothing is saved");
+    for (unsigned k = 0; status == JLT_ERR_EMPTY && system != NULL && system->surface != NULL && k < system->flow.chart->dim; k++)
+        if (jlt_surface_interval(system, k, &low, &high))
+            return jlt_command_fail(JLT_EXIT_INPUT, "%s: no state has these levels there; %s may lie in (%.10g, %.10g)", what,
+                                    system->flow.chart->names[k], low, high);
+    if (status == JLT_ERR_EMPTY && system != NULL && system->flow.chart->solved_count > 0)
+        return jlt_command_fail(JLT_EXIT_NUMERICAL,
+                                "%s: Newton's method finds no state with these levels there: try another guess in "
+                                "--solve, or other coordinates",
+                                what);
+    if (status == JLT_ERR_NO_CONVERGENCE && system != NULL && system->flow.chart->solved_count > 0)
+        return jlt_command_fail(JLT_EXIT_NUMERICAL,
+                                "%s: %s, or a return left the branch of --solve: try another --direction or section", what,
+                                jlt_status_text(status));
+    if (status == JLT_ERR_BUDGET && system != NULL)
+        return jlt_command_fail(JLT_EXIT_NUMERICAL,
+                                "%s: %s on one return, which lasts too long (--max-steps allows more), or whose motion is stiff: "
+                                "no --method here is made for that ('jellett simulate' tells which)",
+                                what, jlt_status_text(status));
+    if (status == JLT_ERR_NO_PROGRESS && system != NULL)
+        return jlt_command_fail(JLT_EXIT_NUMERICAL,
+                                "%s: %s on one return: the orbit runs into a singularity, or hardly ever meets the section "
+                                "('jellett simulate' tells which)",
+                                what, jlt_status_text(status));
+    if (status == JLT_ERR_DOMAIN && system != NULL && system->surface != NULL)
+        return jlt_command_fail(JLT_EXIT_INPUT, "%s: the orbit ends before it returns: take another start ('jellett fates' shows "
+                                "which return)", what);
+    if (status == JLT_ERR_DOMAIN && system != NULL)
+        return jlt_command_fail(JLT_EXIT_INPUT, "%s: the map has no derivative there: the orbit crosses the section the other way "
+                                "(--direction), leaves the model's domain, or does not come back", what);
+    if (status == JLT_ERR_UNSUPPORTED && system != NULL)
+        return system->flow.end_where_invalid
+                   ? jlt_command_fail(JLT_EXIT_INPUT, "--contact end: %s has more records 'valid' than can end an orbit: take "
+                                      "--contact report", system->instance->descriptor->model)
+                   : jlt_common_no_kernels(system->instance->descriptor, system->flow.method);
+    return jlt_command_fail(jlt_command_exit(status), "%s: %s", what, jlt_status_text(status));
+}
+
+jlt_exit jlt_motion_failures(const jlt_system *system, const jlt_failures *failures, size_t orbits)
+{
+    if (failures->count == 0) return JLT_EXIT_DONE;
+    if (failures->unbounded > 0)
+        fprintf(stderr, "jellett: in %zu of %zu orbits a state seems to grow without bound: in the first of them %s, towards "
+                        "t = %.10g\n", failures->unbounded, orbits, system->instance->descriptor->states[failures->state].name,
+                failures->t);
+    return jlt_command_fail(JLT_EXIT_NUMERICAL, "the method failed on %zu of %zu orbits; the rows tell on which, or on how many",
+                            failures->count, orbits);
+}
