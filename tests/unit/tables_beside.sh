@@ -89,6 +89,28 @@ sed -i -e '/^pole/d' -e '/^matrix/,/^charpoly/d' -e '/^state gamma3/{h;d}' -e '/
 expect 0 'spherical_top names none (record .pole.)' jellett simulate ./spherical_top.tt --start $start --times 1,10
 grep -q '^t,v_nu' out && [ "$(last 10)" = left_domain ] || fail "at a pole that is not named: $(tail -2 out)"
 
+# On sections as well, and by the states of the table asked for: here c = -gamma3.
+anew
+sed -i '/^pole/d' spherical_top.tt
+for what in "section --returns 9" "fates"; do
+    jellett $what ./spherical_top.tt --start eta=0.1,gamma3=-0.97 > out 2> err || true
+    grep -q left_domain out && ! grep pole. out || fail "$what, at a pole that is not named: $(tail -2 out)"
+done
+expect 0 '^E,starts,lost_contact,equilibrium,left_domain,alive,budget,failed,contact_held$' \
+    jellett fates ./spherical_top.tt --grid 3x3 --sweep E=1:2:2
+anew
+sed -i -e 's/^state gamma3 in/state c in/' -e 's/^root s = .*/let gamma3 = -c\nroot s = sqrt(1 - c^2)/' \
+    -e 's/^eq gamma3 =/eq c =/' -e 's/^    + s\*omega_tau$/    - s*omega_tau/' -e 's/^pole gamma3/pole c/' \
+    -e 's/rate(gamma3)/rate(-c)/' -e '/^# The horizontal momentum/,$d' spherical_top.tt
+sed -i 's/^    gamma3 = gamma3\(, v_nu = v_nu, omega_tau = omega_tau, omega_n\)/    c = -gamma3\1/' spherical_top_level.tt
+for what in "section --returns 9" "fates"; do
+    jellett $what ./spherical_top.tt --start eta=0.1,gamma3=-0.97 > out 2> err || true
+    grep -q pole- out && ! grep pole+ out || fail "$what, at the lower end of c: $(tail -2 out)"
+done
+expect 0 '12 starts: .*; of 6 .* turn over' jellett fates ./spherical_top.tt --grid 3x4
+turned=$(sed -n 's/.*; of 6 \(.*\) turn over.*/\1/p' err)
+expect 0 "; of 6 $turned turn over" jellett fates spherical_top --grid 3x4
+
 # A level and a parameter of one name could not be told apart.
 anew
 sed -i -e 's/\<E\>/H/g' -e 's/^param I1/param E\n&/' -e 's/^default /&E = 7, /' -e 's/^observe /observe squeezed = E*gamma3\n&/' \
