@@ -380,18 +380,18 @@ bool jlt_surface_is_low(const jlt_system *system, const double *q)
     return turn < 0;
 }
 
-/* The pole at which the expression of `turns` is positive. */
+/* The pole at which the expression of `turns` is positive: the upper end of the table's first one, or the lower one. */
 jlt_fate jlt_surface_turned_at(const jlt_system *system)
 {
     const jlt_chart_section *chart = jlt_surface_chart(system);
-    double q[JLT_CHART_COORDINATES_MAX] = { 0 }, x[JLT_CHART_STATES_MAX] = { 0 };
+    double q[JLT_CHART_COORDINATES_MAX], x[JLT_CHART_STATES_MAX] = { 0 };
 
     if (chart->section->turn == NULL || chart->base.side == NULL) return JLT_FATE_ALIVE;
     const unsigned state = chart->table->poles[0].state;
-    const jlt_quantity *pole = &chart->table->states[state];
-    for (unsigned k = 0; k < chart->base.dim; k++)
-        if (strcmp(chart->base.names[k], pole->name) == 0) q[k] = pole->high;
-    x[state] = jlt_surface_is_low(system, q) ? pole->low : pole->high;
+    for (unsigned k = 0; k < chart->plain; k++) x[k] = 1; /* any state will do, but for the pole's own */
+    x[state] = chart->table->states[state].high;
+    chart->base.lower(&chart->base, q, NULL, x);
+    if (jlt_surface_is_low(system, q)) x[state] = chart->table->states[state].low;
     const int side = chart->base.side(&chart->base, x);
     return side != 0 ? jlt_section_fate_at_pole(side) : JLT_FATE_ALIVE;
 }

@@ -111,6 +111,14 @@ expect 0 '12 starts: .*; of 6 .* turn over' jellett fates ./spherical_top.tt --g
 turned=$(sed -n 's/.*; of 6 \(.*\) turn over.*/\1/p' err)
 expect 0 "; of 6 $turned turn over" jellett fates spherical_top --grid 3x4
 
+# What turns over is told by the section's own coordinate, whatever it is called: the top and its mirror image turn over alike.
+expect 0 '24 starts: .*; of 12 .* turn over' jellett fates spherical_top --set a3=0.5 --grid 6x4
+turned=$(sed -n 's/.*; of 12 \(.*\) turn over.*/\1/p' err)
+anew
+sed -i -e 's/\<gamma3\>/z/g' -e 's/ z = z,/ gamma3 = z,/' spherical_top_section.tt
+sed -i 's/ gamma3 = gamma3, E = E$/ z = gamma3, E = E/' spherical_top_level.tt
+expect 0 "; of 12 $turned turn over" jellett fates ./spherical_top.tt --set a3=-0.5 --grid 6x4
+
 # Every integral that the table asked for proves drifts along one orbit, and none that it does not, whatever levels and states are
 # called in the tables beside it.
 drifts() { # COLUMNS MODEL ARGUMENTS...
