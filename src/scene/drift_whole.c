@@ -112,17 +112,21 @@ static void restore(double *x, const jlt_drift_whole *whole, const double *count
     jlt_units_restore(x, counted, field->states, field->state_count, &whole->units);
 }
 
-static void end_by(jlt_drift_end *end, const jlt_drift_whole *whole, const jlt_outcome *at, size_t returns)
+/* How an orbit ends by this outcome, which is no crossing of the section. */
+static jlt_fate fate_of(const jlt_drift_whole *whole, const jlt_outcome *at)
 {
     double x[JLT_WAY_VALUES_MAX];
     unsigned state;
 
+    if (at->end == JLT_END_OBSERVER) return JLT_FATE_EQUILIBRIUM;
     restore(x, whole, at->x);
-    const jlt_fate fate = at->end == JLT_END_OBSERVER
-                              ? JLT_FATE_EQUILIBRIUM
-                              : jlt_section_fate_at_pole(jlt_descriptor_pole_side(&state, whole->instance->descriptor, x));
+    return jlt_section_fate_at_pole(jlt_descriptor_pole_side(&state, whole->told->descriptor, x));
+}
+
+static void end_by(jlt_drift_end *end, const jlt_drift_whole *whole, jlt_fate fate, double t, size_t returns)
+{
     jlt_section_fate_text(end->name, NULL, fate, JLT_OBSERVED_ANY);
-    end->t = ldexp(at->t, whole->units.time);
+    end->t = ldexp(t, whole->units.time);
     end->returns = returns;
 }
 
@@ -139,6 +143,7 @@ jlt_status jlt_drift_whole_follow(jlt_drift *self, jlt_drift_end *end, const jlt
     JLT_FREED double *now = malloc(field->integral_count * sizeof *now);
     JLT_OWNED(jlt_orbit) *orbit = NULL;
     jlt_outcome at = { .t = 0 };
+    jlt_fate fate = JLT_FATE_ALIVE;
 
     if (now == NULL) return JLT_ERR_NOMEM;
     jlt_drift_begin(self, end);
@@ -149,10 +154,11 @@ jlt_status jlt_drift_whole_follow(jlt_drift *self, jlt_drift_end *end, const jlt
     JLT_PASS(jlt_orbit_start(orbit, 0, whole->start, 1));
     for (size_t i = 1; i <= self->returns && !self->stopped; i++) {
         rest.rest = (jlt_rest_watch){ 0 };
-        JLT_PASS(jlt_orbit_next(orbit, INFINITY, &section, 1, &at));
-        if (at.end == JLT_END_INTERRUPT) break;
-        if (at.end != JLT_END_EVENT) {
-            end_by(end, whole, &at, i - 1);
+        const jlt_status st = jlt_orbit_next(orbit, INFINITY, &section, 1, &at);
+        if (st != JLT_OK && (!jlt_section_fate_of(&fate, st) || jlt_section_failed(fate))) return st;
+        if (st == JLT_OK && at.end == JLT_END_INTERRUPT) break;
+        if (st != JLT_OK || at.end != JLT_END_EVENT) {
+            end_by(end, whole, st != JLT_OK ? fate : fate_of(whole, &at), at.t, i - 1);
             break;
         }
         restore(x, whole, at.x);

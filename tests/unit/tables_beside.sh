@@ -146,6 +146,10 @@ sed -i -e 's/\<omega_tau\>/first/g' -e 's/\<omega_n\>/omega_tau/g' -e 's/\<first
 sed -i 's/omega_tau = omega_tau, omega_n = omega_n, omega3/omega_tau = omega_n, omega_n = omega_tau, omega3/' spherical_top_level.tt
 drifts drift_E,drift_G ./spherical_top.tt
 anew
+sed -i '/^pole/d' spherical_top_level.tt
+expect 3 '^# gauss: ends by left_domain at t = 1.75701[67]' \
+    jellett drift ./spherical_top.tt --start eta=0.1,gamma3=-0.97 --returns 9 --method gauss
+anew
 sed -i -e '/^time regular/d' -e '/^pole/d' spherical_top.tt
 expect 0 'G has no drift: the orbit is followed in spherical_top_level, where it is a parameter' \
     jellett drift ./spherical_top.tt --returns 2 --method gauss
