@@ -80,7 +80,8 @@ run 0 simulate "${plane[@]}",omega3=0.2 --times 0,5
 [ "$(last 12)" = pole- ] || fail "a variant's orbit ends by $(last 12)"
 for what in "section --returns 9" fates; do
     run 0 $what --section omega3=0.2 --direction both "${plane[@]}"
-    grep -q ',pole-\(,\|$\)' "$scratch/out" && ! grep -q 'pole+' "$scratch/out" || fail "$what, a variant: $(tail -1 "$scratch/out")"
+    grep -q ',pole-\(,\|$\)' "$scratch/out" && ! grep -q 'pole+' "$scratch/out" ||
+        fail "$what, a variant: $(tail -1 "$scratch/out")"
 done
 
 # What has no limit at a pole, or is not told there, is an empty field.
