@@ -71,8 +71,8 @@ static error_t parse(int key, char *value, struct argp_state *state)
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
     "Measure how far the integrals that a table proves drift along an orbit, by every method, or by that of --method. For the "
-    "spherical top: E and G, in the five states of system (3.2) in regular time, where no integral is built in. For other "
-    "tables: on --section."
+    "spherical top in the five states of system (3.2) in regular time, where no integral is built in. For other tables: on "
+    "--section."
     "\vColumns:\n"
     "  method, returns, t: the method, number of returns, and time\n"
     "  evaluations       evaluations of the field since the start\n"
@@ -81,8 +81,8 @@ static const struct argp parser = {
     "                    or rounding of 0\n\n"
     "Rows are at powers of two and at the end. Comment lines at the end have the slopes: the powers of the number of returns "
     "with which the drifts grow, fitted over the last four doublings. Where the orbit ends before all returns, they have its "
-    "fate instead: pole+, pole- or equilibrium, as in `jellett section --help`, with its time and the returns until then. Where "
-    "no method returns at all, the status is 3.\n\n"
+    "fate instead: pole+, pole-, equilibrium or left_domain, as in `jellett section --help`, with its time and the returns until "
+    "then. Where no method returns at all, the status is 3.\n\n"
     "Examples:\n"
     "  jellett drift --returns 1000000 --method gauss --tol 1e-13\n"
     "  jellett drift toda --section q1=0 \\\n"
@@ -131,14 +131,14 @@ static void write_slopes(const part *self)
     if (told > 0) fputc('\n', self->notes);
 }
 
-static void follow(part *self, const options *o)
+static void follow(part *self)
 {
     const jlt_drift_whole *whole = &self->whole->whole;
     jlt_drift_end end;
 
     if (self->points != NULL) fprintf(self->points, "$%s << END\n", self->method->name);
     self->status = whole->instance == NULL ? jlt_drift_section(&self->drift, &end, self->method)
-                                           : jlt_drift_whole_follow(&self->drift, &end, self->method, whole, o->project);
+                                           : jlt_drift_whole_follow(&self->drift, &end, self->method, whole);
     if (self->points != NULL) fputs("END\n", self->points);
     if (self->status != JLT_OK) return;
     if (end.name[0] == '\0') {
@@ -191,7 +191,7 @@ static jlt_exit run_all(report *r, const options *o, unsigned *drawn)
 #pragma omp parallel for num_threads((int)o->motion.threads) schedule(dynamic, 1)
 #endif
     for (size_t i = count; i > 0; i--) /* the last methods take longest: begin with them */
-        if (code == JLT_EXIT_DONE && !jlt_motion_interrupted(&o->motion)) follow(&parts[i - 1], o);
+        if (code == JLT_EXIT_DONE && !jlt_motion_interrupted(&o->motion)) follow(&parts[i - 1]);
     jlt_progress_end(&r->progress);
     for (size_t i = 0; i < count; i++) {
         pass_on(r->file, &parts[i].file, (const char *const *)&parts[i].text[0]);
@@ -250,15 +250,14 @@ static jlt_exit draw(const report *r, const options *o, unsigned drawn)
     return jlt_plot_draw(&plot);
 }
 
-/* Watch the integrals that are proved in the section's table, except those that change by a turn of the section's angle. */
-static jlt_exit watch_proved(report *r)
+/* Watch the integrals that are proved of this field, except those that change by a turn of the section's angle. */
+static jlt_exit watch_proved(report *r, const jlt_descriptor *d)
 {
-    const jlt_descriptor *d = r->drift.system->instance->descriptor;
-    bool turns, left_out = false;
+    bool turns = false, left_out = false;
 
     for (unsigned i = 0; i < d->integral_count; i++) {
         if (!jlt_descriptor_proves(d, "integral", d->integrals[i].name)) continue;
-        const jlt_status st = jlt_drift_turns(&turns, r->drift.system, r->drift.q, i);
+        const jlt_status st = r->whole.instance == NULL ? jlt_drift_turns(&turns, r->drift.system, r->drift.q, i) : JLT_OK;
         if (st != JLT_OK) return jlt_motion_fail(st, r->drift.system, "--start");
         if (turns) {
             fprintf(stderr, "jellett: %s is another after a turn of %s, and returns do not count turns: its drift is left out\n",
@@ -281,19 +280,38 @@ static jlt_exit watch_proved(report *r)
                             d->model, left_out ? "other " : "");
 }
 
-/* Read the start, and choose the integrals: the section's levels, in the whole model, else those proved in the section's table. */
+/* Say which levels cannot drift, being parameters of the section's table, in which the orbit is followed after all. */
+static void tell_fixed(const jlt_surface *surface)
+{
+    for (unsigned i = 0; i < surface->table->param_count; i++) {
+        const char *name = surface->table->params[i].name;
+        if (jlt_surface_value(surface, name) >= surface->params)
+            fprintf(stderr, "jellett: %s has no drift: the orbit is followed in %s, where it is a parameter\n", name,
+                    surface->table->model);
+    }
+}
+
+/* Read the start, and choose the integrals: those of the whole model, else those of the section's table. */
 static jlt_exit open_integrals(report *r, options *o)
 {
-    const jlt_surface *surface = r->drift.system->surface;
+    const jlt_system *system = r->drift.system;
 
-    JLT_PASS(jlt_motion_default_start(&o->motion, r->drift.system, JLT_START_REGULAR, "say where to start: --start"));
-    JLT_PASS(jlt_motion_start(r->drift.q, r->drift.system, o->motion.starts[0]));
-    const jlt_status st = surface != NULL ? jlt_drift_whole_open(&r->whole, r->drift.system, r->drift.q) : JLT_ERR_UNSUPPORTED;
-    if (st == JLT_ERR_UNSUPPORTED) return watch_proved(r);
-    r->drift.count = surface->count - surface->params;
-    for (unsigned k = 0; k < r->drift.count; k++)
-        r->drift.watched[k] = r->whole.watched[k], r->names[k] = surface->names[surface->params + k];
-    return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, r->drift.system, o->motion.starts[0]);
+    JLT_PASS(jlt_motion_default_start(&o->motion, system, JLT_START_REGULAR, "say where to start: --start"));
+    JLT_PASS(jlt_motion_start(r->drift.q, system, o->motion.starts[0]));
+    const jlt_status st = system->surface != NULL ? jlt_drift_whole_open(&r->whole, system, r->drift.q) : JLT_ERR_UNSUPPORTED;
+    if (st != JLT_OK && st != JLT_ERR_UNSUPPORTED) return jlt_motion_fail(st, system, o->motion.starts[0]);
+    if (st != JLT_OK && system->surface != NULL) tell_fixed(system->surface);
+    return watch_proved(r, (st == JLT_OK ? r->whole.instance : system->instance)->descriptor);
+}
+
+/* Set up the projection onto levels. */
+static jlt_exit project(report *r, jlt_system *system, const options *o)
+{
+    JLT_PASS(jlt_common_one_step(o->motion.flow.method));
+    if (r->whole.instance == NULL) return jlt_motion_project(system);
+    JLT_PASS(jlt_common_project(r->whole.instance->descriptor));
+    const jlt_status st = jlt_drift_whole_project(&r->whole);
+    return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, system, "--project");
 }
 
 static void write_header(const report *r, const options *o)
@@ -303,18 +321,20 @@ static void write_header(const report *r, const options *o)
 
     if (r->whole.instance != NULL) {
         const jlt_instance *whole = r->whole.instance;
+        const char *const *names = surface->names + surface->params;
+        const unsigned count = surface->count - surface->params;
         double levels[JLT_CHART_VALUES_MAX], *params = jlt_common_steady(&o->motion.common, whole->descriptor, whole->params);
         if (params == NULL) return;
-        for (unsigned k = 0; k < r->drift.count; k++)
-            levels[k] = jlt_common_runs(&o->motion.common, r->names[k]) ? NAN : r->drift.system->values[surface->params + k];
-        jlt_csv_header(file, &(jlt_csv_settings){ .command = o->motion.common.command, .descriptor = r->whole.instance->descriptor,
-                                                  .params = params, .level_count = r->drift.count,
-                                                  .level_names = r->names, .levels = levels });
+        for (unsigned k = 0; k < count; k++)
+            levels[k] = jlt_common_runs(&o->motion.common, names[k]) ? NAN : r->drift.system->values[surface->params + k];
+        jlt_csv_header(file, &(jlt_csv_settings){ .command = o->motion.common.command, .descriptor = whole->descriptor,
+                                                  .params = params, .level_count = count,
+                                                  .level_names = names, .levels = levels });
         free(params);
         fputs("# levels", file);
-        for (unsigned k = 0; k < r->drift.count; k++) {
+        for (unsigned k = 0; k < count; k++) {
             if (isnan(levels[k])) continue;
-            fprintf(file, " %s=", r->names[k]);
+            fprintf(file, " %s=", names[k]);
             jlt_csv_value(file, levels[k]);
         }
         fprintf(file, "; start %s; tolerance %.3g%s; nothing is random, so there is no seed\n", o->motion.starts[0],
@@ -349,8 +369,7 @@ static jlt_exit run(int argc, char **argv)
     JLT_PASS(jlt_motion_system(&system, &o.motion));
     r.drift = (jlt_drift){ .system = system, .returns = o.returns };
     JLT_PASS(open_integrals(&r, &o));
-    if (o.project) JLT_PASS(jlt_common_one_step(o.motion.flow.method));
-    if (o.project && r.whole.instance == NULL) JLT_PASS(jlt_motion_project(system));
+    if (o.project) JLT_PASS(project(&r, system, &o));
     JLT_PASS(jlt_motion_plan(system, &o.motion));
     JLT_PASS(jlt_common_write(common));
     r.file = common->table.file;

@@ -65,11 +65,15 @@ enum { TOLD = sizeof told / sizeof *told };
 /* Whether orbits of this section can have this fate. */
 static bool can_be(const jlt_system *system, jlt_fate fate)
 {
+    const jlt_descriptor *asked = system->surface != NULL ? system->surface->asked : system->instance->descriptor;
+    const bool poles = system->flow.chart->side != NULL && asked->family[0]->pole_count > 0;
+
     switch (fate) {
     case JLT_FATE_POLE_PLUS:
-    case JLT_FATE_POLE_MINUS: return system->flow.chart->side != NULL;
+    case JLT_FATE_POLE_MINUS: return poles;
     case JLT_FATE_INVALID: return has_conditions(system);
-    case JLT_FATE_LEFT_DOMAIN: return system->surface == NULL;
+    case JLT_FATE_LEFT_DOMAIN:
+        return system->surface == NULL || !poles || system->surface->table->domain_count > 0;
     default: return true;
     }
 }

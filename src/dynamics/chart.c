@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "kernel/descriptor.h"
 #include "kernel/region.h"
 
 /* The value less the nearest multiple of the period, in (-period/2, period/2]; small differences keep their digits. */
@@ -55,22 +56,12 @@ static double plane_flux(const jlt_chart *self, const double *x, const double *f
 
 int jlt_chart_pole_side(const jlt_chart *self, const jlt_descriptor *table, unsigned plain, double *x)
 {
-    const jlt_quantity *states = table->states;
-    double nearest = INFINITY;
-    int sign = 0;
-    unsigned at = 0;
+    unsigned state;
+    const int side = jlt_descriptor_pole_side(&state, table, x);
 
-    for (unsigned i = 0; i < table->pole_count; i++) {
-        const unsigned state = table->poles[i].state;
-        const double below = fabs(x[state] - states[state].low), above = fabs(x[state] - states[state].high);
-        if (!(fmin(below, above) < nearest)) continue;
-        nearest = fmin(below, above);
-        at = state;
-        sign = above < below ? 1 : -1;
-    }
-    x[at] = sign > 0 ? states[at].high : states[at].low;
+    if (side != 0) x[state] = side > 0 ? table->states[state].high : table->states[state].low;
     for (unsigned i = plain; i < self->states; i++) x[i] = 0;
-    return sign;
+    return side;
 }
 
 jlt_status jlt_chart_plane(jlt_chart *out, unsigned states, unsigned column, double level, const char *const *names,

@@ -49,8 +49,8 @@ struct jlt_chart {
      * unit tau. On a plane section without levels F = f_column. f, shape (states,): dx/dtau at x. */
     double (*flux)(const jlt_chart *self, const double *x, const double *f);
 
-    /* Side (+1, -1) of the pole at which an orbit has ended in the state x, in the table's units; x is changed as by
-     * jlt_chart_pole_side. NULL: the section has no poles. */
+    /* Side (+1, -1) of the pole at which an orbit has ended in the state x, in the table's units; 0: the table that was asked for
+     * names none there. x is changed as by jlt_chart_pole_side. NULL: the section has no poles. */
     int (*side)(const jlt_chart *self, double *x);
 
     /* See jlt_chart_follows. NULL: the states have one branch only. */
@@ -68,9 +68,9 @@ JLT_CHECKED jlt_status jlt_chart_plane(jlt_chart *out, unsigned states, unsigned
  *  (-period/2, period/2], and points whose coordinates differ by periods are the same point. For plane sections. */
 void jlt_chart_set_periods(jlt_chart *self, const double *periods);
 
-/** Implements `side` from the table's `pole` records: returns +1 where x, shape (states,), is nearest to the upper end of a pole's
- *  interval, -1 where to a lower one; sets that state of x to the end, and the lifted roots, which follow the `plain` states of
- *  the table's general field, to 0. */
+/** Implements `side` from the table's `pole` records (jlt_descriptor_pole_side): sets the state of x, shape (states,), that is
+ *  nearest to an end of a pole's interval to that end, and the lifted roots, which follow the `plain` states of the table's general
+ *  field, to 0. */
 int jlt_chart_pole_side(const jlt_chart *self, const jlt_descriptor *table, unsigned plain, double *x);
 
 enum { JLT_CHART_EVENTS_MAX = 3 };

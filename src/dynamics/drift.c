@@ -47,11 +47,17 @@ double jlt_drift_slope(const jlt_drift_row *rows, size_t count, unsigned k)
 }
 
 /* Set the watched integrals at the start, and their sizes: |F|, or 1 where that is 0 or no more than rounding of its terms. */
-static void set_first(jlt_drift *self, const double *values, const double *gradients, const double *x)
+jlt_status jlt_drift_first(jlt_drift *self, const jlt_instance *instance, const double *x)
 {
     static const double rounding = 1e-14; /* of some forty terms, half a unit in the last place each */
-    const unsigned states = self->system->instance->descriptor->state_count;
+    const jlt_descriptor *d = instance->descriptor;
+    const unsigned states = d->state_count;
+    JLT_FREED double *values = malloc(d->integral_count * (1 + (size_t)states) * sizeof *values);
 
+    if (values == NULL) return JLT_ERR_NOMEM;
+    double *const gradients = values + d->integral_count;
+    d->integral_values.call(x, instance->prepared, values);
+    d->integral_gradients.call(x, instance->prepared, gradients);
     for (unsigned k = 0; k < self->count; k++) {
         const unsigned i = self->watched[k];
         double terms = 0;
@@ -59,6 +65,7 @@ static void set_first(jlt_drift *self, const double *values, const double *gradi
         self->first[k] = values[i];
         self->sizes[k] = fabs(values[i]) > rounding * terms ? fabs(values[i]) : 1;
     }
+    return JLT_OK;
 }
 
 jlt_status jlt_drift_turns(bool *turns, const jlt_system *system, const double *q, unsigned integral)
@@ -89,7 +96,7 @@ jlt_status jlt_drift_section(jlt_drift *self, jlt_drift_end *end, const jlt_meth
     const jlt_descriptor *d = self->system->instance->descriptor;
     const jlt_kernel_function integrals = d->integral_values.call;
     const double *prepared = self->system->told->prepared;
-    JLT_FREED double *now = malloc(d->integral_count * (1 + (size_t)d->state_count) * sizeof *now);
+    JLT_FREED double *now = malloc(d->integral_count * sizeof *now);
     jlt_flow flow = self->system->flow;
     JLT_OWNED(jlt_section) *section = NULL;
     jlt_return at;
@@ -97,12 +104,9 @@ jlt_status jlt_drift_section(jlt_drift *self, jlt_drift_end *end, const jlt_meth
     jlt_drift_begin(self, end);
     flow.method = method;
     if (now == NULL) return JLT_ERR_NOMEM;
-    double *const gradients = now + d->integral_count;
     JLT_PASS(jlt_section_create(&section, &flow));
     JLT_PASS(jlt_section_start(section, &at, self->q, 1));
-    integrals(at.x, prepared, now);
-    d->integral_gradients.call(at.x, prepared, gradients);
-    set_first(self, now, gradients, at.x);
+    JLT_PASS(jlt_drift_first(self, self->system->told, at.x));
     for (size_t i = 1, steps, evaluations; i <= self->returns && !self->stopped; i++) {
         JLT_PASS(jlt_section_next(section, &at));
         if (at.interrupted) break;

@@ -52,11 +52,12 @@ JLT_CHECKED jlt_status jlt_drift_section(jlt_drift *self, jlt_drift_end *end, co
  *  the last four doublings; NaN where fewer than three of the rows, shape (count,), there have a drift > 0. */
 double jlt_drift_slope(const jlt_drift_row *rows, size_t count, unsigned k);
 
-/** The parts of jlt_drift_section, for callers that follow the orbit themselves. Call _begin before the first return, with first
- *  and sizes set; _note after each return, with `now`, shape (integral_count,), the kernel's integrals at that point; _finish after
- *  the last.
- *  Errors of _note: NONFINITE. */
+/** The parts of jlt_drift_section, for callers that follow the orbit themselves. Call _begin and _first before the first return, x
+ *  being the start, in the units of the instance; _note after each return, with `now`, shape (integral_count,), the kernel's
+ *  integrals at that point; _finish after the last.
+ *  Errors of _first: NOMEM; of _note: NONFINITE. */
 void jlt_drift_begin(jlt_drift *self, jlt_drift_end *end);
+JLT_CHECKED jlt_status jlt_drift_first(jlt_drift *self, const jlt_instance *instance, const double *x);
 JLT_CHECKED jlt_status jlt_drift_note(jlt_drift *self, size_t returns, double t, size_t evaluations, const double *now);
 void jlt_drift_finish(jlt_drift *self, const jlt_drift_end *end);
 

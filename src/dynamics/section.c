@@ -60,6 +60,11 @@ void jlt_section_fate_text(char text[JLT_FATE_TEXT_MAX], const jlt_observed *obs
     else strcpy(text, jlt_section_fate_name(fate));
 }
 
+jlt_fate jlt_section_fate_at_pole(int side)
+{
+    return side > 0 ? JLT_FATE_POLE_PLUS : side < 0 ? JLT_FATE_POLE_MINUS : JLT_FATE_LEFT_DOMAIN;
+}
+
 jlt_status jlt_section_fate_status(jlt_fate fate)
 {
     return fates[fate].status;
@@ -250,8 +255,8 @@ static void end_at_pole(jlt_section *self, jlt_return *row, const jlt_outcome *o
 {
     const jlt_chart *chart = self->flow.chart;
 
-    end(self, row, outcome->t, outcome->x, JLT_FATE_POLE_PLUS);
-    if (chart->side != NULL && chart->side(chart, row->x) < 0) row->fate = JLT_FATE_POLE_MINUS;
+    end(self, row, outcome->t, outcome->x, JLT_FATE_LEFT_DOMAIN);
+    if (chart->side != NULL) row->fate = jlt_section_fate_at_pole(chart->side(chart, row->x));
 }
 
 /* Make *row the end that the outcome reports, which is no crossing of the section. */

@@ -35,7 +35,7 @@ typedef enum {
     JLT_FATE_POLE_MINUS,   /* ended at that of side -1 */
     JLT_FATE_INVALID,      /* ended where a condition of the model breaks */
     JLT_FATE_EQUILIBRIUM,  /* has come to rest (integrate/rest.h): crossings would drown in errors; x is the limit */
-    JLT_FATE_LEFT_DOMAIN,  /* came to the edge of its table's domain */
+    JLT_FATE_LEFT_DOMAIN,  /* came to the edge of its table's domain, which that table does not call a pole */
     JLT_FATE_BUDGET,       /* max_steps or t_max was spent without a return or an end */
     /* The method failed; x is the last point it accepted. */
     JLT_FATE_NONFINITE,
@@ -51,6 +51,9 @@ enum { JLT_FATE_TEXT_MAX = 72 };
 
 /** Write the fate's name; for invalid, lost_NAME, NAME being that of the condition that broke (jlt_observed_condition). */
 void jlt_section_fate_text(char text[JLT_FATE_TEXT_MAX], const jlt_observed *observed, jlt_fate fate, unsigned lost);
+
+/** The fate of an orbit that ends at a pole of this side, as jlt_chart's `side` tells it. */
+jlt_fate jlt_section_fate_at_pole(int side);
 
 /** Set *fate to what the status of a failed function means for the orbit. Returns false if it says nothing of the orbit (NOMEM). */
 bool jlt_section_fate_of(jlt_fate *fate, jlt_status status);

@@ -2,7 +2,7 @@
 
 bool jlt_shares_turn(const jlt_system *system)
 {
-    return system->surface != NULL && system->surface->section->turn != NULL;
+    return system->surface != NULL && jlt_surface_turned_at(system) != JLT_FATE_ALIVE;
 }
 
 void jlt_shares_add(jlt_shares *sum, const jlt_system *system, const double *q, const jlt_fates_end *end)

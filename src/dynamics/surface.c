@@ -1,6 +1,7 @@
 #include "dynamics/surface.h"
 
 #include <math.h>
+#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -177,6 +178,44 @@ static jlt_status check_params(const jlt_surface *surface, const double *values,
     return jlt_descriptor_check_params(surface->table, arranged, &index);
 }
 
+/* The asked table's state number `state`, in its units, at the end of an orbit in the state x of the section's table. Where no
+ * single way leads back it is the state of the same name. */
+static bool asked_state(double *value, unsigned state, const surface_system *self, const double *x)
+{
+    const jlt_surface *surface = &self->surface;
+    const jlt_way *way = surface->link.count == 1 ? surface->link.steps[0].way : NULL;
+    const char *name = surface->asked->states[state].name;
+    double all[JLT_WAY_VALUES_MAX];
+    size_t same;
+
+    if (way != NULL && surface->asked->state_count <= JLT_WAY_VALUES_MAX) {
+        way->back(x, self->rows.values, all);
+        *value = all[state];
+        return true;
+    }
+    if (!jlt_descriptor_state(surface->table, name, &same)) return false;
+    *value = x[same];
+    return true;
+}
+
+/* The side of the pole of the asked table; 0: that table does not call it a pole. */
+static int side_of_asked(const jlt_chart *base, double *x)
+{
+    static const double near = 1e-6; /* of the interval */
+    const surface_system *self = (const void *)((const char *)base - offsetof(surface_system, rows));
+    const jlt_descriptor *asked = self->surface.asked->family[0];
+    double at;
+
+    (void)jlt_chart_pole_side(base, self->surface.table, self->rows.plain, x);
+    for (unsigned i = 0; i < asked->pole_count; i++) {
+        const jlt_quantity *q = &asked->states[asked->poles[i].state];
+        if (!asked_state(&at, asked->poles[i].state, self, x)) continue;
+        if (fabs(at - q->high) <= near * (q->high - q->low)) return 1;
+        if (fabs(at - q->low) <= near * (q->high - q->low)) return -1;
+    }
+    return 0;
+}
+
 /* Make the flow's chart, in the flow's units, from the one in the table's. */
 static void set_chart(surface_system *self)
 {
@@ -188,6 +227,7 @@ static void set_chart(surface_system *self)
     for (unsigned k = 0; k < rows->base.dim; k++) rows->per[k] = jlt_units_exponent(units, section->coordinates[k].unit);
     for (unsigned k = 0; k < section->level_count; k++)
         rows->per[rows->base.dim + k] = jlt_units_exponent(units, section->levels[k].unit);
+    if (rows->base.side != NULL && self->surface.link.count > 0) rows->base.side = side_of_asked;
     jlt_chart_counted_init(&self->flow, &rows->base, rows->unit, rows->per);
     self->base.flow.chart = self->base.chart_base = &self->flow.base;
     if (self->surface.asked->family[0]->valid_count == 0) self->base.flow.observed = NULL; /* whatever the section's table says */
@@ -340,15 +380,18 @@ bool jlt_surface_is_low(const jlt_system *system, const double *q)
     return turn < 0;
 }
 
-/* The pole at which the expression of `turns` is positive. */
+/* The pole at which the expression of `turns` is positive: the upper end of the table's first one, or the lower one. */
 jlt_fate jlt_surface_turned_at(const jlt_system *system)
 {
     const jlt_chart_section *chart = jlt_surface_chart(system);
-    double q[JLT_CHART_COORDINATES_MAX] = { 0 };
+    double q[JLT_CHART_COORDINATES_MAX], x[JLT_CHART_STATES_MAX] = { 0 };
 
-    if (chart->section->turn == NULL || chart->table->pole_count == 0) return JLT_FATE_ALIVE;
-    const jlt_quantity *state = &chart->table->states[chart->table->poles[0].state];
-    for (unsigned k = 0; k < chart->base.dim; k++)
-        if (strcmp(chart->base.names[k], state->name) == 0) q[k] = state->high;
-    return jlt_surface_is_low(system, q) ? JLT_FATE_POLE_MINUS : JLT_FATE_POLE_PLUS;
+    if (chart->section->turn == NULL || chart->base.side == NULL) return JLT_FATE_ALIVE;
+    const unsigned state = chart->table->poles[0].state;
+    for (unsigned k = 0; k < chart->plain; k++) x[k] = 1; /* any state will do, but for the pole's own */
+    x[state] = chart->table->states[state].high;
+    chart->base.lower(&chart->base, q, NULL, x);
+    if (jlt_surface_is_low(system, q)) x[state] = chart->table->states[state].low;
+    const int side = chart->base.side(&chart->base, x);
+    return side != 0 ? jlt_section_fate_at_pole(side) : JLT_FATE_ALIVE;
 }

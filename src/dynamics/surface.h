@@ -89,7 +89,7 @@ void jlt_surface_off_section(double *q, const jlt_system *system, const double *
 
 /** Turning over, by the expression of the clause `turns`: an orbit that begins where it is < 0 and ends where it is > 0 has turned
  *  over. _is_low: whether it is < 0 at q, shape (dim,); _turned_at: the fate of orbits that end at the pole where it is > 0.
- *  Without that clause they return false and JLT_FATE_ALIVE. */
+ *  Without that clause they return false and JLT_FATE_ALIVE; the latter also if the asked table names no pole there. */
 bool jlt_surface_is_low(const jlt_system *system, const double *q);
 jlt_fate jlt_surface_turned_at(const jlt_system *system);
 

@@ -98,6 +98,24 @@ bool jlt_descriptor_has_poles(const jlt_descriptor *of)
     return general->pole_count > 0;
 }
 
+int jlt_descriptor_pole_side(unsigned *state, const jlt_descriptor *of, const double *x)
+{
+    const jlt_descriptor *general = of->family[0];
+    double nearest = INFINITY;
+    int side = 0;
+
+    for (unsigned i = 0; i < general->pole_count; i++) {
+        const unsigned at = general->poles[i].state;
+        const jlt_quantity *q = &general->states[at];
+        const double below = fabs(x[at] - q->low) / (q->high - q->low), above = fabs(x[at] - q->high) / (q->high - q->low);
+        if (!(fmin(below, above) < nearest)) continue;
+        nearest = fmin(below, above);
+        *state = at;
+        side = above < below ? 1 : -1;
+    }
+    return side;
+}
+
 const jlt_claim *jlt_descriptor_doubted_field(const jlt_descriptor *of)
 {
     const char *const made_by[][2] = { { "variant", of->variant }, { "time", of->time }, { "eliminate", of->elimination } };

@@ -60,6 +60,10 @@ bool jlt_descriptor_unproved(char *claims, size_t size, const jlt_descriptor *of
 /** Append the claim of this kind and name to such a list, if the table makes it, and it is neither proved nor listed yet. */
 void jlt_descriptor_add_unproved(char *claims, size_t size, const jlt_descriptor *of, const char *kind, const char *name);
 
+/** The end of a pole's interval that is nearest to the state x of a field of the table, in the table's units: +1 the upper, -1 the
+ *  lower one, of state number *state; 0: the table names no poles. */
+int jlt_descriptor_pole_side(unsigned *state, const jlt_descriptor *of, const double *x);
+
 /** The condition on a parameter's sign, " > 0" and the like; "" if it may have any value. */
 const char *jlt_descriptor_condition(const jlt_quantity *param);
 

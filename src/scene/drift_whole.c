@@ -1,8 +1,9 @@
 #include "scene/drift_whole.h"
 
 #include <math.h>
-#include <string.h>
+#include <stdlib.h>
 
+#include "core/memory.h"
 #include "dynamics/section.h"
 #include "dynamics/surface.h"
 #include "integrate/orbit.h"
@@ -33,15 +34,24 @@ static jlt_status lift(double *x, const jlt_way *way, const jlt_system *system, 
     return JLT_OK;
 }
 
-static bool find_integrals(jlt_drift_whole *out, const jlt_descriptor *field, const jlt_surface *surface)
+/* Find the state of the asked table, a field with states x, that the way hands on as state `section` of the smaller table: the one
+ * to which that state is equal at x and at other points nearby, all of whose states differ. Returns false if there is none. */
+static bool find_column(unsigned *column, const jlt_way *way, unsigned section, unsigned states, const double *x,
+                        const double *params)
 {
-    for (unsigned k = surface->params; k < surface->count; k++) {
-        unsigned i = 0;
-        while (i < field->integral_count && strcmp(field->integrals[i].name, surface->names[k]) != 0) i++;
-        if (i == field->integral_count || k - surface->params == JLT_INVARIANTS_MAX) return false;
-        out->watched[k - surface->params] = i;
+    static const double shifts[] = { 0, 0x1p-10, -0x1p-9 };
+    double moved[JLT_WAY_VALUES_MAX], pairs[2 * JLT_WAY_VALUES_MAX];
+
+    for (*column = 0; *column < states && !way->is_angle[section]; ++*column) {
+        bool equal = true;
+        for (size_t k = 0; k < sizeof shifts / sizeof *shifts && equal; k++) {
+            for (unsigned i = 0; i < states; i++) moved[i] = x[i] + shifts[k] * (1 + i) * fmax(1, fabs(x[i])) / states;
+            way->coordinates(moved, params, pairs);
+            equal = pairs[2 * section] == moved[*column];
+        }
+        if (equal) return true;
     }
-    return true;
+    return false;
 }
 
 jlt_status jlt_drift_whole_open(jlt_drift_whole *out, const jlt_system *system, const double *q)
@@ -50,31 +60,36 @@ jlt_status jlt_drift_whole_open(jlt_drift_whole *out, const jlt_system *system, 
     const jlt_descriptor *field = jlt_descriptor_sibling(surface->asked, NULL, surface->table->time, NULL);
     const jlt_way *way;
     const jlt_claim *broken;
-    double told[JLT_WAY_VALUES_MAX];
-    size_t column;
+    double params[JLT_WAY_VALUES_MAX];
     jlt_status st = JLT_ERR_UNSUPPORTED;
 
-    *out = (jlt_drift_whole){ .level = surface->section->level, .time = system->units.time };
+    *out = (jlt_drift_whole){ .level = surface->section->level, .units = system->units };
     if (field == NULL || field->param_count > JLT_WAY_VALUES_MAX || field->state_count > JLT_WAY_VALUES_MAX) return st;
-    if (!jlt_descriptor_state(field, surface->table->states[surface->section->column].name, &column)) return st;
-    if (!find_integrals(out, field, surface) || !read_params(told, field, system)) return st;
-    if ((way = jlt_way_to(&broken, field, surface->table, NULL, told)) == NULL) return st;
-    out->column = (unsigned)column;
-    JLT_TRY(lift(out->start, way, system, q));
-    out->level = ldexp(out->level, -jlt_units_exponent(&system->units, field->states[column].unit));
+    if (surface->table->states[surface->section->column].period != 0 || !read_params(params, field, system)) return st;
+    if ((way = jlt_way_to(&broken, field, surface->table, NULL, params)) == NULL) return st;
+    JLT_PASS(lift(out->start, way, system, q));
+    if (!find_column(&out->column, way, surface->section->column, field->state_count, out->start, params)) return st;
+    out->level = ldexp(out->level, -jlt_units_exponent(&system->units, field->states[out->column].unit));
     jlt_units_count(out->start, out->start, field->states, field->state_count, &system->units);
-    JLT_TRY(jlt_instance_create_in(&out->instance, field, told, &system->units));
+    field = jlt_descriptor_choose(field, field->time, NULL, params);
+    JLT_TRY(jlt_instance_create(&out->told, field, params));
+    JLT_TRY(jlt_instance_create_in(&out->instance, field, params, &system->units));
     JLT_TRY(jlt_field_of(&out->field, out->instance));
-    JLT_TRY(jlt_conserved_of(&out->invariants, &out->conserved, out->instance));
 done:
     if (st != JLT_OK) jlt_drift_whole_close(out);
     return st;
 }
 
+jlt_status jlt_drift_whole_project(jlt_drift_whole *self)
+{
+    return jlt_conserved_of(&self->kept, &self->conserved, self->instance);
+}
+
 void jlt_drift_whole_close(jlt_drift_whole *self)
 {
     jlt_instance_destroy(self->instance);
-    self->instance = NULL;
+    jlt_instance_destroy(self->told);
+    self->instance = self->told = NULL;
 }
 
 /* Context of an observer that ends the orbit when it comes to rest, at `limit`. */
@@ -89,54 +104,66 @@ static int watch(void *context, jlt_orbit *orbit)
     return jlt_rest_watch_step(&self->rest, jlt_orbit_stepper(orbit), self->limit);
 }
 
-static void end_by(jlt_drift_end *end, const jlt_drift_whole *whole, const jlt_outcome *at, double t, size_t returns)
+/* The state in the table's units. */
+static void restore(double *x, const jlt_drift_whole *whole, const double *counted)
 {
-    const jlt_descriptor *field = whole->instance->descriptor;
-    const unsigned pole = field->pole_count > 0 ? field->poles[0].state : 0;
-    const jlt_quantity *q = &whole->instance->states[pole];
-    const jlt_fate fate = at->end == JLT_END_OBSERVER                 ? JLT_FATE_EQUILIBRIUM
-                          : at->x[pole] - q->low > q->high - at->x[pole] ? JLT_FATE_POLE_PLUS
-                                                                      : JLT_FATE_POLE_MINUS;
+    const jlt_descriptor *field = whole->told->descriptor;
 
+    jlt_units_restore(x, counted, field->states, field->state_count, &whole->units);
+}
+
+/* How an orbit ends by this outcome, which is no crossing of the section. */
+static jlt_fate fate_of(const jlt_drift_whole *whole, const jlt_outcome *at)
+{
+    double x[JLT_WAY_VALUES_MAX];
+    unsigned state;
+
+    if (at->end == JLT_END_OBSERVER) return JLT_FATE_EQUILIBRIUM;
+    restore(x, whole, at->x);
+    return jlt_section_fate_at_pole(jlt_descriptor_pole_side(&state, whole->told->descriptor, x));
+}
+
+static void end_by(jlt_drift_end *end, const jlt_drift_whole *whole, jlt_fate fate, double t, size_t returns)
+{
     jlt_section_fate_text(end->name, NULL, fate, JLT_OBSERVED_ANY);
-    end->t = t;
+    end->t = ldexp(t, whole->units.time);
     end->returns = returns;
 }
 
-jlt_status jlt_drift_whole_follow(jlt_drift *self, jlt_drift_end *end, const jlt_method *method, const jlt_drift_whole *whole,
-                                  bool project)
+jlt_status jlt_drift_whole_follow(jlt_drift *self, jlt_drift_end *end, const jlt_method *method, const jlt_drift_whole *whole)
 {
     const jlt_flow *flow = &self->system->flow;
+    const jlt_descriptor *field = whole->told->descriptor;
     const jlt_event section = { .column = whole->column, .level = whole->level, .direction = flow->direction };
-    const jlt_invariants none = { .count = 0 };
     const jlt_options to_orbit = { .tolerance = flow->tolerance, .interrupt = flow->interrupt,
                                    .max_steps = 100000, /* for each return, as on sections */
-                                   .invariants = project ? whole->invariants : none, /* else they are evaluated at returns only */
-                                   .project = project };
+                                   .invariants = whole->kept, .project = whole->kept.count > 0 };
     rest_watch rest;
-    double now[JLT_INVARIANTS_MAX];
+    double x[JLT_WAY_VALUES_MAX];
+    JLT_FREED double *now = malloc(field->integral_count * sizeof *now);
     JLT_OWNED(jlt_orbit) *orbit = NULL;
     jlt_outcome at = { .t = 0 };
+    jlt_fate fate = JLT_FATE_ALIVE;
 
+    if (now == NULL) return JLT_ERR_NOMEM;
     jlt_drift_begin(self, end);
-    whole->invariants.values(whole->start, whole->invariants.p, now);
-    for (unsigned k = 0; k < self->count; k++) {
-        self->first[k] = now[self->watched[k]];
-        self->sizes[k] = self->first[k] != 0 ? fabs(self->first[k]) : 1;
-    }
+    restore(x, whole, whole->start);
+    JLT_PASS(jlt_drift_first(self, whole->told, x));
     JLT_PASS(jlt_orbit_create(&orbit, method, &whole->field, &to_orbit));
     jlt_orbit_observe(orbit, watch, &rest);
     JLT_PASS(jlt_orbit_start(orbit, 0, whole->start, 1));
     for (size_t i = 1; i <= self->returns && !self->stopped; i++) {
         rest.rest = (jlt_rest_watch){ 0 };
-        JLT_PASS(jlt_orbit_next(orbit, INFINITY, &section, 1, &at));
-        if (at.end == JLT_END_INTERRUPT) break;
-        if (at.end != JLT_END_EVENT) {
-            end_by(end, whole, &at, ldexp(at.t, whole->time), i - 1);
+        const jlt_status st = jlt_orbit_next(orbit, INFINITY, &section, 1, &at);
+        if (st != JLT_OK && (!jlt_section_fate_of(&fate, st) || jlt_section_failed(fate))) return st;
+        if (st == JLT_OK && at.end == JLT_END_INTERRUPT) break;
+        if (st != JLT_OK || at.end != JLT_END_EVENT) {
+            end_by(end, whole, st != JLT_OK ? fate : fate_of(whole, &at), at.t, i - 1);
             break;
         }
-        whole->invariants.values(at.x, whole->invariants.p, now);
-        JLT_PASS(jlt_drift_note(self, i, ldexp(at.t, whole->time), jlt_orbit_stepper(orbit)->evaluations, now));
+        restore(x, whole, at.x);
+        field->integral_values.call(x, whole->told->prepared, now);
+        JLT_PASS(jlt_drift_note(self, i, ldexp(at.t, whole->units.time), jlt_orbit_stepper(orbit)->evaluations, now));
     }
     jlt_drift_finish(self, end);
     return JLT_OK;

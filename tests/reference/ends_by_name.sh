@@ -74,6 +74,16 @@ grep -q '^0,[01],.*,\(nonfinite\|no_progress\)$' "$scratch/out" || fail "the orb
 [ "$(last 1),$(last 2),$(last 6)" = 1,3,alive ] || fail "an orbit that fails took the next one away: $(tail -1 "$scratch/out")"
 grep -q 'failed on 1 of 2 orbits' "$scratch/err" || fail "the failure is not said: $(cat "$scratch/err")"
 
+# Kernels of a variant end at the poles of the table: with a3 = 0 as simulate says, which gives gamma3 itself.
+plane=(--set a3=0 --start gamma3=-0.9,v_nu=-2,omega_tau=-3.5,omega_n=0.3)
+run 0 simulate "${plane[@]}",omega3=0.2 --times 0,5
+[ "$(last 12)" = pole- ] || fail "a variant's orbit ends by $(last 12)"
+for what in "section --returns 9" fates; do
+    run 0 $what --section omega3=0.2 --direction both "${plane[@]}"
+    grep -q ',pole-\(,\|$\)' "$scratch/out" && ! grep -q 'pole+' "$scratch/out" ||
+        fail "$what, a variant: $(tail -1 "$scratch/out")"
+done
+
 # What has no limit at a pole, or is not told there, is an empty field.
 for how in "section --returns 3" "section --returns 3 --start eta=0.3,gamma3=0.2" fates; do
     run 0 $how --set I3=0 --level E=1,G=0 --start eta=0.3,gamma3=0.2

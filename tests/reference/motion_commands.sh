@@ -71,6 +71,14 @@ for method in dop853 gauss taylor rk8pd rkf45 msadams; do
         "$scratch/projected.csv" || fail "drift: $method is not projected"
 done
 grep -q '^# rk8pd: E drifts as returns^' "$scratch/drift.csv" || fail "drift: no slopes"
+# From G = 0, or rounding of that, G's drift is not divided: it is in the table's units, a million times as large as the mass is.
+from_zero() { # MASS ENERGY
+    jellett drift --level "E=$2,G=0" --set "m=$1,I1=$1/3,I3=$1/3" --start eta=0.3,gamma3=0.1 --returns 2 --method dop853 \
+        --tol 1e-6 | awk -F, '/^dop853,2/ { print $6 }'
+}
+light=$(from_zero 1 2.15) heavy=$(from_zero 1000000 2150000)
+awk -v light="$light" -v heavy="$heavy" 'BEGIN { exit !(light > 1e-10 && light < 1e-7 && (heavy/light/1e6 - 1)^2 < 0.01) }' ||
+    fail "drift of G from 0: $light, and of a heavy top $heavy"
 # An orbit that ends has its rows until then, and its end by name; (4.4) is where a balanced sphere may come to rest.
 ends() {
     jellett drift --tol 1e-10 "${@:2}" -o "$scratch/end.csv" 2> "$scratch/err" || fail "drift to its end: $(cat "$scratch/err")"

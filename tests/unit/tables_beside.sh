@@ -89,6 +89,71 @@ sed -i -e '/^pole/d' -e '/^matrix/,/^charpoly/d' -e '/^state gamma3/{h;d}' -e '/
 expect 0 'spherical_top names none (record .pole.)' jellett simulate ./spherical_top.tt --start $start --times 1,10
 grep -q '^t,v_nu' out && [ "$(last 10)" = left_domain ] || fail "at a pole that is not named: $(tail -2 out)"
 
+# On sections as well, and by the states of the table asked for: here c = -gamma3.
+anew
+sed -i '/^pole/d' spherical_top.tt
+for what in "section --returns 9" "drift --returns 9 --method gauss" "fates"; do
+    jellett $what ./spherical_top.tt --start eta=0.1,gamma3=-0.97 > out 2> err || true
+    grep -q left_domain out && ! grep pole. out || fail "$what, at a pole that is not named: $(tail -2 out)"
+done
+expect 0 '^E,starts,lost_contact,equilibrium,left_domain,alive,budget,failed,contact_held$' \
+    jellett fates ./spherical_top.tt --grid 3x3 --sweep E=1:2:2
+anew
+sed -i -e 's/^state gamma3 in/state c in/' -e 's/^root s = .*/let gamma3 = -c\nroot s = sqrt(1 - c^2)/' \
+    -e 's/^eq gamma3 =/eq c =/' -e 's/^    + s\*omega_tau$/    - s*omega_tau/' -e 's/^pole gamma3/pole c/' \
+    -e 's/rate(gamma3)/rate(-c)/' -e '/^# The horizontal momentum/,$d' spherical_top.tt
+sed -i 's/^    gamma3 = gamma3\(, v_nu = v_nu, omega_tau = omega_tau, omega_n\)/    c = -gamma3\1/' spherical_top_level.tt
+for what in "section --returns 9" "drift --returns 9 --method gauss" "fates"; do
+    jellett $what ./spherical_top.tt --start eta=0.1,gamma3=-0.97 > out 2> err || true
+    grep -q pole- out && ! grep pole+ out || fail "$what, at the lower end of c: $(tail -2 out)"
+done
+expect 0 '12 starts: .*; of 6 .* turn over' jellett fates ./spherical_top.tt --grid 3x4
+turned=$(sed -n 's/.*; of 6 \(.*\) turn over.*/\1/p' err)
+expect 0 "; of 6 $turned turn over" jellett fates spherical_top --grid 3x4
+
+# What turns over is told by the section's own coordinate, whatever it is called: the top and its mirror image turn over alike.
+expect 0 '24 starts: .*; of 12 .* turn over' jellett fates spherical_top --set a3=0.5 --grid 6x4
+turned=$(sed -n 's/.*; of 12 \(.*\) turn over.*/\1/p' err)
+anew
+sed -i -e 's/\<gamma3\>/z/g' -e 's/ z = z,/ gamma3 = z,/' spherical_top_section.tt
+sed -i 's/ gamma3 = gamma3, E = E$/ z = gamma3, E = E/' spherical_top_level.tt
+expect 0 "; of 12 $turned turn over" jellett fates ./spherical_top.tt --set a3=-0.5 --grid 6x4
+
+# Every integral that the table asked for proves drifts along one orbit, and none that it does not, whatever levels and states are
+# called in the tables beside it.
+drifts() { # COLUMNS MODEL ARGUMENTS...
+    local columns=$1
+    shift
+    expect 0 "^method,returns,t,evaluations,$columns$" jellett drift "$@" --method gauss --returns 2
+    awk -F, '/^gauss/ { for (i = 5; i <= NF; i++) bad += $i > 1e-12; t = $3 }
+        END { exit bad || (t - 6.976234469625) ^ 2 > 1e-22 }' out || fail "drift $*: $(tail -2 out)"
+}
+drifts drift_E,drift_G spherical_top
+anew
+sed -i -e 's/^integral E = .*/&\nintegral twice = 2*energy/' -e 's/^integral G/integral Jellett/' -e 's/G = G\>/G = Jellett/' \
+    -e 's/by G =/by Jellett =/' -e 's/^\(leftnull.*\) G/\1 Jellett/' spherical_top.tt
+drifts drift_E,drift_twice,drift_Jellett ./spherical_top.tt
+drifts drift_E,drift_twice,drift_Jellett ./spherical_top.tt --project
+sed -i 's/^integral E = .*/&\nintegral none = v_nu/' spherical_top.tt
+drifts drift_E,drift_twice,drift_Jellett ./spherical_top.tt
+expect 3 'none is not proved to be an integral' jellett drift ./spherical_top.tt --project --returns 2
+for k in 3 4 5 6 7 8; do sed -i "s/^integral twice/integral times$k = $k*energy\n&/" spherical_top.tt; done
+expect 2 'spherical_top proves more than 8 integrals' jellett drift ./spherical_top.tt --returns 2
+expect 0 'drift_E,drift_G,drift_E1,drift_E2$' jellett drift --set I3=0 --returns 1
+anew
+sed -i -e 's/\<omega_tau\>/first/g' -e 's/\<omega_n\>/omega_tau/g' -e 's/\<first\>/omega_n/g' -e '/^# The horizontal momentum/,$d' \
+    -e 's/omega_n = omega_n, v_tau/omega_tau = omega_n, v_tau/' spherical_top.tt
+sed -i 's/omega_tau = omega_tau, omega_n = omega_n, omega3/omega_tau = omega_n, omega_n = omega_tau, omega3/' spherical_top_level.tt
+drifts drift_E,drift_G ./spherical_top.tt
+anew
+sed -i '/^pole/d' spherical_top_level.tt
+expect 3 '^# gauss: ends by left_domain at t = 1.75701[67]' \
+    jellett drift ./spherical_top.tt --start eta=0.1,gamma3=-0.97 --returns 9 --method gauss
+anew
+sed -i -e '/^time regular/d' -e '/^pole/d' spherical_top.tt
+expect 0 'G has no drift: the orbit is followed in spherical_top_level, where it is a parameter' \
+    jellett drift ./spherical_top.tt --returns 2 --method gauss
+
 # A level and a parameter of one name could not be told apart.
 anew
 sed -i -e 's/\<E\>/H/g' -e 's/^param I1/param E\n&/' -e 's/^default /&E = 7, /' -e 's/^observe /observe squeezed = E*gamma3\n&/' \
