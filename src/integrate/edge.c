@@ -8,6 +8,7 @@
 
 enum { SAMPLES = 16, BISECTIONS = 60 };
 static const double ahead = 1e-8; /* part of |tau|: half of its digits */
+static const double rounding = 1e-9; /* a zero of a condition is this far from zero at most, in units of the condition elsewhere */
 
 /* How far x is from where it counts as being at an end of its interval, which may be infinite. */
 static double margin(double x, double end, double side)
@@ -38,7 +39,8 @@ static double least_of_intervals(const jlt_stepper *stepper, const double *x)
     return least;
 }
 
-/* The least value of a condition, in units of what it is at the step's start. */
+/* The least value of a condition, in units of what it is at the step's start. At its pole the domain ends as well: what has grown
+ * counts by its inverse. */
 static double least_of_conditions(const jlt_stepper *stepper, const double *x)
 {
     const jlt_domain *domain = &stepper->field->domain;
@@ -48,7 +50,7 @@ static double least_of_conditions(const jlt_stepper *stepper, const double *x)
     domain->values(stepper->x_start, domain->p, before);
     domain->values(x, domain->p, here);
     for (unsigned k = 0; k < domain->conditions; k++) {
-        const double value = before[k] > 0 ? here[k] / before[k] : here[k];
+        const double grown = before[k] > 0 ? here[k] / before[k] : here[k], value = grown > 1 ? 1 / grown : grown;
         if (!(value >= least)) least = value;
     }
     return least;
@@ -153,9 +155,11 @@ static jlt_status leave_interval(double *theta, jlt_stepper *stepper, unsigned s
     return isfinite(end) ? jlt_edge_first_zero(theta, stepper, &event, side) : JLT_OK;
 }
 
+/* A condition w as a function of the states. With a unit u it is w/(1 + (w/u)^2), which has no poles, but zeros in their place. */
 typedef struct {
     const jlt_stepper *stepper;
     unsigned index;
+    double unit; /* 0: none */
 } condition;
 
 static double condition_value(void *context, const double *x)
@@ -165,7 +169,8 @@ static double condition_value(void *context, const double *x)
     double values[JLT_REGION_CONDITIONS_MAX];
 
     domain->values(x, domain->p, values);
-    return values[self->index];
+    const double w = values[self->index];
+    return self->unit > 0 ? 1 / (1 / w + w / self->unit / self->unit) : w;
 }
 
 static double condition_rate(void *context, const double *x, const double *f)
@@ -174,7 +179,12 @@ static double condition_rate(void *context, const double *x, const double *f)
     const jlt_domain *domain = &self->stepper->field->domain;
 
     domain->gradients(x, domain->p, self->stepper->gradients);
-    return along(self->stepper->gradients + self->index * domain->states, f, domain->states);
+    const double rate = along(self->stepper->gradients + self->index * domain->states, f, domain->states);
+    if (!(self->unit > 0)) return rate;
+    double values[JLT_REGION_CONDITIONS_MAX];
+    domain->values(x, domain->p, values);
+    const double grown = values[self->index] / self->unit, share = 1 / (1 + grown * grown);
+    return rate * share * (2 * share - 1);
 }
 
 /* The rates of an event's function, in units of the step, at its start and at its end. */
@@ -256,15 +266,23 @@ jlt_event_least jlt_edge_least_after(const jlt_stepper *stepper, const jlt_event
     return (jlt_event_least){ value_at(stepper, event, low), jlt_smaller(low, 1) };
 }
 
-static jlt_status leave_conditions(double *theta, jlt_stepper *stepper)
+/* As jlt_edge_first_loss, for a condition. Beside a pole its polynomial is far from it, and has zeros where it has none, neither
+ * relative to the step's start nor to the step: the condition is then taken in units of its value at the start. */
+static jlt_status leave_condition(double *theta, jlt_stepper *stepper, unsigned index)
 {
-    jlt_status st = JLT_OK;
+    condition one = { stepper, index, 0 };
+    const jlt_event event = { .value = condition_value, .rate = condition_rate, .context = &one };
+    const double before = jlt_locate_value(&event, stepper->x_start);
+    double left = INFINITY;
 
-    for (unsigned k = 0; st == JLT_OK && k < stepper->field->domain.conditions; k++) {
-        condition one = { stepper, k };
-        st = jlt_edge_first_loss(theta, stepper, &(jlt_event){ .value = condition_value, .rate = condition_rate, .context = &one });
+    JLT_PASS(jlt_edge_first_loss(&left, stepper, &event));
+    if (left < INFINITY && value_at(stepper, &event, left) > jlt_larger(before / 2, rounding * value_at(stepper, &event, 0.5))) {
+        one.unit = before;
+        left = INFINITY;
+        JLT_PASS(jlt_edge_first_loss(&left, stepper, &event));
     }
-    return st;
+    *theta = jlt_smaller(left, *theta);
+    return JLT_OK;
 }
 
 jlt_status jlt_edge_left(double *theta, jlt_stepper *stepper)
@@ -281,7 +299,8 @@ jlt_status jlt_edge_left(double *theta, jlt_stepper *stepper)
         JLT_PASS(leave_interval(theta, stepper, i, domain->intervals[i].low, 1));
         JLT_PASS(leave_interval(theta, stepper, i, domain->intervals[i].high, -1));
     }
-    return leave_conditions(theta, stepper);
+    for (unsigned k = 0; k < domain->conditions; k++) JLT_PASS(leave_condition(theta, stepper, k));
+    return JLT_OK;
 }
 
 jlt_status jlt_edge_find(double *theta, jlt_stepper *stepper)
