@@ -8,7 +8,7 @@
 
 enum { SAMPLES = 16, BISECTIONS = 60 };
 static const double ahead = 1e-8; /* part of |tau|: half of its digits */
-static const double rounding = 1e-9; /* a zero of a condition is this far from zero at most, in units of the condition elsewhere */
+static const double rounding = 1e-9; /* a function is this far from 0 at its zeros at most, in units of it elsewhere */
 
 /* How far x is from where it counts as being at an end of its interval, which may be infinite. */
 static double margin(double x, double end, double side)
@@ -137,15 +137,48 @@ bool jlt_edge_ahead(jlt_edge_part *out, const jlt_stepper *stepper)
     return first < INFINITY;
 }
 
+static double value_at(const jlt_stepper *stepper, const jlt_event *event, double theta)
+{
+    double x[JLT_FIELD_DIM_MAX + 1];
+
+    jlt_stepper_values(stepper, jlt_smaller(theta, 1), x);
+    return jlt_locate_value(event, x);
+}
+
+/* The first place in the step where the sign of an event's function is not `side`, as far as samples tell; INFINITY: none. */
+static double first_change(const jlt_stepper *stepper, const jlt_event *event, int side)
+{
+    double low = 0, high = INFINITY;
+
+    for (int k = 1; k <= SAMPLES && high > 1; k++) {
+        const double at = (double)k / SAMPLES;
+        *(side * value_at(stepper, event, at) > 0 ? &low : &high) = at;
+    }
+    for (int k = 0; k < BISECTIONS && high <= 1; k++) {
+        const double middle = low + (high - low) / 2;
+        *(side * value_at(stepper, event, middle) > 0 ? &low : &high) = middle;
+    }
+    return high;
+}
+
+/* Beside a pole the polynomial of a function is far from it, and has zeros where the function has none, neither relative to the
+ * step's start nor to the step. */
 jlt_status jlt_edge_first_zero(double *theta, jlt_stepper *stepper, const jlt_event *event, int side)
 {
     jlt_crossing list[JLT_CROSSINGS_MAX];
     jlt_watch watch = { .event = *event, .side = side };
     unsigned count;
-    const jlt_status st = jlt_watch_step(&watch, stepper, list, &count);
+    double first = INFINITY;
 
-    if (st == JLT_OK && count > 0) *theta = jlt_smaller(list[0].theta, *theta);
-    return st;
+    JLT_PASS(jlt_watch_step(&watch, stepper, list, &count));
+    if (count > 0) first = list[0].theta;
+    if (event->value != NULL && count > 0) {
+        const double before = fabs(jlt_locate_value(event, stepper->x_start)), within = fabs(value_at(stepper, event, 0.5));
+        const bool has_pole = fabs(value_at(stepper, event, first)) > jlt_larger(before / 2, rounding * within);
+        if (has_pole) first = first_change(stepper, event, side);
+    }
+    *theta = jlt_smaller(first, *theta);
+    return JLT_OK;
 }
 
 static jlt_status leave_interval(double *theta, jlt_stepper *stepper, unsigned state, double end, int side)
@@ -155,11 +188,9 @@ static jlt_status leave_interval(double *theta, jlt_stepper *stepper, unsigned s
     return isfinite(end) ? jlt_edge_first_zero(theta, stepper, &event, side) : JLT_OK;
 }
 
-/* A condition w as a function of the states. With a unit u it is w/(1 + (w/u)^2), which has no poles, but zeros in their place. */
 typedef struct {
     const jlt_stepper *stepper;
     unsigned index;
-    double unit; /* 0: none */
 } condition;
 
 static double condition_value(void *context, const double *x)
@@ -169,8 +200,7 @@ static double condition_value(void *context, const double *x)
     double values[JLT_REGION_CONDITIONS_MAX];
 
     domain->values(x, domain->p, values);
-    const double w = values[self->index];
-    return self->unit > 0 ? 1 / (1 / w + w / self->unit / self->unit) : w;
+    return values[self->index];
 }
 
 static double condition_rate(void *context, const double *x, const double *f)
@@ -179,12 +209,7 @@ static double condition_rate(void *context, const double *x, const double *f)
     const jlt_domain *domain = &self->stepper->field->domain;
 
     domain->gradients(x, domain->p, self->stepper->gradients);
-    const double rate = along(self->stepper->gradients + self->index * domain->states, f, domain->states);
-    if (!(self->unit > 0)) return rate;
-    double values[JLT_REGION_CONDITIONS_MAX];
-    domain->values(x, domain->p, values);
-    const double grown = values[self->index] / self->unit, share = 1 / (1 + grown * grown);
-    return rate * share * (2 * share - 1);
+    return along(self->stepper->gradients + self->index * domain->states, f, domain->states);
 }
 
 /* The rates of an event's function, in units of the step, at its start and at its end. */
@@ -213,14 +238,6 @@ static bool stands_still(const jlt_stepper *stepper, const jlt_event *event, dou
     if (w0 < w1 || w0 > w1) return false;
     rates(rate, stepper, event);
     return rate[0] == 0 && rate[1] == 0;
-}
-
-static double value_at(const jlt_stepper *stepper, const jlt_event *event, double theta)
-{
-    double x[JLT_FIELD_DIM_MAX + 1];
-
-    jlt_stepper_values(stepper, jlt_smaller(theta, 1), x);
-    return jlt_locate_value(event, x);
 }
 
 /* Whether a step's polynomial is above zero by more than it varies, as seen at both ends and at two places between: a cubic
@@ -266,23 +283,15 @@ jlt_event_least jlt_edge_least_after(const jlt_stepper *stepper, const jlt_event
     return (jlt_event_least){ value_at(stepper, event, low), jlt_smaller(low, 1) };
 }
 
-/* As jlt_edge_first_loss, for a condition. Beside a pole its polynomial is far from it, and has zeros where it has none, neither
- * relative to the step's start nor to the step: the condition is then taken in units of its value at the start. */
-static jlt_status leave_condition(double *theta, jlt_stepper *stepper, unsigned index)
+static jlt_status leave_conditions(double *theta, jlt_stepper *stepper)
 {
-    condition one = { stepper, index, 0 };
-    const jlt_event event = { .value = condition_value, .rate = condition_rate, .context = &one };
-    const double before = jlt_locate_value(&event, stepper->x_start);
-    double left = INFINITY;
+    jlt_status st = JLT_OK;
 
-    JLT_PASS(jlt_edge_first_loss(&left, stepper, &event));
-    if (left < INFINITY && value_at(stepper, &event, left) > jlt_larger(before / 2, rounding * value_at(stepper, &event, 0.5))) {
-        one.unit = before;
-        left = INFINITY;
-        JLT_PASS(jlt_edge_first_loss(&left, stepper, &event));
+    for (unsigned k = 0; st == JLT_OK && k < stepper->field->domain.conditions; k++) {
+        condition one = { stepper, k };
+        st = jlt_edge_first_loss(theta, stepper, &(jlt_event){ .value = condition_value, .rate = condition_rate, .context = &one });
     }
-    *theta = jlt_smaller(left, *theta);
-    return JLT_OK;
+    return st;
 }
 
 jlt_status jlt_edge_left(double *theta, jlt_stepper *stepper)
@@ -299,8 +308,7 @@ jlt_status jlt_edge_left(double *theta, jlt_stepper *stepper)
         JLT_PASS(leave_interval(theta, stepper, i, domain->intervals[i].low, 1));
         JLT_PASS(leave_interval(theta, stepper, i, domain->intervals[i].high, -1));
     }
-    for (unsigned k = 0; k < domain->conditions; k++) JLT_PASS(leave_condition(theta, stepper, k));
-    return JLT_OK;
+    return leave_conditions(theta, stepper);
 }
 
 jlt_status jlt_edge_find(double *theta, jlt_stepper *stepper)
