@@ -1,5 +1,6 @@
 /* ttc, the term-table compiler: command line and dispatch. */
 #include "base/exhaustion.h"
+#include "base/options.h"
 #include "base/output.h"
 #include "challenge/challenge.h"
 #include "command/command.h"
@@ -246,8 +247,8 @@ static int run_command(const command *chosen, int argc, char **argv)
     argv[1] = name;
     argp_err_exit_status = TTC_EXIT_USAGE;
     setenv("ARGP_HELP_FMT", "no-dup-args-note", 0); /* the note is about short options, which help here does not show with values */
-    if (argp_parse(&argp, argc - 1, argv + 1, 0, NULL, &options) == 0) status = chosen->run(&options);
-    status = flushed(status);
+    ttc_options_parse(&argp, argc - 1, argv + 1, &options);
+    status = flushed(chosen->run(&options));
 done:
     free(options.files);
     free(help);

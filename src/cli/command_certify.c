@@ -1,4 +1,5 @@
 /* `jellett certify`: proves an orbit, or what a family of equilibria excludes, and writes the certificate. */
+#include "base/options.h"
 #include "cli/certify_orbit.h"
 #include "cli/certify_family.h"
 #include "cli/certify_given.h"
@@ -44,7 +45,7 @@ static const struct argp_option option_table[] = {
     { "box", BOX, "NAME=LOW:HIGH|VALUE,...", 0,
       "Ranges, or values, of the parameters and of all states that the family leaves free", 1 },
     { "limit", LIMIT, "N", 0, "Cut the box of a family into at most N parts; default 100000", 1 },
-    { "spread", SPREAD, "NAME=RADIUS,...", 0,
+    { "spread", SPREAD, "NAME=RADIUS,...", TTC_OPTIONS_REPEATED,
       "Prove it for all values of these parameters and levels, and of states where motions to a pole begin, that are within "
       "RADIUS of the given ones", 1 },
     { 0 },
@@ -328,7 +329,7 @@ static jlt_exit run(int argc, char **argv)
 
     jlt_motion_begin(&o.motion, argc, argv);
     o.motion.flow.tolerance = tolerance;
-    argp_parse(&parser, argc, argv, 0, NULL, &o);
+    ttc_options_parse(&parser, argc, argv, &o);
     o.watch = jlt_certify_watch(&progress);
     code = find_question(&given, &d, &system, &o);
     if (code == JLT_EXIT_DONE) certificate = jlt_certificate_make(&report, o.kind, given, d, &o.watch);

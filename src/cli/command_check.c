@@ -1,4 +1,5 @@
 /* `jellett check`: replays the proofs of certificates. */
+#include "base/options.h"
 #include "cli/certify_given.h"
 #include "cli/common.h"
 #include "cli/table.h"
@@ -96,7 +97,7 @@ static jlt_exit run(int argc, char **argv)
     jlt_exit code = JLT_EXIT_DONE;
     options o = { 0 };
 
-    argp_parse(&parser, argc, argv, 0, NULL, &o);
+    ttc_options_parse(&parser, argc, argv, &o);
     if (o.model != NULL) code = jlt_table_open(&own, &has_said, o.model, false);
     if (code != JLT_EXIT_DONE) return code;
     if (!has_said) jlt_command_warn_unproved(own);

@@ -1,4 +1,5 @@
 /* `jellett continue`: follows a periodic orbit in a parameter or level, with its bifurcations. */
+#include "base/options.h"
 #include "cli/motion_family.h"
 #include "cli/orbit_columns.h"
 #include "cli/orbit_losses.h"
@@ -359,7 +360,7 @@ static jlt_exit run(int argc, char **argv)
 
     jlt_motion_begin(&o.motion, argc, argv);
     o.motion.flow.tolerance = 1e-13;
-    argp_parse(&parser, argc, argv, 0, NULL, &o);
+    ttc_options_parse(&parser, argc, argv, &o);
     if (jlt_swept_done(&code, &swept, &o.motion.common)) return code;
     if (o.motion.flow.max_steps == 0) o.motion.flow.max_steps = 20000;
     JLT_PASS(jlt_motion_system(&system, &o.motion));

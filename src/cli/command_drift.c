@@ -1,4 +1,5 @@
 /* `jellett drift`: how far integrals drift along an orbit, by every method. */
+#include "base/options.h"
 #include "cli/interrupt.h"
 #include "cli/motion_many.h"
 #include "cli/progress.h"
@@ -364,7 +365,7 @@ static jlt_exit run(int argc, char **argv)
     jlt_motion_begin(&o.motion, argc, argv);
     jlt_motion_many_begin(&o.motion);
     o.motion.looks_at_integrals = true;
-    argp_parse(&parser, argc, argv, 0, NULL, &o);
+    ttc_options_parse(&parser, argc, argv, &o);
     if (jlt_swept_done(&code, &swept, &o.motion.common)) return code;
     JLT_PASS(jlt_motion_system(&system, &o.motion));
     r.drift = (jlt_drift){ .system = system, .returns = o.returns };

@@ -1,4 +1,5 @@
 /* `jellett eigen`: reports on an equilibrium, its matrix, characteristic polynomial, eigenvalues and stability. */
+#include "base/options.h"
 #include "cli/eigen.h"
 
 #include "kernel/descriptor.h"
@@ -8,7 +9,8 @@
 enum { KEY_FIND = 256, KEY_SWEEP, KEY_DIGITS, KEY_FAST, KEY_THREADS };
 
 static const struct argp_option option_table[] = {
-    { "at", 'a', "STATE=VALUE,...", 0, "States of the equilibrium. States not named follow from its family, or are zero", 1 },
+    { "at", 'a', "STATE=VALUE,...", TTC_OPTIONS_REPEATED,
+      "States of the equilibrium. States not named follow from its family, or are zero", 1 },
     { "find", KEY_FIND, NULL, 0, "Take the states as a guess, and find an equilibrium nearby by Newton's method", 1 },
     { "sweep", KEY_SWEEP, "STATE|PARAM=LOW:HIGH:COUNT,...", 0,
       "Write one row for each point of a grid in these states or parameters", 1 },
@@ -182,7 +184,7 @@ static jlt_exit run(int argc, char **argv)
     jlt_exit code;
 
     jlt_common_begin(&request.common, argc, argv);
-    argp_parse(&parser, argc, argv, 0, NULL, &request);
+    ttc_options_parse(&parser, argc, argv, &request);
     code = prepare(&request);
     if (code == JLT_EXIT_DONE) code = request.axis_count > 0 ? jlt_eigen_sweep(&request) : single(&request);
     free(request.params);

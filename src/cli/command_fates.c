@@ -1,4 +1,5 @@
 /* `jellett fates`: how orbits of a section end, and the shares of each fate in a sweep. */
+#include "base/options.h"
 #include "cli/fates_crowd.h"
 #include "cli/fates_table.h"
 #include "cli/motion_family.h"
@@ -19,7 +20,8 @@ typedef struct {
 enum { SWEEP = 2000 };
 
 static const struct argp_option option_table[] = {
-    { "start", 'a', "NAME=VALUE,...", 0, "A start on the section: a value for every coordinate; may be repeated", 1 },
+    { "start", 'a', "NAME=VALUE,...", TTC_OPTIONS_REPEATED,
+      "A start on the section: a value for every coordinate; may be repeated", 1 },
     { "grid", 'g', "COUNTxCOUNT", 0,
       "A grid of starts over the whole section, or over NAME=LOW:HIGH:COUNT,...; for the spherical top 60x40 by default, "
       "where there is no --start", 1 },
@@ -257,7 +259,7 @@ static jlt_exit run(int argc, char **argv)
 
     jlt_motion_begin(&o.motion, argc, argv);
     jlt_motion_many_begin(&o.motion);
-    argp_parse(&parser, argc, argv, 0, NULL, &o);
+    ttc_options_parse(&parser, argc, argv, &o);
     const bool sweeps = o.motion.common.own_sweep != NULL;
     jlt_motion_many_choose(&o.motion, o.motion.grid != NULL || o.motion.start_count != 1 || sweeps, false);
     o.motion.other = default_grid;

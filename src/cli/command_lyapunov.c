@@ -1,4 +1,5 @@
 /* `jellett lyapunov`: Lyapunov exponents of an orbit with their convergence, or a chart of finite-time exponents. */
+#include "base/options.h"
 #include "cli/lyapunov_chart.h"
 #include "cli/lyapunov_losses.h"
 #include "cli/progress.h"
@@ -320,7 +321,7 @@ static void *begin(jlt_exit *code, int argc, char **argv)
     self->lost = JLT_LYAPUNOV_HELD;
     jlt_motion_begin(&o->motion, argc, argv);
     o->motion.flow.method = NULL;
-    argp_parse(&parser, argc, argv, 0, NULL, o);
+    ttc_options_parse(&parser, argc, argv, o);
     if (jlt_swept_done(code, &swept, &o->motion.common)) goto done;
     const bool has_method = o->motion.flow.method != NULL;
     if (!has_method) o->motion.flow.method = jlt_method_find(NULL);

@@ -1,4 +1,5 @@
 /* `jellett manifolds`: separatrices of a saddle, homoclinic points, their angles and lobes. */
+#include "base/options.h"
 #include "cli/interrupt.h"
 #include "cli/motion_many.h"
 #include "cli/swept.h"
@@ -247,7 +248,7 @@ static jlt_exit run(int argc, char **argv)
     jlt_motion_begin(&o.motion, argc, argv);
     o.motion.flow.tolerance = 1e-13;
     jlt_motion_many_begin(&o.motion);
-    argp_parse(&parser, argc, argv, 0, NULL, &o);
+    ttc_options_parse(&parser, argc, argv, &o);
     o.motion.common.lanes = o.motion.flow.method == NULL;
     if (jlt_swept_done(&code, &swept, &o.motion.common)) return code;
     if (o.motion.flow.method == NULL) o.motion.flow.method = jlt_method_find(NULL);

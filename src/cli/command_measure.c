@@ -1,5 +1,6 @@
 /* `jellett measure`: the density of an invariant measure, from the divergence alone, or what excludes one. */
 #include "analysis/measure.h"
+#include "base/options.h"
 #include "cli/plot.h"
 #include "cli/swept.h"
 #include "core/digits.h"
@@ -297,7 +298,7 @@ static jlt_exit run(int argc, char **argv)
     jlt_exit code = JLT_EXIT_NUMERICAL;
 
     jlt_common_begin(&r.common, argc, argv);
-    argp_parse(&parser, argc, argv, 0, NULL, &r);
+    ttc_options_parse(&parser, argc, argv, &r);
     if (jlt_swept_done(&code, &swept, &r.common)) goto done;
     if (f == NULL) {
         code = jlt_command_no_memory();

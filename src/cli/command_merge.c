@@ -6,6 +6,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "base/options.h"
 #include "cli/column_map.h"
 #include "cli/merged.h"
 #include "cli/study.h"
@@ -23,7 +24,7 @@ typedef struct {
 } options;
 
 static const struct argp_option option_table[] = {
-    { "output", 'o', "FILE", 0,
+    { "output", 'o', "FILE", TTC_OPTIONS_REPEATED,
       "Write FILE.csv, FILE.npy (a structured array for numpy.load) or FILE.sqlite; may be repeated; default CSV on "
       "standard output", 0 },
     { 0 },
@@ -359,7 +360,7 @@ static jlt_exit run(int argc, char **argv)
     jlt_exit code;
 
     if (o.places == NULL) return jlt_command_no_memory();
-    argp_parse(&parser, argc, argv, 0, NULL, &o);
+    ttc_options_parse(&parser, argc, argv, &o);
     code = check_outputs(&o);
     if (code == JLT_EXIT_DONE) code = find_files(&files, &o);
     if (code == JLT_EXIT_DONE) code = merge_files(&self, &files);

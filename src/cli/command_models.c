@@ -1,4 +1,5 @@
 /* `jellett models`: lists the built-in models with their kernels, and the user's tables in the working directory. */
+#include "base/options.h"
 #include "cli/table.h"
 
 #include "kernel/descriptor.h"
@@ -269,7 +270,7 @@ static jlt_exit run(int argc, char **argv)
     jlt_command_output output;
     json_t *all = NULL;
 
-    argp_parse(&parser, argc, argv, 0, NULL, &o);
+    ttc_options_parse(&parser, argc, argv, &o);
     if (jlt_command_open(&output) != JLT_OK)
         return jlt_command_no_memory();
     if (o.json) all = json_array();

@@ -1,4 +1,5 @@
 /* `jellett orbits`: finds periodic orbits of the return map, with multipliers, type, symmetry and residual. */
+#include "base/options.h"
 #include "cli/interrupt.h"
 #include "cli/motion.h"
 #include "cli/orbit_columns.h"
@@ -346,7 +347,7 @@ static jlt_exit run(int argc, char **argv)
 
     jlt_motion_begin(&o.motion, argc, argv);
     o.motion.flow.tolerance = 1e-13;
-    argp_parse(&parser, argc, argv, 0, NULL, &o);
+    ttc_options_parse(&parser, argc, argv, &o);
     if (jlt_swept_done(&code, &swept, &o.motion.common)) return code;
     common->lanes = o.motion.starts[0] == NULL;
     if (!searches_nowhere(&o)) o.motion.grid = o.grid;

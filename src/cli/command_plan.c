@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/options.h"
 #include "cli/common.h"
 #include "cli/interrupt.h"
 #include "cli/job.h"
@@ -17,7 +18,8 @@ typedef struct {
 } options;
 
 static const struct argp_option option_table[] = {
-    { "set", 's', "PARAM=VALUE,...", 0, "Values of parameters in place of the scene's, in all of its commands", 0 },
+    { "set", 's', "PARAM=VALUE,...", TTC_OPTIONS_REPEATED,
+      "Values of parameters in place of the scene's, in all of its commands", 0 },
     { 0 },
 };
 
@@ -122,7 +124,7 @@ static jlt_exit run(int argc, char **argv)
 
     const jlt_command *command = argc > 1 ? jlt_command_find(argv[1]) : NULL;
     if (command != NULL) return plan_command(command, argc - 1, argv + 1);
-    argp_parse(&parser, argc, argv, 0, NULL, &o);
+    ttc_options_parse(&parser, argc, argv, &o);
     if (o.scene == NULL) {
         print_tiers();
         return JLT_EXIT_DONE;

@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "base/options.h"
 #include "cli/common.h"
 #include "cli/interrupt.h"
 #include "cli/job.h"
@@ -23,7 +24,8 @@ enum { DRY = 1000 };
 
 static const struct argp_option option_table[] = {
     { "into", 'C', "FOLDER", 0, "Write the scene's files to FOLDER; default the current folder", 0 },
-    { "set", 's', "PARAM=VALUE,...", 0, "Values of parameters in place of the scene's, in all of its commands", 0 },
+    { "set", 's', "PARAM=VALUE,...", TTC_OPTIONS_REPEATED,
+      "Values of parameters in place of the scene's, in all of its commands", 0 },
     { "dry-run", DRY, NULL, 0, "Show the commands, but run none", 0 },
     { 0 },
 };
@@ -146,7 +148,7 @@ static jlt_exit run(int argc, char **argv)
     jlt_scene *scene = NULL;
     int ending = 0;
 
-    argp_parse(&parser, argc, argv, 0, NULL, &o);
+    ttc_options_parse(&parser, argc, argv, &o);
     JLT_PASS(jlt_job_open(&scene, o.scene));
     jlt_exit code = scene->over == NULL ? jlt_job_set(scene, &o.set)
                                         : jlt_command_fail(JLT_EXIT_INPUT,

@@ -1,4 +1,5 @@
 /* `jellett section`: returns of orbits to a section, with fates and a picture. */
+#include "base/options.h"
 #include "cli/section_run.h"
 #include "cli/shelf.h"
 #include "cli/swept.h"
@@ -9,7 +10,8 @@
 enum { SKIP = 2000, BACKWARD, CHECK, PROJECT };
 
 static const struct argp_option option_table[] = {
-    { "start", 'a', "NAME=VALUE,...", 0, "A start on the section: a value for every coordinate; may be repeated", 1 },
+    { "start", 'a', "NAME=VALUE,...", TTC_OPTIONS_REPEATED,
+      "A start on the section: a value for every coordinate; may be repeated", 1 },
     { "grid", 'g', "COUNTxCOUNT", 0,
       "A grid of starts over the whole section, or over NAME=LOW:HIGH:COUNT,...; points where no state has the levels are "
       "left out", 1 },
@@ -129,7 +131,7 @@ static void *begin(jlt_exit *code, int argc, char **argv)
     o->time_direction = 1;
     jlt_motion_begin(&o->motion, argc, argv);
     jlt_motion_many_begin(&o->motion);
-    argp_parse(&parser, argc, argv, 0, NULL, o);
+    ttc_options_parse(&parser, argc, argv, o);
     jlt_motion_many_choose(&o->motion, jlt_section_run_is_of_many(o), o->project);
     if (jlt_swept_done(code, &swept, &o->motion.common)) goto done;
     *code = jlt_motion_system(&self->system, &o->motion);

@@ -1,4 +1,5 @@
 /* `jellett separation`: whether attractor and repeller are apart, from the cells that orbits visit in both directions of time. */
+#include "base/options.h"
 #include "cli/motion_many.h"
 #include "cli/swept.h"
 #include "core/memory.h"
@@ -144,7 +145,7 @@ static jlt_exit run(int argc, char **argv)
     jlt_motion_begin(&o.motion, argc, argv);
     o.motion.grid = "24x16";
     jlt_motion_many_begin(&o.motion);
-    argp_parse(&parser, argc, argv, 0, NULL, &o);
+    ttc_options_parse(&parser, argc, argv, &o);
     jlt_motion_many_choose(&o.motion, true, false);
     if (jlt_swept_done(&code, &swept, &o.motion.common)) return code;
     JLT_PASS(jlt_motion_system(&system, &o.motion));

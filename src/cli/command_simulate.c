@@ -1,4 +1,5 @@
 /* `jellett simulate`: one orbit at given times, with drifts of integrals and observed quantities. */
+#include "base/options.h"
 #include "cli/simulate.h"
 
 #include <math.h>
@@ -356,7 +357,7 @@ static jlt_exit run(int argc, char **argv)
     jlt_exit code;
 
     jlt_session_begin(&r.session, argc, argv);
-    argp_parse(&parser, argc, argv, 0, NULL, &r);
+    ttc_options_parse(&parser, argc, argv, &r);
     if (jlt_swept_done(&code, &swept, &r.session.common)) goto done;
     code = jlt_session_open(&r.session);
     if (code == JLT_EXIT_DONE && asks_larger(&r)) code = jlt_session_look_at_larger(&r.session);

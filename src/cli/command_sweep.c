@@ -9,6 +9,7 @@
 #include <omp.h>
 #endif
 
+#include "base/options.h"
 #include "cli/common.h"
 #include "cli/interrupt.h"
 #include "cli/progress.h"
@@ -39,7 +40,8 @@ static const struct argp_option option_table[] = {
       "Compute only shard I of N, I from 1 to N. /N: take I from the environment, where GNU parallel and "
       "PMIx set it. Default: take I and N from there, where Slurm, Open MPI, and other MPIs by PMI set both; otherwise 1/1", 0 },
     { "resume", RESUME, NULL, 0, "Continue where the shard's file ends; if there is none, begin", 0 },
-    { "set", 's', "PARAM=VALUE,...", 0, "Values of parameters in place of the scene's", 0 },
+    { "set", 's', "PARAM=VALUE,...", TTC_OPTIONS_REPEATED,
+      "Values of parameters in place of the scene's", 0 },
     { "dry-run", DRY, NULL, 0, "Show the command of every piece of the shard, but run none", 0 },
     { 0 },
 };
@@ -352,7 +354,7 @@ static jlt_exit run(int argc, char **argv)
     char message[JLT_RANK_TEXT_MAX];
     jlt_exit code;
 
-    argp_parse(&parser, argc, argv, 0, NULL, &o);
+    ttc_options_parse(&parser, argc, argv, &o);
 #if defined(_OPENMP)
     if (getenv("OMP_NUM_THREADS") == NULL) omp_set_num_threads(1); /* one process for each processor is expected */
 #endif

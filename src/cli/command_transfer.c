@@ -1,4 +1,5 @@
 /* `jellett transfer`: transfer operators of the return map, their stationary densities, escape rates, and sets that mix slowly. */
+#include "base/options.h"
 #include "cli/motion_many.h"
 #include "cli/motion_map.h"
 #include "cli/progress.h"
@@ -351,7 +352,7 @@ static jlt_exit run(int argc, char **argv)
 
     jlt_motion_begin(&o.motion, argc, argv);
     jlt_motion_many_begin(&o.motion);
-    argp_parse(&parser, argc, argv, 0, NULL, &o);
+    ttc_options_parse(&parser, argc, argv, &o);
     if (jlt_swept_done(&code, &swept, &o.motion.common)) return code;
     jlt_motion_many_choose(&o.motion, true, false);
     o.motion.seed = o.seed;

@@ -1,4 +1,5 @@
 /* `jellett verify`: proves the model's claims, and compares them with what the compiled kernels compute. */
+#include "base/options.h"
 #include "claims/sample.h"
 #include "claims/verify.h"
 #include "cli/common.h"
@@ -260,7 +261,7 @@ static jlt_exit run(int argc, char **argv)
     jlt_command_output output = { 0 };
     const volatile sig_atomic_t *interrupt = NULL;
 
-    argp_parse(&parser, argc, argv, 0, NULL, &r);
+    ttc_options_parse(&parser, argc, argv, &r);
     bool has_said;
     JLT_PASS(jlt_table_open(&v->descriptor, &has_said, r.model, false));
     v->file = jlt_table_is_file(r.model) ? r.model : NULL;

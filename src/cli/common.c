@@ -8,6 +8,7 @@
 #include <omp.h>
 #endif
 
+#include "base/options.h"
 #include "cli/grid.h"
 #include "cli/merged.h"
 #include "cli/plot.h"
@@ -21,7 +22,7 @@ enum { METHOD = 1000, KEEP, PLAN, AT };
 
 static const struct argp_option common_table[] = {
     { NULL, 0, NULL, 0, "The system:", 10 },
-    { "set", 's', "PARAM=VALUE,...", 0,
+    { "set", 's', "PARAM=VALUE,...", TTC_OPTIONS_REPEATED,
       "Values of parameters (1/3, 0.51, 1e-3). The others have the table's defaults, which `jellett models MODEL` shows; "
       "those of the spherical top are (5.1) of the paper", 10 },
     { "@plan", PLAN, NULL, OPTION_HIDDEN, NULL, 12 },
@@ -95,7 +96,6 @@ static error_t parse_files(int key, char *value, struct argp_state *state)
     case 'o':
         if (jlt_merged_known(&kind, value) && kind == JLT_MERGED_SQLITE)
             argp_error(state, "--output: '%s' would be a database, which 'jellett merge' alone writes: name a .csv or .npy", value);
-        if (self->output != NULL) argp_error(state, "--output is given twice: a command writes one table");
         self->output = value;
         return 0;
     case 'p':

@@ -54,7 +54,8 @@ void jlt_common_no_table(const jlt_common *self, const struct argp_state *state,
  *  first member of that, is the jlt_common. Returns 0. */
 error_t jlt_common_inputs(struct argp_state *state, const struct argp_child *children);
 
-/** Set defaults, and keep the command line for headers of files. Call it before argp_parse, with the same argv; call _end last. */
+/** Set defaults, and keep the command line for headers of files. Call it before ttc_options_parse, with the same argv; call _end
+ *  last. */
 void jlt_common_begin(jlt_common *self, int argc, char **argv);
 void jlt_common_end(jlt_common *self);
 

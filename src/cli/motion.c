@@ -3,13 +3,14 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/options.h"
 #include "cli/interrupt.h"
 #include "dynamics/scale.h"
 
 enum { SECTION = 1100, SOLVE, MODULO, MIRROR, CONTACT, AT, MAX_STEPS };
 
 static const struct argp_option option_table[] = {
-    { "level", 'l', "LEVEL=VALUE,...", 0,
+    { "level", 'l', "LEVEL=VALUE,...", TTC_OPTIONS_REPEATED,
       "Values of integrals. On a section that tables describe, integrals not named here have the defaults of its tables. "
       "With --section STATE=VALUE: integrals that the table claims; --solve says which states they determine", 10 },
     { "section", SECTION, "STATE=VALUE|NAME", 0,

@@ -45,9 +45,9 @@ extern const struct argp jlt_motion_argp, jlt_motion_certificate_argp; /* the la
 /* A child parser of --contact, with the same input, for commands that look at the model's conditions. */
 extern const struct argp jlt_contact_argp;
 
-/** Set defaults and install the handler of Ctrl-C. Call it before argp_parse, with the same argv, and _end last, with the options
- *  or a structure whose first member they are, as JLT_CLEARED does; they must not move in between. Ends the program where memory is
- *  out. */
+/** Set defaults and install the handler of Ctrl-C. Call it before ttc_options_parse, with the same argv, and _end last, with the
+ *  options or a structure whose first member they are, as JLT_CLEARED does; they must not move in between. Ends the program where
+ *  memory is out. */
 void jlt_motion_begin(jlt_motion_options *options, int argc, char **argv);
 void jlt_motion_end(void *place);
 

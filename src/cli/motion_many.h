@@ -1,5 +1,6 @@
 /** For commands that follow many orbits at once, several in the lanes of one vector and on several threads. The calls, in order:
- *  jlt_motion_many_begin, argp_parse, jlt_motion_many_choose, jlt_motion_system, jlt_motion_many_settle, jlt_motion_many_open. */
+ *  jlt_motion_many_begin, ttc_options_parse, jlt_motion_many_choose, jlt_motion_system, jlt_motion_many_settle,
+ *  jlt_motion_many_open. */
 #ifndef JLT_CLI_MOTION_MANY_H
 #define JLT_CLI_MOTION_MANY_H
 

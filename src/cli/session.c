@@ -1,12 +1,13 @@
 #include "cli/session.h"
 
+#include "base/options.h"
 #include "cli/interrupt.h"
 #include "cli/table.h"
 #include "core/memory.h"
 #include "kernel/descriptor.h"
 
 static const struct argp_option option_table[] = {
-    { "start", 'a', "STATE=VALUE,...", 0, "The start: a value for every state of the model", 10 },
+    { "start", 'a', "STATE=VALUE,...", TTC_OPTIONS_REPEATED, "The start: a value for every state of the model", 10 },
     { 0 },
 };
 

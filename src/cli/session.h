@@ -23,8 +23,8 @@ typedef struct {
 /* A child parser of --start and the options of common.h; its input is a jlt_session. */
 extern const struct argp jlt_session_argp;
 
-/** Set defaults and install the handler of Ctrl-C. Call it before argp_parse, with the same argv, and _end last, with the session
- *  or a structure whose first member it is, as JLT_CLEARED does; it must not move in between. */
+/** Set defaults and install the handler of Ctrl-C. Call it before ttc_options_parse, with the same argv, and _end last, with the
+ *  session or a structure whose first member it is, as JLT_CLEARED does; it must not move in between. */
 void jlt_session_begin(jlt_session *self, int argc, char **argv);
 void jlt_session_end(void *place);
 

@@ -24,7 +24,6 @@ static error_t parse(int key, char *value, struct argp_state *state)
     jlt_common *common = state->input;
 
     if (key != SWEEP) return ARGP_ERR_UNKNOWN;
-    if (common->sweep != NULL) argp_error(state, "--sweep is given twice: name all that runs in one, NAME=LOW:HIGH:COUNT,...");
     common->sweep = value;
     return 0;
 }

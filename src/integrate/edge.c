@@ -8,6 +8,7 @@
 
 enum { SAMPLES = 16, BISECTIONS = 60 };
 static const double ahead = 1e-8; /* part of |tau|: half of its digits */
+static const double rounding = 1e-9; /* a function is this far from 0 at its zeros at most, in units of it elsewhere */
 
 /* How far x is from where it counts as being at an end of its interval, which may be infinite. */
 static double margin(double x, double end, double side)
@@ -38,7 +39,8 @@ static double least_of_intervals(const jlt_stepper *stepper, const double *x)
     return least;
 }
 
-/* The least value of a condition, in units of what it is at the step's start. */
+/* The least value of a condition, in units of what it is at the step's start. At its pole the domain ends as well: what has grown
+ * counts by its inverse. */
 static double least_of_conditions(const jlt_stepper *stepper, const double *x)
 {
     const jlt_domain *domain = &stepper->field->domain;
@@ -48,7 +50,7 @@ static double least_of_conditions(const jlt_stepper *stepper, const double *x)
     domain->values(stepper->x_start, domain->p, before);
     domain->values(x, domain->p, here);
     for (unsigned k = 0; k < domain->conditions; k++) {
-        const double value = before[k] > 0 ? here[k] / before[k] : here[k];
+        const double grown = before[k] > 0 ? here[k] / before[k] : here[k], value = grown > 1 ? 1 / grown : grown;
         if (!(value >= least)) least = value;
     }
     return least;
@@ -135,15 +137,48 @@ bool jlt_edge_ahead(jlt_edge_part *out, const jlt_stepper *stepper)
     return first < INFINITY;
 }
 
+static double value_at(const jlt_stepper *stepper, const jlt_event *event, double theta)
+{
+    double x[JLT_FIELD_DIM_MAX + 1];
+
+    jlt_stepper_values(stepper, jlt_smaller(theta, 1), x);
+    return jlt_locate_value(event, x);
+}
+
+/* The first place in the step where the sign of an event's function is not `side`, as far as samples tell; INFINITY: none. */
+static double first_change(const jlt_stepper *stepper, const jlt_event *event, int side)
+{
+    double low = 0, high = INFINITY;
+
+    for (int k = 1; k <= SAMPLES && high > 1; k++) {
+        const double at = (double)k / SAMPLES;
+        *(side * value_at(stepper, event, at) > 0 ? &low : &high) = at;
+    }
+    for (int k = 0; k < BISECTIONS && high <= 1; k++) {
+        const double middle = low + (high - low) / 2;
+        *(side * value_at(stepper, event, middle) > 0 ? &low : &high) = middle;
+    }
+    return high;
+}
+
+/* Beside a pole the polynomial of a function is far from it, and has zeros where the function has none, neither relative to the
+ * step's start nor to the step. */
 jlt_status jlt_edge_first_zero(double *theta, jlt_stepper *stepper, const jlt_event *event, int side)
 {
     jlt_crossing list[JLT_CROSSINGS_MAX];
     jlt_watch watch = { .event = *event, .side = side };
     unsigned count;
-    const jlt_status st = jlt_watch_step(&watch, stepper, list, &count);
+    double first = INFINITY;
 
-    if (st == JLT_OK && count > 0) *theta = jlt_smaller(list[0].theta, *theta);
-    return st;
+    JLT_PASS(jlt_watch_step(&watch, stepper, list, &count));
+    if (count > 0) first = list[0].theta;
+    if (event->value != NULL && count > 0) {
+        const double before = fabs(jlt_locate_value(event, stepper->x_start)), within = fabs(value_at(stepper, event, 0.5));
+        const bool has_pole = fabs(value_at(stepper, event, first)) > jlt_larger(before / 2, rounding * within);
+        if (has_pole) first = first_change(stepper, event, side);
+    }
+    *theta = jlt_smaller(first, *theta);
+    return JLT_OK;
 }
 
 static jlt_status leave_interval(double *theta, jlt_stepper *stepper, unsigned state, double end, int side)
@@ -203,14 +238,6 @@ static bool stands_still(const jlt_stepper *stepper, const jlt_event *event, dou
     if (w0 < w1 || w0 > w1) return false;
     rates(rate, stepper, event);
     return rate[0] == 0 && rate[1] == 0;
-}
-
-static double value_at(const jlt_stepper *stepper, const jlt_event *event, double theta)
-{
-    double x[JLT_FIELD_DIM_MAX + 1];
-
-    jlt_stepper_values(stepper, jlt_smaller(theta, 1), x);
-    return jlt_locate_value(event, x);
 }
 
 /* Whether a step's polynomial is above zero by more than it varies, as seen at both ends and at two places between: a cubic

@@ -69,6 +69,7 @@ jlt_status jlt_locate_refine(jlt_crossing *crossing, double *x, double *slope_wo
     if (*theta == 0) lo = -jlt_larger(1, stepper->h_next / span), hi = 1; /* found as the orbit left the noise */
     double best = *theta, least = INFINITY;
     unsigned nudged = 0;
+    bool has_low = false, has_high = false; /* g has been seen to have its signs there */
 
     JLT_PASS(jlt_locate_state(event, stepper, *theta, x, f, &crossing->residual, &crossing->slope));
     if (crossing->direction == 0) return JLT_OK;
@@ -89,13 +90,14 @@ jlt_status jlt_locate_refine(jlt_crossing *crossing, double *x, double *slope_wo
             nudged++;
             continue;
         }
-        if (g * turn < 0) lo = *theta;
-        else hi = *theta;
+        const bool is_low = g * turn < 0;
+        *(is_low ? &lo : &hi) = *theta;
+        *(is_low ? &has_low : &has_high) = true;
         const double newton = *theta + move / stepper->h;
         *theta = downhill && newton > lo && newton < hi ? newton : 0.5 * (lo + hi);
-        /* A rounding-level tangency has no sign change; keep the point of smallest residual. */
+        /* A rounding-level tangency has no sign change; keep the point of smallest residual. A pole has one. */
         const bool closed = hi - lo <= DBL_EPSILON;
-        if (closed) *theta = best;
+        if (closed && !(has_low && has_high)) *theta = best;
         JLT_PASS(jlt_locate_state(event, stepper, *theta, x, f, &crossing->residual, &crossing->slope));
         if (closed) return JLT_OK;
     }

@@ -169,6 +169,19 @@ static jlt_status approach_edge(jlt_stepper *self, double theta)
     return JLT_ERR_DOMAIN;
 }
 
+/* Undo the last step if a kernel overflows at its end: one division of all denominators would make a rate of 0 of that. */
+static jlt_status stay_finite(jlt_stepper *self)
+{
+    jlt_guard guard;
+
+    if (fetestexcept(FE_OVERFLOW) == 0) return JLT_OK;
+    jlt_guard_enter(&guard);
+    jlt_field_rates(self->field, self->f, self->x);
+    const jlt_status st = jlt_guard_leave_finite(&guard);
+    if (st != JLT_OK) JLT_PASS(step_back(self));
+    return st;
+}
+
 /* Keep the last step if it stays in the domain, else replace it by a shorter one. On failure no step is taken. */
 static jlt_status stay_inside(jlt_stepper *self)
 {
@@ -186,6 +199,7 @@ jlt_status jlt_stepper_advance(jlt_stepper *self, double limit)
     static const double longest = 0x1p800; /* at rest the error control lengthens steps without end */
     const double tau = self->tau;
     jlt_status st = self->at_edge ? JLT_ERR_DOMAIN : self->method->step(self, jlt_smaller(limit, longest));
+    if (st == JLT_OK) st = stay_finite(self);
     if (st == JLT_OK) st = stay_inside(self);
     else if ((st == JLT_ERR_NONFINITE || st == JLT_ERR_NO_PROGRESS) && jlt_edge_is_ahead(self)) st = JLT_ERR_DOMAIN;
     if (st != JLT_OK) return st;

@@ -2,6 +2,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/options.h"
 #include "cli/planned.h"
 #include "cli/progress.h"
 #include "cli/swept.h"
@@ -45,7 +46,8 @@ typedef struct {
 } jlt_portrait_request;
 
 static const struct argp_option option_table[] = {
-    { "level", 'l', "E=VALUE,G=VALUE,F0=VALUE", 0, "Values of the three integrals; default those of --start", 1 },
+    { "level", 'l', "E=VALUE,G=VALUE,F0=VALUE", TTC_OPTIONS_REPEATED,
+      "Values of the three integrals; default those of --start", 1 },
     { "orbits", ORBITS, "N|0", 0, "Draw N orbits, followed forwards and backwards; default 60", 1 },
     { "until", UNTIL, "T", 0, "Follow orbits for this time each way, in the table's unit; default 20", 1 },
     { "trajectories", TRAJECTORIES, "FILE", 0, "Write the points of the orbits to FILE, as CSV", 1 },
@@ -374,7 +376,7 @@ static jlt_exit run(int argc, char **argv)
     jlt_exit code;
 
     jlt_session_begin(&r.session, argc, argv);
-    argp_parse(&parser, argc, argv, 0, NULL, &r);
+    ttc_options_parse(&parser, argc, argv, &r);
     if (jlt_swept_done(&code, &swept, &r.session.common)) return code;
     JLT_PASS(open_top(&r));
     JLT_PASS(read_levels(&r));

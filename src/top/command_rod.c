@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/options.h"
 #include "cli/grid.h"
 #include "cli/session.h"
 #include "kernel/descriptor.h"
@@ -247,7 +248,7 @@ static jlt_exit run(int argc, char **argv)
 
     jlt_session_begin(&r.session, argc, argv);
     r.session.tolerance = 1e-15;
-    argp_parse(&parser, argc, argv, 0, NULL, &r);
+    ttc_options_parse(&parser, argc, argv, &r);
     JLT_PASS(jlt_session_open(&r.session));
     if (jlt_descriptor_param(r.session.descriptor, "I3", &I3)) {
         const char *given = jlt_assign_fraction(&r.session.common.set, "I3");

@@ -7,13 +7,15 @@ trap 'rm -rf "$scratch"' EXIT
 status=0
 fail() { echo "$*"; status=1; }
 
-refused() { # TEXT COMMAND...: with status 3, and this text
-    local text=$1 code
-    shift
+with_status() { # STATUS TEXT COMMAND...
+    local wanted=$1 text=$2 code
+    shift 2
     timeout 10 "$@" > "$scratch/out" 2> "$scratch/err"
     code=$?
-    [ $code -eq 3 ] && grep -qF -- "$text" "$scratch/err" || fail "$*: status $code, says '$(cat "$scratch/err")'"
+    [ $code -eq "$wanted" ] && grep -qF -- "$text" "$scratch/err" || fail "$*: status $code, says '$(cat "$scratch/err")'"
 }
+refused() { with_status 3 "$@"; } # TEXT COMMAND...
+twice() { with_status 2 "--$1 is given twice, as '$2' and as '$3'" "${@:4}"; } # OPTION VALUE VALUE COMMAND...
 refused "--set: 'a3' is given twice" jellett measure --set a3=1,a3=2
 refused "--set: 'a3' is given twice" jellett measure --set a3=1 --set a3=1
 refused "--at: 'gamma3' is given twice" jellett eigen --at gamma3=0.1,gamma3=0.2
@@ -26,6 +28,15 @@ for number in 0x10 0X1F 0b11; do
     printf 'compute = ( { what = "section";\n grid = "2x2"; returns = %s; } );\n' $number > "$scratch/s.scene"
     refused "s.scene:2: error: " jellett run "$scratch/s.scene"
 done
+# An option with one value is not overridden by its second: however spelled, by every program, also where nothing else is computed.
+twice tol 1e-8 1e-9 jellett simulate --start x=1,y=1,z=1 lorenz -t 1e-8 --times 1 --to=1e-9
+twice times 1 2 jellett simulate lorenz --start x=1,y=1,z=1 --times 1 --times 2
+twice section z=27 z=20 jellett plan section lorenz --section z=27 --section z=20
+twice start gamma3=0.1 gamma3=0.1 jellett certify pole --start gamma3=0.1 --start gamma3=0.1
+twice reference a b jellett bench section --reference a --reference b
+twice when g=1 g=2 ttc discover --when g=1 --when g=2 "$JLT_SOURCE_DIR/codegen/models/lorenz.tt"
+jellett simulate lorenz --start x=1 --start y=1,z=1 --times 0 > "$scratch/out" || fail "the values of --start do not add up"
+[ "$(grep -c alive "$scratch/out")" -eq 1 ] || fail "the values of --start do not add up"
 
 start=gamma3=0.2,v_nu=0.6,omega_tau=0.4,omega_n=1,omega3=0
 rows() { grep -v '^#' "$scratch/out" | tail -n +2 | cut -d, -f1 | tr '\n' ' '; }

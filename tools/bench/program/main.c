@@ -1,4 +1,5 @@
 /* The command line of jellett-bench: picks the kind of measurement, and opens the table that is written. */
+#include "base/options.h"
 #include "bench.h"
 #include "cli/common.h"
 #include "cli/program.h"
@@ -112,7 +113,7 @@ static jlt_exit run(int argc, char **argv)
     char *command = jlt_command_line(argc, argv);
     jlt_exit code = JLT_EXIT_USAGE;
 
-    if (argp_parse(&parser, argc, argv, 0, NULL, &o) != 0) goto done;
+    ttc_options_parse(&parser, argc, argv, &o);
     const jlt_command_file files[] = { { "--output", o.output }, { "--reference", o.bench.reference } };
     code = jlt_command_distinct(files, o.bench.reference != NULL ? 2 : 1);
     if (code == JLT_EXIT_DONE) code = jlt_command_check_output(o.output);
