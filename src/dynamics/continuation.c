@@ -353,6 +353,7 @@ jlt_status jlt_continuation_run(jlt_continuation_end *end, const jlt_family *fam
         }
         before = here;
         here = next;
+        *end = JLT_CONTINUATION_POINTS;
         if (iterations < 6) step = fmin(1.4 * step, self.options.step_max);
     }
 done:

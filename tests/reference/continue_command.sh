@@ -57,6 +57,13 @@ for step in 0.05 0.02; do
     tail -1 log | grep -q 'not followed: what begins at 1 .* --generations 4$' || fail "cascade: $(tail -1 log)"
 done
 
+# Sprott's jerk.
+printf '%s\n' 'model jerk' 'param A' 'default A = 2.017' 'state x' 'state y' 'state z' 'eq x = y' 'eq y = z' \
+    'eq z = -A*z + y^2 - x' > jerk.tt
+# Enough points are enough, also where steps were halved on the way.
+jellett continue ./jerk.tt --section y=0 --start x=-0.93,z=0.465 --along A=2:2.4 --count 14 -o rows.csv 2> log
+grep -q 'branch 0: the number of points is reached' log || fail "jerk, 14 points: $(cat log)"
+
 # The orbit of Henon and Heiles along the axis of symmetry turns ever faster as its energy comes to 1/6: all values of 6 H at which
 # its trace is 2 or -2, by SciPy, of which a step far from the end leaps over two or four.
 printf '%s\n' 'model axis' 'state x' 'state y' 'state px' 'state py' 'eq x = px' 'eq y = py' 'eq px = - x - 2*x*y' \
@@ -77,7 +84,7 @@ grep -q 'branch 0: no shorter step converges' log || fail "touching: $(cat log)"
 awk -F, '/^[0-9]/ && $2 > 24.07402 { n++; if ($17 != "" || ($8 - 1.0286668)^2 > 5e-6^2) wrong = 1 }
     END { exit !(n > 3) || wrong }' rows.csv || fail "a cycle that touches the section: $(tail -3 rows.csv)"
 # Lorenz's orbit around one wing comes from a homoclinic one, at rho = 13.926.
-jellett continue lorenz --section z=15 --set rho=20 --along rho=13:25 --start x=10,y=15 --decreasing -o rows.csv 2> log ||
+jellett continue lorenz --section z=15 --set rho=20 --along rho=13:25 --start x=10,y=15 --decreasing --count 1000 -o rows.csv 2> log ||
     fail "homoclinic: $?"
 grep -q 'branch 0: .*homoclinic to an equilibrium' log || fail "homoclinic: $(cat log)"
 
