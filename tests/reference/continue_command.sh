@@ -57,9 +57,17 @@ for step in 0.05 0.02; do
     tail -1 log | grep -q 'not followed: what begins at 1 .* --generations 4$' || fail "cascade: $(tail -1 log)"
 done
 
-# Sprott's jerk.
+# Sprott's jerk: the cycle that doubles moves along the eigenvector of -1 as A varies. The cascade is that of SciPy; branches are
+# those that begin at the doublings, and not cycles of half their period, nor branches from elsewhere.
 printf '%s\n' 'model jerk' 'param A' 'default A = 2.017' 'state x' 'state y' 'state z' 'eq x = y' 'eq y = z' \
     'eq z = -A*z + y^2 - x' > jerk.tt
+for step in 0.01 0.004; do
+    jellett continue ./jerk.tt --section y=0 --start x=-0.93,z=0.465 --along A=2:2.2 --step $step --generations 3 -o rows.csv \
+        2> log || fail "jerk: status $?"
+    awk -F, '/^[0-9]/ && /period doubling/ { printf "%s:%s:%.8f ", $1, $4, $2 }' rows.csv > found
+    [ "$(cat found)" = "0:1:2.12629949 1:2:2.07138302 2:4:2.06065481 3:8:2.05836803 " ] || fail "jerk, step $step: $(cat found)"
+    awk -F, '/^1,/ && $2 > 2.12629949 { exit 1 }' rows.csv || fail "jerk, step $step: a cycle is repeated"
+done
 # Enough points are enough, also where steps were halved on the way.
 jellett continue ./jerk.tt --section y=0 --start x=-0.93,z=0.465 --along A=2:2.4 --count 14 -o rows.csv 2> log
 grep -q 'branch 0: the number of points is reached' log || fail "jerk, 14 points: $(cat log)"
