@@ -72,6 +72,16 @@ done
 jellett continue ./jerk.tt --section y=0 --start x=-0.93,z=0.465 --along A=2:2.4 --count 14 -o rows.csv 2> log
 grep -q 'branch 0: the number of points is reached' log || fail "jerk, 14 points: $(cat log)"
 
+# Two quartic oscillators, which k = 1/3 makes independent in x + y and x - y. The branch of that value is a family: it has no
+# folds, and meets the orbit it comes from, its image y -> -y, and in between the straight one, y = 0.
+printf '%s\n' 'model quartic' 'param k' 'state x' 'state y' 'state px' 'state py' 'eq x = px' 'eq y = py' 'eq px = -x*y^2 - k*x^3' \
+    'eq py = -x^2*y - k*y^3' 'integral E = (px^2 + py^2 + x^2*y^2)/2 + k*(x^4 + y^4)/4' > quartic.tt
+jellett continue ./quartic.tt --section x=0 --level E=1 --solve px=1 --set k=0 --start y=1.2,py=0 --along k=0:1 --branches \
+    -o rows.csv 2> log || fail "quartic: status $?"
+awk -F, '/^[12],/ { if ($17 != "") printf "%s %.4f;", $17, $5 < 0 ? -$5 : $5; if (($2 - 1/3)^2 > 1e-18) print "off" }' \
+    rows.csv > found
+[ "$(cat found)" = "branch point 0.0000;branch point 1.1979;" ] || fail "quartic: $(cat found)"
+
 # The orbit of Henon and Heiles along the axis of symmetry turns ever faster as its energy comes to 1/6: all values of 6 H at which
 # its trace is 2 or -2, by SciPy, of which a step far from the end leaps over two or four.
 printf '%s\n' 'model axis' 'state x' 'state y' 'state px' 'state py' 'eq x = px' 'eq y = py' 'eq px = - x - 2*x*y' \
@@ -92,8 +102,8 @@ grep -q 'branch 0: no shorter step converges' log || fail "touching: $(cat log)"
 awk -F, '/^[0-9]/ && $2 > 24.07402 { n++; if ($17 != "" || ($8 - 1.0286668)^2 > 5e-6^2) wrong = 1 }
     END { exit !(n > 3) || wrong }' rows.csv || fail "a cycle that touches the section: $(tail -3 rows.csv)"
 # Lorenz's orbit around one wing comes from a homoclinic one, at rho = 13.926.
-jellett continue lorenz --section z=15 --set rho=20 --along rho=13:25 --start x=10,y=15 --decreasing --count 1000 -o rows.csv 2> log ||
-    fail "homoclinic: $?"
+jellett continue lorenz --section z=15 --set rho=20 --along rho=13:25 --start x=10,y=15 --decreasing --count 1000 -o rows.csv \
+    2> log || fail "homoclinic: $?"
 grep -q 'branch 0: .*homoclinic to an equilibrium' log || fail "homoclinic: $(cat log)"
 
 # Two bifurcations within one step: the edges of the second and the third gap of Mathieu's equation, at its characteristic values
