@@ -5,7 +5,7 @@
 
 #include "dynamics/continuation_step.h"
 
-enum { LOCATE = 120, FAILURES = 20, EXTREMUM = 8, BRANCH_TEST = 2, TORUS_TEST = 3 };
+enum { LOCATE = 120, FAILURES = 20, EXTREMUM = 8, DOUBLING_TEST = 1, BRANCH_TEST, TORUS_TEST };
 
 typedef jlt_continuation_runner runner;
 typedef jlt_continuation_place place;
@@ -13,9 +13,9 @@ typedef jlt_continuation_place place;
 static const double turn = 0.3;         /* most radians by which the tangent turns in a step, */
 static const double turn_across = 0.15; /* and in each half of a step across a branch point */
 static const double same_place = 1e-6;
-/* Error of a determinant, from the map's tolerance, amplified: det DP is 1 up to this where the map preserves areas, and that of
- * the bordered matrix 0 where orbits come in families. */
-static const double noise_of_determinant = 1e-9;
+/* Error of a test function, from the map's tolerance, amplified: det DP is 1 up to this where the map preserves areas, and that of
+ * the bordered matrix 0 where orbits come in families; so is the tangent's component where a family has one value. */
+static const double noise = 1e-9;
 
 const char *jlt_continuation_bifurcation_name(jlt_bifurcation kind)
 {
@@ -158,15 +158,15 @@ static bool changes_twice(const runner *self, place *within, const place *before
         if (!(bend > 0 && at > -spare && at < end + spare && least < low)) return false;
         s[1] = fmin(fmax(at, spare / 8), end - spare / 8);
         if (!visit(self, within, &g[1], from, to, s[1], k, side)) return false;
-        if (g[1] < -noise_of_determinant) return true;
-        const double reach = 2 * sqrt(fmax(g[1], noise_of_determinant) / bend);
+        if (g[1] < -noise) return true;
+        const double reach = 2 * sqrt(fmax(g[1], noise) / bend);
         s[0] = fmax(s[1] - reach, s[1] / 2);
         s[2] = fmin(s[1] + reach, (s[1] + end) / 2);
         for (unsigned j = 0; j < 3; j += 2) {
             if (!visit(self, within, &g[j], from, to, s[j], k, side)) return false;
-            if (g[j] < -noise_of_determinant) return true;
+            if (g[j] < -noise) return true;
         }
-        if (g[1] <= noise_of_determinant) return false;
+        if (g[1] <= noise) return false;
     }
     return false;
 }
@@ -197,7 +197,7 @@ static jlt_status report(const runner *self, const place *before, const place *f
     }
     for (unsigned k = 0; k < JLT_CONTINUATION_TESTS; k++) {
         if (isnan(from->test[k]) || isnan(to->test[k])) continue;
-        if (k >= BRANCH_TEST && fmax(fabs(from->test[k]), fabs(to->test[k])) < noise_of_determinant) continue;
+        if (k != DOUBLING_TEST && fmax(fabs(from->test[k]), fabs(to->test[k])) < noise) continue;
         /* beside a torus they are a pair at least where both are inside the circle */
         if (k == TORUS_TEST && !rotates(from) && !rotates(to)) continue;
         if ((from->test[k] > 0) != (to->test[k] > 0)) {
@@ -353,6 +353,7 @@ jlt_status jlt_continuation_run(jlt_continuation_end *end, const jlt_family *fam
         }
         before = here;
         here = next;
+        *end = JLT_CONTINUATION_POINTS;
         if (iterations < 6) step = fmin(1.4 * step, self.options.step_max);
     }
 done:

@@ -76,8 +76,8 @@ JLT_CHECKED jlt_status jlt_continuation_run(jlt_continuation_end *end, const jlt
                                             void *context);
 
 /** Find the first point of the other branch at a located branch point or period doubling, on the given side (+1, -1) at the
- *  distance `offset` > 0 in u, which is halved while Newton's method does not converge, up to eleven times. Its tangent points
- *  away.
+ *  distance `offset` > 0 in u, which is halved, up to eleven times, until Newton's method converges, at a period doubling to
+ *  an orbit that lies in the direction in which the other branch begins. Its tangent points away.
  *  Errors: ARG, another kind of point, side or offset, or a section of other than two coordinates; NO_CONVERGENCE; those of the
  *  map. */
 JLT_CHECKED jlt_status jlt_continuation_switch(jlt_continuation_point *out, const jlt_family *family,

@@ -295,32 +295,61 @@ static void other_direction(double *direction, const jlt_continuation_equation *
     direction[0] /= length, direction[1] /= length, direction[2] /= length;
 }
 
+/* The unit vector along which a point of the other branch is told from the branch at hand, whose unit tangent is given: the part of
+ * the direction across that tangent. */
+static void across(double *normal, const double *direction, const double *tangent)
+{
+    const double along = dot(direction, tangent, 3);
+
+    for (unsigned i = 0; i < 3; i++) normal[i] = direction[i] - along * tangent[i];
+    const double length = jlt_linear_length(normal, 3);
+    for (unsigned i = 0; i < 3; i++) normal[i] /= length;
+}
+
+/* Whether an orbit found at `way` from a doubling is of the branch that begins there in this direction: the way differs from it by
+ * 0.15 rad at most, as where the tangent turns by 0.3 rad; and points half a period apart, which differ by twice the offset on that
+ * branch, are not those of the orbit at hand, gone through twice. */
+static bool is_doubled(const jlt_chart *chart, const jlt_periodic *orbit, const double *way, const double *direction, double offset)
+{
+    double apart[JLT_CHART_DIM_MAX];
+
+    jlt_chart_difference(chart, apart, orbit->points + orbit->period / 2 * chart->dim, orbit->points);
+    jlt_chart_scaled(chart, apart, apart);
+    return dot(way, direction, 3) >= jlt_linear_length(way, 3) * cos(0.15) && jlt_linear_length(apart, chart->dim) > offset;
+}
+
 jlt_status jlt_continuation_switch(jlt_continuation_point *out, const jlt_family *family,
                                    const jlt_continuation_point *at, int side, double offset,
                                    const jlt_continuation_options *options)
 {
     jlt_continuation_runner self = { .family = family, .options = jlt_continuation_step_defaults(options),
                                      .period = at->orbit.period };
-    double u[U] = { 0 }, origin[U], direction[U] = { 0 };
+    const bool doubling = at->kind == JLT_BIFURCATION_DOUBLING;
+    double u[U] = { 0 }, origin[U], direction[U] = { 0 }, normal[U] = { 0 }, way[U];
     jlt_continuation_equation here;
-    jlt_status st = JLT_OK;
+    jlt_continuation_point point;
 
     if ((side != 1 && side != -1) || !(offset > 0)) return JLT_ERR_ARG;
-    if (at->kind != JLT_BIFURCATION_BRANCH && at->kind != JLT_BIFURCATION_DOUBLING) return JLT_ERR_ARG;
+    if (at->kind != JLT_BIFURCATION_BRANCH && !doubling) return JLT_ERR_ARG;
     JLT_PASS(jlt_continuation_step_open(&self, at->value));
     if (self.d != 2) return JLT_ERR_ARG;
     jlt_chart_scaled(&self.chart, u, at->orbit.points);
     u[2] = at->value / self.options.scale;
     JLT_PASS(jlt_continuation_step_evaluate(&self, &here, u));
     other_direction(direction, &here, at);
-    if (at->kind == JLT_BIFURCATION_DOUBLING) self.period *= 2;
+    if (doubling) self.period *= 2;
     memcpy(origin, u, sizeof origin);
     for (unsigned i = 0; i < 3; i++) direction[i] *= side;
+    across(normal, direction, at->tangent);
     for (unsigned halving = 0; halving < HALVINGS; halving++, offset /= 2) {
         for (unsigned i = 0; i < 3; i++) u[i] = origin[i] + offset * direction[i];
-        st = jlt_continuation_step_correct(&self, u, &here, direction, NULL);
-        if (st == JLT_ERR_NOMEM || st == JLT_OK) break;
+        jlt_status st = jlt_continuation_step_correct(&self, u, &here, normal, NULL);
+        if (st == JLT_OK) st = jlt_continuation_step_measure(&self, &point, u, direction, 0, JLT_BIFURCATION_NONE);
+        if (st == JLT_ERR_NOMEM) return st;
+        for (unsigned i = 0; i < 3; i++) way[i] = u[i] - origin[i];
+        if (st != JLT_OK || (doubling && !is_doubled(&self.chart, &point.orbit, way, direction, offset))) continue;
+        *out = point;
+        return JLT_OK;
     }
-    JLT_PASS(st);
-    return jlt_continuation_step_measure(&self, out, u, direction, 0, JLT_BIFURCATION_NONE);
+    return JLT_ERR_NO_CONVERGENCE;
 }

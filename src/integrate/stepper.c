@@ -1,3 +1,4 @@
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -17,16 +18,22 @@ static bool all_finite(const double *x, unsigned count)
     return true;
 }
 
-/* Set the scales for an orbit that starts at x. Scales past the columns, where all is 0, are 1. */
-static void set_scales(jlt_stepper *self, const double *x)
+/* A step that is long enough to change the time. */
+static double shortest_step(const jlt_stepper *self) { return 8 * DBL_EPSILON * fabs(self->tau); }
+
+/* Set the scales for an orbit that starts at self->x with the rates self->f. Scales past the columns, where all is 0, are 1. The
+ * shortest step moves a state by a hundredth of its scale at most, unless that is 1: else no step were short enough for a phase
+ * that starts at 0 beside states of 1e-20. */
+static void set_scales(jlt_stepper *self)
 {
     const jlt_field *field = self->field;
     const unsigned controlled = field->controlled != 0 ? field->controlled : field->dim;
 
-    self->size = jlt_field_size_at(field, x);
+    self->size = jlt_field_size_at(field, self->x);
     for (unsigned i = 0; i < self->stride; i++) self->scale[i] = 1;
     for (unsigned i = 0; i < field->dim; i++) {
-        self->scale[i] = i < controlled ? fmax(jlt_field_small(field, i, self->size), JLT_STEPPER_SCALE_LEAST) : INFINITY;
+        const double small = jlt_field_small(field, i, self->size), moved = 100 * shortest_step(self) * fabs(self->f[i]);
+        self->scale[i] = i >= controlled ? INFINITY : small > 0 ? fmax(small, fmin(1, moved)) : JLT_STEPPER_SCALE_LEAST;
     }
 }
 
@@ -104,7 +111,6 @@ jlt_status jlt_stepper_start(jlt_stepper *self, double t, const double *x, doubl
     jlt_guard guard;
 
     if (!isfinite(t) || !all_finite(x, dim)) return JLT_ERR_NONFINITE;
-    set_scales(self, x);
     memcpy(self->x, x, dim * sizeof *x);
     if (self->columns > dim) self->x[dim] = t;
     memset(self->x_low, 0, self->stride * sizeof *self->x_low);
@@ -118,9 +124,12 @@ jlt_status jlt_stepper_start(jlt_stepper *self, double t, const double *x, doubl
     JLT_PASS(jlt_guard_leave_finite(&guard));
     self->evaluations++;
     forget_step(self);
+    set_scales(self);
     self->at_edge = jlt_edge_is_outside(self);
     if (!all_finite(self->f, self->columns)) return JLT_ERR_NONFINITE;
-    return self->method->start(self);
+    JLT_PASS(self->method->start(self));
+    self->h_next = fmax(self->h_next, shortest_step(self));
+    return JLT_OK;
 }
 
 jlt_status jlt_stepper_replace(jlt_stepper *self, const double *x, const double *scale)

@@ -138,4 +138,20 @@ for mirror in '' '--mirror b,phi'; do
     expect 0 '^4,25,25,25,25,25,1,1$' jellett separation ./still.tt --section phi=0 $mirror --grid a=-0.5:0.5:5,b=-0.4:0.4:5 \
         --cells a=-0.55:0.55:11,b=-0.5:0.5:10 --settle 0 --returns 4
 done
+
+# A phase that is 0 on the section, beside states that fade: a damped, driven oscillator at rest as good as, from 1 after 300
+# periods and from 1e-20 or 1e-122 at once. It is linear, so that twenty returns from any start are those from 1.
+printf '%s\n' 'model damped' 'state x' 'state v' 'state phi' 'angle c s = cos(phi) sin(phi)' 'periodic phi = 2*pi' 'eq x = v' \
+    'eq v = -(1 + c/5)*x - v/10' 'eq phi = 1' > damped.tt
+expect 0 '^0,300,' jellett section ./damped.tt --section phi=0 --start x=1,v=0 --returns 300
+expect 0 '^0,20,' jellett section ./damped.tt --section phi=0 --start x=1,v=0 --returns 20 --method taylor
+cp out from_one
+for method in gauss dop853 taylor rk8pd rkf45 msadams; do
+    for x in 1e-12 1e-20 1e-116; do
+        expect 0 '^0,20,' jellett section ./damped.tt --section phi=0 --start x=$x,v=0 --returns 20 --method $method
+        awk -F, -v x=$x 'NR == FNR { if (/^0,20,/) one = $4 } /^0,20,/ { last = $4/x } END { exit !((last/one - 1)^2 < 1e-20) }' \
+            from_one out || fail "from $x by $method: $(tail -1 out), not $(tail -1 from_one)"
+    done
+    expect 0 '^0,20,' jellett section ./damped.tt --section phi=0 --start x=1e-122,v=0 --returns 20 --method $method
+done
 exit $status

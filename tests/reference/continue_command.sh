@@ -57,6 +57,31 @@ for step in 0.05 0.02; do
     tail -1 log | grep -q 'not followed: what begins at 1 .* --generations 4$' || fail "cascade: $(tail -1 log)"
 done
 
+# Sprott's jerk: the cycle that doubles moves along the eigenvector of -1 as A varies. The cascade is that of SciPy; branches are
+# those that begin at the doublings, and not cycles of half their period, nor branches from elsewhere.
+printf '%s\n' 'model jerk' 'param A' 'default A = 2.017' 'state x' 'state y' 'state z' 'eq x = y' 'eq y = z' \
+    'eq z = -A*z + y^2 - x' > jerk.tt
+for step in 0.01 0.004; do
+    jellett continue ./jerk.tt --section y=0 --start x=-0.93,z=0.465 --along A=2:2.2 --step $step --generations 3 -o rows.csv \
+        2> log || fail "jerk: status $?"
+    awk -F, '/^[0-9]/ && /period doubling/ { printf "%s:%s:%.8f ", $1, $4, $2 }' rows.csv > found
+    [ "$(cat found)" = "0:1:2.12629949 1:2:2.07138302 2:4:2.06065481 3:8:2.05836803 " ] || fail "jerk, step $step: $(cat found)"
+    awk -F, '/^1,/ && $2 > 2.12629949 { exit 1 }' rows.csv || fail "jerk, step $step: a cycle is repeated"
+done
+# Enough points are enough, also where steps were halved on the way.
+jellett continue ./jerk.tt --section y=0 --start x=-0.93,z=0.465 --along A=2:2.4 --count 14 -o rows.csv 2> log
+grep -q 'branch 0: the number of points is reached' log || fail "jerk, 14 points: $(cat log)"
+
+# Two quartic oscillators, which k = 1/3 makes independent in x + y and x - y. The branch of that value is a family: it has no
+# folds, and meets the orbit it comes from, its image y -> -y, and in between the straight one, y = 0.
+printf '%s\n' 'model quartic' 'param k' 'state x' 'state y' 'state px' 'state py' 'eq x = px' 'eq y = py' 'eq px = -x*y^2 - k*x^3' \
+    'eq py = -x^2*y - k*y^3' 'integral E = (px^2 + py^2 + x^2*y^2)/2 + k*(x^4 + y^4)/4' > quartic.tt
+jellett continue ./quartic.tt --section x=0 --level E=1 --solve px=1 --set k=0 --start y=1.2,py=0 --along k=0:1 --branches \
+    -o rows.csv 2> log || fail "quartic: status $?"
+awk -F, '/^[12],/ { if ($17 != "") printf "%s %.4f;", $17, $5 < 0 ? -$5 : $5; if (($2 - 1/3)^2 > 1e-18) print "off" }' \
+    rows.csv > found
+[ "$(cat found)" = "branch point 0.0000;branch point 1.1979;" ] || fail "quartic: $(cat found)"
+
 # The orbit of Henon and Heiles along the axis of symmetry turns ever faster as its energy comes to 1/6: all values of 6 H at which
 # its trace is 2 or -2, by SciPy, of which a step far from the end leaps over two or four.
 printf '%s\n' 'model axis' 'state x' 'state y' 'state px' 'state py' 'eq x = px' 'eq y = py' 'eq px = - x - 2*x*y' \
@@ -77,8 +102,8 @@ grep -q 'branch 0: no shorter step converges' log || fail "touching: $(cat log)"
 awk -F, '/^[0-9]/ && $2 > 24.07402 { n++; if ($17 != "" || ($8 - 1.0286668)^2 > 5e-6^2) wrong = 1 }
     END { exit !(n > 3) || wrong }' rows.csv || fail "a cycle that touches the section: $(tail -3 rows.csv)"
 # Lorenz's orbit around one wing comes from a homoclinic one, at rho = 13.926.
-jellett continue lorenz --section z=15 --set rho=20 --along rho=13:25 --start x=10,y=15 --decreasing -o rows.csv 2> log ||
-    fail "homoclinic: $?"
+jellett continue lorenz --section z=15 --set rho=20 --along rho=13:25 --start x=10,y=15 --decreasing --count 1000 -o rows.csv \
+    2> log || fail "homoclinic: $?"
 grep -q 'branch 0: .*homoclinic to an equilibrium' log || fail "homoclinic: $(cat log)"
 
 # Two bifurcations within one step: the edges of the second and the third gap of Mathieu's equation, at its characteristic values
