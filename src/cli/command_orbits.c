@@ -286,6 +286,8 @@ static jlt_exit search_all(jlt_orbits *list, jlt_map *map, const options *o, jlt
     }
     if (st == JLT_OK && list->count == 0 && system->flow.chart->solved_count > 0)
         fputs("jellett: orbits with a return on another branch of --solve are not found\n", stderr);
+    if (st == JLT_OK && list->count == 0 && !no_grid)
+        fputs("jellett: no orbit is found: a finer --grid, or a larger --near, finds those that are strongly unstable\n", stderr);
     return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, system, "orbits");
 }
 

@@ -87,6 +87,7 @@ jlt_status jlt_varied_make(jlt_varied *self, const jlt_field *plain, jlt_kernel_
                                .root = -1,
                                .domain = plain->domain,
                                .scale = self->scale,
+                               .kept = plain->kept,
                                .sized = plain->sized };
     if (kernels != NULL && kernels->rhs_jacobian != NULL && plain->dim <= JLT_BATCH_STATES_MAX) {
         self->batch = (jlt_kernel_batch){ .isa = kernels->isa,
@@ -99,9 +100,7 @@ jlt_status jlt_varied_make(jlt_varied *self, const jlt_field *plain, jlt_kernel_
         if (self->spread == NULL) return JLT_ERR_NOMEM;
     }
     for (unsigned i = 0; i < self->field.dim; i++) self->scale[i] = 1;
-    for (unsigned i = 0; i < plain->dim; i++)
-        if (plain->scale != NULL) self->scale[i] = plain->scale[i];
-        else if ((int)i == plain->root) self->scale[i] = 0;
+    for (unsigned i = 0; i < plain->dim; i++) self->scale[i] = jlt_field_scale(plain, i);
     return JLT_OK;
 }
 

@@ -11,7 +11,7 @@ static const double nothing = 1e-40; /* relative size of entries set to 0: a roo
 
 double jlt_approach_size(const jlt_stepper *stepper, unsigned i)
 {
-    return (int)i == stepper->field->root ? 1 : fmax(fabs(stepper->x[i]), stepper->scale[i]);
+    return (int)i == stepper->field->root ? 1 : fmax(fabs(stepper->x[i]), jlt_stepper_unit(stepper, i));
 }
 
 /* df/dx by central differences where no kernel gives it: their error of 1e-10 is far below what separates rates from 0. */

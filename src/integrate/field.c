@@ -46,9 +46,15 @@ double jlt_field_size(double largest)
     return largest > 0 && largest < ordinary ? ldexp(1, ilogb(fmax(largest, least))) : 1;
 }
 
+bool jlt_field_keeps(const jlt_field *field, unsigned i)
+{
+    return i < 64 && (field->kept >> i & 1) != 0;
+}
+
 double jlt_field_scale(const jlt_field *field, unsigned i)
 {
-    return field->scale != NULL ? field->scale[i] : (int)i == field->root ? 0 : 1;
+    if (field->scale != NULL) return field->scale[i];
+    return (int)i == field->root || jlt_field_keeps(field, i) ? 0 : 1;
 }
 
 double jlt_field_small(const jlt_field *field, unsigned i, double size)
@@ -63,8 +69,41 @@ double jlt_field_size_at(const jlt_field *field, const double *x)
     double largest = 0;
 
     for (unsigned i = 0; i < field->sized; i++)
-        if (jlt_field_scale(field, i) == 1) largest = fmax(largest, fabs(x[i]));
+        if (jlt_field_scale(field, i) == 1 || jlt_field_keeps(field, i)) largest = fmax(largest, fabs(x[i]));
     return jlt_field_size(largest);
+}
+
+/* The rate of state i where its value is `at`, and others are in the part `inside` of their intervals, or as far from an end. */
+static double rate_at(const jlt_field *field, unsigned i, double at, double inside)
+{
+    double x[JLT_DOMAIN_STATES_MAX], f[JLT_DOMAIN_STATES_MAX];
+
+    for (unsigned j = 0; j < field->dim; j++) {
+        const double low = field->domain.intervals[j].low, high = field->domain.intervals[j].high, away = inside * (1 + 0.1 * j);
+        x[j] = isfinite(low) ? isfinite(high) ? low + inside * (high - low) : low + away : isfinite(high) ? high - away : away;
+    }
+    x[i] = at;
+    field->call(x, field->p, f);
+    return f[i];
+}
+
+/* Whether the rate of state i goes to 0 with the state, about as fast: after sqrt(x) x comes to 0. */
+static bool rests_at_zero(const jlt_field *field, unsigned i, double inside)
+{
+    const double side = field->domain.intervals[i].low == 0 ? 1 : -1;
+    const double near = rate_at(field, i, side * 0x1p-40, inside), nearer = rate_at(field, i, side * 0x1p-80, inside);
+
+    return rate_at(field, i, 0, inside) == 0 && fabs(nearer) * 0x1p40 <= 4 * fabs(near);
+}
+
+static uint64_t kept_states(const jlt_field *field)
+{
+    uint64_t kept = 0;
+
+    for (unsigned i = 0; field->domain.intervals != NULL && i < field->dim && i < 64; i++)
+        if (field->domain.intervals[i].low == 0 || field->domain.intervals[i].high == 0)
+            kept |= (uint64_t)(rests_at_zero(field, i, 0.3) && rests_at_zero(field, i, 0.7)) << i;
+    return kept;
 }
 
 jlt_status jlt_field_of(jlt_field *out, const jlt_instance *instance)
@@ -93,5 +132,6 @@ jlt_status jlt_field_of(jlt_field *out, const jlt_instance *instance)
         .root = has_root ? (int)last : -1,
         .sized = descriptor->state_count,
     };
+    out->kept = kept_states(out);
     return JLT_OK;
 }

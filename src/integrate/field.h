@@ -7,6 +7,7 @@
 #define JLT_INTEGRATE_FIELD_H
 
 #include <stdbool.h>
+#include <stdint.h>
 
 #include "core/status.h"
 #include "kernel/instance.h"
@@ -41,7 +42,10 @@ typedef struct {
                                       structure makes x[0] the root */
     jlt_domain domain;             /* which orbits do not leave */
     const double *scale;           /* (dim,), >= 0, the size below which a state counts as small: its error is measured
-                                      against max(|x_i|, scale_i). NULL: 1, and 0 for the root, whose error is relative */
+                                      against max(|x_i|, scale_i). NULL: 1, and 0 for the root and the kept states,
+                                      whose errors are relative */
+    uint64_t kept;                 /* bit i for x[i], i < 64: a state whose interval ends at 0 and that never comes there, as its
+                                      rate goes to 0 with it; its error is relative */
     unsigned sized;                /* leading states for which a scale of 1 means jlt_field_size of an orbit's start; 0: none */
 } jlt_field;
 
@@ -66,8 +70,12 @@ static inline double jlt_field_time_rate(const jlt_field *field, const double *x
  *  squares of whose errors are doubles. */
 double jlt_field_size(double largest);
 
-/** The size of an orbit of this field that starts at x, shape (dim,): of the first `sized` states those with scale 1 count. */
+/** The size of an orbit of this field that starts at x, shape (dim,): of the first `sized` states those with scale 1 count, and the
+ *  kept ones. */
 double jlt_field_size_at(const jlt_field *field, const double *x);
+
+/** Whether state i is one of the kept ones. */
+bool jlt_field_keeps(const jlt_field *field, unsigned i);
 
 /** The scale of state i as the field declares it: 1 also where the orbit's size is to stand for it. */
 double jlt_field_scale(const jlt_field *field, unsigned i);
@@ -91,9 +99,9 @@ unsigned jlt_field_unbounded(const jlt_field *field, const double *x, double t);
 
 /** Make the field of a generated kernel, in the units of its instance, which must live as long as the field. It watches the
  *  conditions of the table's domain and the intervals of its states; the latter not in a time that lifts roots to states, where it
- *  need not. All states are sized. The last state is taken for the root that vanishes at a pole when the kernel has a time of its
- *  own and that state is bounded below by 0. Errors: ARG, NULL; UNSUPPORTED, the descriptor has no right-hand side, or more than
- *  JLT_FIELD_DIM_MAX states. */
+ *  need not. All states are sized; which ones are kept is judged by rates at two points inside the intervals. The last state is
+ *  taken for the root that vanishes at a pole when the kernel has a time of its own and that state is bounded below by 0. Errors:
+ *  ARG, NULL; UNSUPPORTED, the descriptor has no right-hand side, or more than JLT_FIELD_DIM_MAX states. */
 JLT_CHECKED jlt_status jlt_field_of(jlt_field *out, const jlt_instance *instance);
 
 #endif

@@ -71,11 +71,12 @@ void jlt_stepper_destroy(jlt_stepper *self); /* NULL is legal */
 JLT_CHECKED jlt_status jlt_stepper_start(jlt_stepper *self, double t, const double *x, double direction,
                                          double first_step);
 
-/** The size below which state i counts as small, for distances from an end of its interval or from a level near 0: its scale; 1 for
- *  one that has none, being a root or not controlled. */
+/** The size below which state i counts as small, for distances from an end of its interval or from a level near 0: its scale; the
+ *  orbit's size for a kept one; 1 for one that has none, being a root or not controlled. */
 static inline double jlt_stepper_unit(const jlt_stepper *self, unsigned i)
 {
-    return self->scale[i] > JLT_STEPPER_SCALE_LEAST && self->scale[i] < INFINITY ? self->scale[i] : 1;
+    if (self->scale[i] > JLT_STEPPER_SCALE_LEAST && self->scale[i] < INFINITY) return self->scale[i];
+    return jlt_field_keeps(self->field, i) ? self->size : 1;
 }
 
 /** Replace the point by x, shape (dim,), a state near it (a projection), and the scales by `scale`, shape (dim,), unless NULL.

@@ -58,8 +58,10 @@ void jlt_rough_choose(const jlt_rough *self, arf_t h)
     JLT_SCOPED(arf, wanted);
 
     if (isfinite(length)) {
-        arf_set_d(wanted, floor(ldexp(self->caution * exp2(fmin(length, 3)), 20)));
-        arf_mul_2exp_si(wanted, wanted, -20);
+        const double step = self->caution * exp2(fmin(fmax(length, -1000), 3));
+        const int places = step > 0x1p-16 ? 20 : 4 - ilogb(step); /* of powers of 2: four leading ones where 20 are too few */
+        arf_set_d(wanted, floor(ldexp(step, places)));
+        arf_mul_2exp_si(wanted, wanted, -places);
         if (arf_cmp(wanted, h) < 0) arf_set(h, wanted);
     }
 }

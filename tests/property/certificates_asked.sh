@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # A certificate is one of what was asked, exactly: of a section's value as its table has it, of turns in the periods of the table,
 # of a sink with any number of multipliers, of a level whatever its name, of parameters that are computed from those asked for, of a
-# homoclinic orbit by whichever reversor serves, of an orbit as near the edge of its domain as can be told.
+# homoclinic orbit by whichever reversor serves, of an orbit as near the edge of its domain as can be told, in any unit of time.
 source "$JLT_SOURCE_DIR/tests/scratch.sh"
 
 # A section at x = 1/30, which no double is.
@@ -160,6 +160,17 @@ orbit=(./wall.tt --section y=0 --direction down --start x=2.0086198608748)
 expect_text 0 "" jellett certify sink "${orbit[@]}" -o wall.json
 expect_text 0 proved jellett check -m ./wall.tt wall.json
 expect_text 1 "is not shown, with 20 digits, to stay in the domain" jellett certify sink "${orbit[@]}" --spread edge=1e-8
+
+# Van der Pol's oscillator, whose period is 6.6632868593231, in a unit of time 1e9 times as long.
+cat > fast.tt << 'T'
+model fast
+state x
+state p
+eq x = 1e9*p
+eq p = 1e9*((1 - x^2)*p - x)
+T
+expect_text 0 "" jellett certify sink ./fast.tt --section p=0 --direction down --start x=2.0086198608748 -o fast.json
+expect_text 0 "the time T = 6.6632868593231" jellett check -m ./fast.tt fast.json
 
 # Levels of an integral that is one under a condition alone: what to do is said.
 printf '%s\n' 'model damped' 'param k >= 0' 'default k = 0' 'state x' 'state v' 'state y' 'eq x = v' \

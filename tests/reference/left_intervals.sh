@@ -74,4 +74,32 @@ for method in gauss dop853 taylor rkf45; do # rk8pd and msadams spend their step
     tail -1 rows.csv | awk -F, '{ off = $1 - 1.5707963267948966; exit !(off*off < 2e-12 && $3 == "left_domain") }' ||
         fail "by $method: $(tail -1 rows.csv)"
 done
+# An end that is not reached, since the rate goes to 0 with the state: x = x0 exp(k cos t - k - d t) falls to 1e-26 of x0 and comes
+# back, and with d it falls on. Errors are relative, of a tolerance a step, and in lanes of up to 64; there are fewer than 1000
+# steps.
+cat > ebb.tt << 'T'
+model ebb
+param k
+param d
+default k = 30, d = 0
+state x in (0, inf)
+state y
+state phase
+angle c s = cos(phase) sin(phase)
+eq x = - k*s*x - d*x
+eq y = x - y
+eq phase = 1
+periodic phase = 2*pi
+T
+for method in gauss dop853 taylor rk8pd rkf45 msadams; do
+    expect 0 ',alive$' jellett simulate ./ebb.tt --start x=1,y=0,phase=0 --times $turn --method $method
+    awk -F, '/^6/ { exit !(($2 - 1)^2 <= 1e-18) }' out || fail "x does not come back by $method: $(tail -1 out)"
+done
+section one.csv ./ebb.tt --section phase=0 --start x=0.3,y=0 --returns 2
+section many.csv ./ebb.tt --section phase=0 --grid x=0.1:0.4:4,y=0:1:2 --returns 2
+awk -F, '$2 == 0 { start = $4 } /^[0-9]/ && $2 > 0 { n++; bad += !(($4/start - 1)^2 <= 64^2*1e-18) || $6 != "alive" }
+    END { exit !(n == 18 && !bad) }' one.csv many.csv || fail "x does not come back: $(cat one.csv many.csv)"
+expect_text 0 "8 starts: 8 alive" jellett fates ./ebb.tt --set d=40 --section phase=0 --grid x=0.1:0.4:4,y=0:1:2 --returns 2
+awk -F, '/^0/ { n++; bad += !(($5/$1/exp(-160*3.141592653589793) - 1)^2 <= 64^2*1e-18) } END { exit !(n == 8 && !bad) }' out ||
+    fail "what is left of x after two turns: $(cat out)"
 exit $status

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # A search over a grid: a degenerate orbit, to which Newton's method comes from all sides and no nearer than a root of its residual,
-# is listed once; a grid none of whose points is on the levels is refused, by every command that has one. And small multipliers.
+# is listed once; a grid none of whose points is on the levels is refused, by every command that has one; what to try where nothing
+# is found is said, and finds it. And small multipliers.
 source "$JLT_SOURCE_DIR/tests/scratch.sh"
 
 cat > cusp.tt << 'T'
@@ -20,6 +21,12 @@ for want in cusp=1 two=2; do
     [ "$(grep -c '^1,.*,degenerate,' rows.csv)" -eq "${want#*=}" ] && [ "$(grep -c '^[12],' rows.csv)" -eq "${want#*=}" ] ||
         fail "$want orbits: $(grep -v '^#' rows.csv; cat err)"
 done
+
+# x = 0 is the only orbit, with the multiplier exp(4 pi) = 286751, of starts of which none is nearer to it than 1/3.
+sed -e 's/^model cusp/model steep/' -e 's/^eq x = .*/eq x = 2*x/' cusp.tt > steep.tt
+steep=(./steep.tt --section phi=0 --grid x=-1:1:4,y=0 --period 1)
+expect_text 0 "no orbit is found: a finer --grid, or a larger --near," jellett orbits "${steep[@]}"
+expect 0 '^1,.*,saddle,' jellett orbits "${steep[@]}" --near 1e6
 
 cat > oscillators.tt << 'T'
 model oscillators
