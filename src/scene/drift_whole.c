@@ -136,7 +136,7 @@ jlt_status jlt_drift_whole_follow(jlt_drift *self, jlt_drift_end *end, const jlt
     const jlt_descriptor *field = whole->told->descriptor;
     const jlt_event section = { .column = whole->column, .level = whole->level, .direction = flow->direction };
     const jlt_options to_orbit = { .tolerance = flow->tolerance, .interrupt = flow->interrupt,
-                                   .max_steps = flow->max_steps != 0 ? flow->max_steps : 100000, /* for each return, as on sections */
+                                   .max_steps = flow->max_steps != 0 ? flow->max_steps : 100000, /* as on sections */
                                    .invariants = whole->kept, .project = whole->kept.count > 0 };
     rest_watch rest;
     double x[JLT_WAY_VALUES_MAX];
