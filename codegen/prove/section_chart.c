@@ -32,9 +32,14 @@ static bool coordinates_fit(const fitting *f)
     const ttc_image *image = &f->section->image;
     uint32_t symbol;
     if (!ttc_image_has_states(image, f->chart, f->file, f->reason, f->size)) return false;
-    for (size_t k = 0; k < image->count; k++)
-        if (!ttc_model_find_symbol(f->chart, image->names[k], &symbol) || f->chart->symbols[symbol].kind != TTC_STATE)
-            return ttc_refuse(f->reason, f->size, "%s is no state of %s", image->names[k], f->file);
+    for (size_t k = 0; k < image->count; k++) {
+        const bool known = ttc_model_find_symbol(f->chart, image->names[k], &symbol);
+        const ttc_symbol_kind kind = known ? f->chart->symbols[symbol].kind : TTC_LET;
+        if (kind == TTC_PARAM)
+            return ttc_refuse(f->reason, f->size, "%s is a parameter of %s: set it to an integral, or leave it out if it is the one "
+                              "of this table", image->names[k], f->file);
+        if (kind != TTC_STATE) return ttc_refuse(f->reason, f->size, "%s is no state of %s", image->names[k], f->file);
+    }
     return true;
 }
 
