@@ -115,6 +115,7 @@ static jlt_status solve(grid_search *self)
     int failure = JLT_OK;
     jlt_status st = JLT_OK;
 
+    if (self->newton == NULL) return JLT_OK; /* none has begun */
 #if defined(_OPENMP)
 #pragma omp parallel for num_threads((int)self->threads) schedule(static, 1) reduction(max : failure)
 #endif
