@@ -40,7 +40,8 @@ static const struct argp_option option_table[] = {
     { "radius", RADIUS, "R", 0,
       "Radius of the box, in units of the table's states; default 1e-10 in units of the problem, or with --spread as far as "
       "orbits spread", 1 },
-    { "distance", DISTANCE, "VALUE", 0, "How far from the saddle a homoclinic orbit begins, in coordinates; default 1e-7", 1 },
+    { "distance", DISTANCE, "VALUE", 0,
+      "How far from the saddle a homoclinic orbit begins, relative to the size of the section; default 1e-7", 1 },
     { "orbit", ORBIT, "N", 0, "Which homoclinic orbit: the Nth that is found, in order of returns; default 1", 1 },
     { "family", FAMILY, "NAME", 0, "The family of equilibria, where the table has more than one", 1 },
     { "box", BOX, "NAME=LOW:HIGH|VALUE,...", 0,
