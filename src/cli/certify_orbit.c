@@ -97,22 +97,24 @@ typedef struct {
     double direction[2], growth; /* unstable eigenvector of length 1, and its multiplier */
 } chase;
 
-/* Compute the unstable direction and multiplier at the saddle. */
+/* Compute the unstable direction, of length 1 in units of the coordinates' sizes, and multiplier at the saddle. */
 static jlt_status aim(chase *self)
 {
     jlt_image image;
-    double half, root, b, a;
+    double slope[4], half, root, b, a;
 
     JLT_PASS(jlt_map_apply(self->whole, &image, self->search->saddle, 1, 1));
     half = (image.slope[0] + image.slope[3]) / 2;
     root = sqrt(half * half - image.determinant);
     if (!(root > 0)) return JLT_ERR_NO_CONVERGENCE;
     self->growth = half < 0 ? half - root : half + root;
-    a = self->growth - image.slope[3];
-    b = image.slope[2];
-    if (fabs(a) + fabs(b) < 1e-9) a = image.slope[1], b = self->growth - image.slope[0];
+    jlt_chart_scaled_slope(self->chart, slope, image.slope);
+    a = self->growth - slope[3];
+    b = slope[2];
+    if (fabs(a) + fabs(b) < 1e-9) a = slope[1], b = self->growth - slope[0];
     self->direction[0] = a / hypot(a, b);
     self->direction[1] = b / hypot(a, b);
+    jlt_chart_unscaled(self->chart, self->direction, self->direction);
     return JLT_OK;
 }
 

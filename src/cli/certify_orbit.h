@@ -24,7 +24,7 @@ typedef struct {
     const signed char *signs; /* of the reversor, (states,) */
     const double *saddle;  /* (2,), coordinates of a fixed point of the map */
     unsigned which;        /* which of the orbits found to take, counted from 1 */
-    double distance;       /* least distance of the orbit's first point from the saddle, in these coordinates */
+    double distance;       /* least distance of the orbit's first point from the saddle, in units of the coordinates' sizes */
 } jlt_certify_search;
 
 /** Follow starts along the unstable direction, over a fundamental domain of the squared map, until s, the state that the reversor

@@ -38,8 +38,10 @@ static const struct argp_option option_table[] = {
       "value for every state where the motions begin", 1 },
     { "digits", DIGITS, "N", 0, "Decimals to compute with, 10 to 1000; default 20", 1 },
     { "radius", RADIUS, "R", 0,
-      "Radius of the box, in units of the table's states; default 1e-10, or with --spread as far as orbits spread", 1 },
-    { "distance", DISTANCE, "VALUE", 0, "How far from the saddle a homoclinic orbit begins, in coordinates; default 1e-7", 1 },
+      "Radius of the box, in units of the table's states; default 1e-10 in units of the problem, or with --spread as far as "
+      "orbits spread", 1 },
+    { "distance", DISTANCE, "VALUE", 0,
+      "How far from the saddle a homoclinic orbit begins, relative to the size of the section; default 1e-7", 1 },
     { "orbit", ORBIT, "N", 0, "Which homoclinic orbit: the Nth that is found, in order of returns; default 1", 1 },
     { "family", FAMILY, "NAME", 0, "The family of equilibria, where the table has more than one", 1 },
     { "box", BOX, "NAME=LOW:HIGH|VALUE,...", 0,
@@ -284,7 +286,8 @@ static jlt_exit ask(json_t **given, const jlt_descriptor **d, options *o, jlt_sy
     code = jlt_given_read(&question, *given, *d, &o->watch, problem)
                ? check_reversors(o, &question.question, x, turns, legs)
                : jlt_command_fail(JLT_EXIT_INPUT, "%s", problem);
-    if (code == JLT_EXIT_DONE) st = jlt_given_make_legs(&question, *given, legs, x, T, turns, o->radius, problem);
+    if (code == JLT_EXIT_DONE)
+        st = jlt_given_make_legs(&question, *given, legs, x, T, turns, o->radius, system->flow.units.state, problem);
     if (st != JLT_OK && *problem != '\0')
         code = jlt_command_fail(JLT_EXIT_INPUT, "%s", problem);
     else if (st == JLT_ERR_DOMAIN)

@@ -142,19 +142,24 @@ static const char *branch_name(int k)
     return k < 2 ? "unstable" : "stable";
 }
 
-static void write_all(FILE *file, const jlt_separatrices *p, const jlt_periodic *saddle, bool crossings)
+static void write_end(FILE *file, const char *prefix, const jlt_separatrices *p, int k)
 {
     static const char *const ends[] = { "length reached", "number of points reached", "number of returns reached",
                                         "runs into orbits that end", "interrupted" };
+
+    fprintf(file, "%s%s branch, side %+d: %zu points, length %.6g, %s%s\n", prefix, branch_name(k), k % 2 == 0 ? 1 : -1,
+            p->curve[k].count, p->curve[k].length[p->curve[k].count - 1], ends[p->curve[k].end],
+            p->curve[k].end == JLT_MANIFOLD_POLE && p->chart->solved_count > 0 ? ", or leave the branch of --solve" : "");
+}
+
+static void write_all(FILE *file, const jlt_separatrices *p, const jlt_periodic *saddle, bool crossings)
+{
     jlt_csv_names names;
 
     fprintf(file, "# saddle of period %zu: %s=%.17g %s=%.17g, multipliers %.15g, %.15g, residual %.2g\n", saddle->period,
             p->chart->names[0], saddle->points[0], p->chart->names[1], saddle->points[1], saddle->re[0], saddle->re[1],
             saddle->residual);
-    for (int k = 0; k < JLT_SEPARATRICES; k++)
-        fprintf(file, "# %s branch, side %+d: %zu points, length %.6g, %s%s\n", branch_name(k), k % 2 == 0 ? 1 : -1,
-                p->curve[k].count, p->curve[k].length[p->curve[k].count - 1], ends[p->curve[k].end],
-                p->curve[k].end == JLT_MANIFOLD_POLE && p->chart->solved_count > 0 ? ", or leave the branch of --solve" : "");
+    for (int k = 0; k < JLT_SEPARATRICES; k++) write_end(file, "# ", p, k);
     if (crossings) {
         fputs("# homoclinic points:\n", file);
         write_crossings(file, p, "# ");
@@ -225,6 +230,9 @@ static jlt_exit save(jlt_stream *crossings, options *o, const jlt_system *system
     }
     if (code == JLT_EXIT_DONE && jlt_motion_interrupted(&o->motion))
         fprintf(stderr, "jellett: interrupted; the branches as far as they have grown are saved in %s\n", common->table.path);
+    for (int k = 0; k < JLT_SEPARATRICES && code == JLT_EXIT_DONE; k++)
+        if (p->curve[k].end != JLT_MANIFOLD_LENGTH && p->curve[k].end != JLT_MANIFOLD_INTERRUPT)
+            write_end(stderr, "jellett: shorter than --length: ", p, k);
     if (code == JLT_EXIT_DONE && common->plot != NULL) code = draw(o, system, p, saddle);
     return code;
 }

@@ -40,7 +40,8 @@ jlt_exit jlt_motion_fail(jlt_status status, const jlt_system *system, const char
                                 "which return)", what);
     if (status == JLT_ERR_DOMAIN && system != NULL)
         return jlt_command_fail(JLT_EXIT_INPUT, "%s: the map has no derivative there: the orbit crosses the section the other way "
-                                "(--direction), leaves the model's domain, or does not come back", what);
+                                "(--direction), leaves the model's domain, or does not come back ('jellett section' tells which)",
+                                what);
     if (status == JLT_ERR_UNSUPPORTED && system != NULL)
         return system->flow.end_where_invalid
                    ? jlt_command_fail(JLT_EXIT_INPUT, "--contact end: %s has more records 'valid' than can end an orbit: take "

@@ -7,9 +7,14 @@
 
 #include <argp.h>
 #include <errno.h>
+#include <pthread.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
 #include <unistd.h>
+
+static const size_t stack_usual = 8 << 20; /* what Linux allows by default; arrays of the widest fields take half of it */
 
 /* Runs at exit: report a failure to write buffered standard output, also after --help, where argp ends the program. */
 static void close_output(void)
@@ -32,9 +37,35 @@ static void end_without_memory(void)
     _exit(JLT_EXIT_NUMERICAL);
 }
 
+static void widen_stack(void)
+{
+    struct rlimit limit;
+
+    if (getrlimit(RLIMIT_STACK, &limit) != 0 || limit.rlim_cur >= stack_usual) return;
+    limit.rlim_cur = limit.rlim_max < stack_usual ? limit.rlim_max : stack_usual;
+    if (setrlimit(RLIMIT_STACK, &limit) != 0 || limit.rlim_cur < stack_usual)
+        fprintf(stderr, "jellett: the stack is limited to %ju KiB, with which commands may crash: allow %zu ('ulimit -s')\n",
+                (uintmax_t)limit.rlim_max / 1024, stack_usual / 1024);
+}
+
+/* Threads have stacks as the limit was when the program began, or, without a limit, of 2 MiB. */
+static void widen_stacks_of_threads(void)
+{
+    pthread_attr_t attributes;
+    size_t size;
+
+    if (pthread_getattr_default_np(&attributes) != 0) return;
+    if (pthread_attr_getstacksize(&attributes, &size) == 0 && size < stack_usual
+        && pthread_attr_setstacksize(&attributes, stack_usual) == 0)
+        (void)pthread_setattr_default_np(&attributes);
+    pthread_attr_destroy(&attributes);
+}
+
 jlt_exit jlt_program_begin(void)
 {
     if (!ttc_output_standard()) return JLT_EXIT_IO;
+    widen_stack();
+    widen_stacks_of_threads();
     jlt_interrupt_begin();
     ttc_exhaustion_handle(end_without_memory);
     argp_err_exit_status = JLT_EXIT_USAGE;

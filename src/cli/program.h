@@ -4,8 +4,9 @@
 
 #include "cli/command.h"
 
-/** Call it first. It opens standard descriptors that are closed, installs signal handlers, lets the program end with a message when
- *  FLINT or GMP run out of memory, and with JLT_EXIT_IO when standard output could not be written. */
+/** Call it first. It opens standard descriptors that are closed, asks for the usual stack where there is less, and says so where it
+ *  gets none, installs signal handlers, lets the program end with a message when FLINT or GMP run out of memory, and with
+ *  JLT_EXIT_IO when standard output could not be written. */
 jlt_exit jlt_program_begin(void);
 
 /** Run the command once in this process, without other runs beside it (cli/shelf.h); argv[0] is "jellett NAME" already. Returns its

@@ -206,7 +206,7 @@ static bool has_intervals(const jlt_given *self, json_t *given)
 }
 
 jlt_status jlt_given_make_legs(jlt_given *self, json_t *given, unsigned legs, const double *x, const double *T,
-                               const int *turns, double radius, char problem[JLT_GIVEN_PROBLEM_MAX])
+                               const int *turns, double radius, const int *units, char problem[JLT_GIVEN_PROBLEM_MAX])
 {
     const jlt_descriptor *d = self->question.descriptor;
     json_t *names = json_array();
@@ -215,8 +215,7 @@ jlt_status jlt_given_make_legs(jlt_given *self, json_t *given, unsigned legs, co
     JLT_SCOPED_VECTOR(arb, levels, JLT_FORMULAS_LEVELS_MAX);
     jlt_cycle *cycle = NULL;
     const bool spreads = !(radius > 0) && has_intervals(self, given);
-    const double width = radius > 0 ? radius : 1e-10;
-    char text[32];
+    double radii[JLT_CYCLE_STATES_MAX];
     jlt_status st = JLT_ERR_ARG;
 
     if (legs < 1 || legs > JLT_CYCLE_LEGS_MAX) goto done;
@@ -235,11 +234,12 @@ jlt_status jlt_given_make_legs(jlt_given *self, json_t *given, unsigned legs, co
     JLT_TRY(jlt_cycle_choose(cycle, self->kept, self->legs.box));
     JLT_TRY(jlt_cycle_refine(cycle, self->legs.box, self->legs.instants, legs, self->kept));
     for (unsigned i = 0; i < self->kept_count; i++) json_array_append_new(names, json_string(d->states[self->kept[i]].name));
+    for (unsigned i = 0; i < d->state_count; i++) radii[i] = radius > 0 ? radius : ldexp(1e-10, units[i]);
     if (spreads) JLT_TRY(widen(self, legs));
-    else for (unsigned i = 0; i < legs * (d->state_count - 1); i++) mag_set_d(arb_radref(self->legs.box + i), width);
-    snprintf(text, sizeof text, "%.3g", width);
+    else for (unsigned i = 0, k = 0; i < legs * d->state_count; i++)
+        if (i % d->state_count != self->question.column) mag_set_d(arb_radref(self->legs.box + k++), radii[i % d->state_count]);
     st = json_object_set(given, "coordinates", names) == 0
-                 && json_object_set_new(given, "legs", jlt_given_legs_write(&self->legs, &self->question, spreads ? NULL : text))
+                 && json_object_set_new(given, "legs", jlt_given_legs_write(&self->legs, &self->question, spreads ? NULL : radii))
                         == 0
              ? JLT_OK
              : JLT_ERR_NOMEM;

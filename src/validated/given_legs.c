@@ -89,16 +89,15 @@ json_t *jlt_given_legs_decimal(const arb_t value, unsigned digits)
     return out;
 }
 
-/* The radius, rounded up to three digits. */
-static json_t *own_radius(const arb_t value)
+static json_t *in_digits(const char *form, double radius)
 {
     char text[32];
 
-    snprintf(text, sizeof text, "%.2e", 1.01 * mag_get_d(arb_radref(value)));
+    snprintf(text, sizeof text, form, radius);
     return json_string(text);
 }
 
-json_t *jlt_given_legs_write(const jlt_given_legs *self, const jlt_cycle_question *question, const char *radius)
+json_t *jlt_given_legs_write(const jlt_given_legs *self, const jlt_cycle_question *question, const double *radii)
 {
     const jlt_descriptor *d = question->descriptor;
     json_t *legs = json_array();
@@ -112,7 +111,8 @@ json_t *jlt_given_legs_write(const jlt_given_legs *self, const jlt_cycle_questio
             arb_get_mid_arb(middle, y);
             json_object_set_new(box, d->states[s].name,
                                 json_pack("{s:o,s:o}", "middle", jlt_given_legs_decimal(middle, question->digits), "radius",
-                                          radius != NULL ? json_string(radius) : own_radius(y)));
+                                          radii != NULL ? in_digits("%.3g", radii[s])
+                                                        : in_digits("%.2e", 1.01 * mag_get_d(arb_radref(y)))));
             y++;
         }
         json_array_append_new(legs, json_pack("{s:o,s:o,s:o*}", "box", box, "instant",

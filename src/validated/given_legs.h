@@ -24,8 +24,9 @@ void jlt_given_legs_clear(jlt_given_legs *self, const jlt_cycle_question *questi
 void jlt_given_legs_guess(jlt_given_legs *self, const jlt_cycle_question *question, unsigned count, const double *x,
                           const double *T);
 
-/** Write legs as in given.h; a new reference. radius: of all boxes, as text; NULL: their own radii, rounded up to three digits. */
-json_t *jlt_given_legs_write(const jlt_given_legs *self, const jlt_cycle_question *question, const char *radius);
+/** Write legs as in given.h; a new reference. radii: of all boxes, by state; NULL: their own. Radii have three
+ *  digits, their own rounded up. */
+json_t *jlt_given_legs_write(const jlt_given_legs *self, const jlt_cycle_question *question, const double *radii);
 
 /** Whether points y, shape (legs, states - 1), certainly lie in the boxes of an array of legs, exactly as these are written. */
 bool jlt_given_legs_hold(const json_t *legs, const jlt_cycle_question *question, arb_srcptr y);

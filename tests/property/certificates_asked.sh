@@ -172,6 +172,43 @@ T
 expect_text 0 "" jellett certify sink ./fast.tt --section p=0 --direction down --start x=2.0086198608748 -o fast.json
 expect_text 0 "the time T = 6.6632868593231" jellett check -m ./fast.tt fast.json
 
+# The same with an amplitude of 10 micrometres, in a second and in a microsecond: a box is as small as the problem.
+cat > small.tt << 'T'
+model small
+param R > 0 [m]
+param w > 0 [1/s]
+state x [m]
+state p [m/s]
+eq x = p
+eq p = w*(1 - x^2/R^2)*p - w^2*x
+T
+for w in 1 1e6; do
+    expect_text 0 "" jellett certify sink ./small.tt --set R=5e-6,w=$w --section p=0 --direction down \
+        --start x=1.0043099304374e-5 -o small.json
+    expect_text 0 "multiplier (0.00085969506360" jellett check -m ./small.tt small.json
+done
+
+# So is the distance at which a homoclinic orbit begins: Henon's and Heiles' oscillators, with a length of a micrometre.
+cat > micro.tt << 'T'
+model micro
+param L > 0 [m]
+param w > 0 [1/s]
+default w = 1
+state x [m]
+state y [m]
+state px [m/s]
+state py [m/s]
+eq x = px
+eq y = py
+eq px = - w^2*x - 2*w^2*x*y/L
+eq py = - w^2*y - w^2*x^2/L + w^2*y^2/L
+integral H = (px^2 + py^2)/2 + w^2*(x^2 + y^2)/2 + w^2*(x^2*y - y^3/3)/L
+reversor x -> -x, py -> -py
+T
+expect_text 0 "" jellett certify homoclinic ./micro.tt --set L=1e-6 --section x=0 --level H=1.25e-13 --solve px=4e-7 \
+    --start y=-2e-7,py=0 --digits 16 -o micro.json
+expect_text 0 "the manifolds cross transversally" jellett check -m ./micro.tt micro.json
+
 # Levels of an integral that is one under a condition alone: what to do is said.
 printf '%s\n' 'model damped' 'param k >= 0' 'default k = 0' 'state x' 'state v' 'state y' 'eq x = v' \
     'eq v = - x - k*v' 'eq y = x - y' \

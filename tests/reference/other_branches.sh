@@ -143,7 +143,9 @@ integral K = y - (x - 7/10)^2
 TABLE
 jellett manifolds ./folded.tt --section phi=0 --level K=0 --solve x=0 --start y=0.497,v=0 --length 5 --crossings points.csv \
     > out 2> err || fail "manifolds: $(cat err)"
-grep -q 'unstable branch, side -1: .* runs into orbits that end, or leave the branch of --solve' out || fail "ends: $(cat out)"
+cut='unstable branch, side -1: .* runs into orbits that end, or leave the branch of --solve'
+grep -q "^# $cut" out || fail "ends: $(cat out)"
+grep -q "^jellett: shorter than --length: $cut" err || fail "a branch that is cut off: $(cat err)"
 rows < points.csv | awk -F, '{ exit !($1^2 < 1e-12 && ($2 - 4.463549)^2 < 1e-8) }' || fail "homoclinic points: $(rows < points.csv)"
 [ "$(rows < points.csv | wc -l)" -eq 1 ] || fail "more homoclinic points than the branch has: $(rows < points.csv)"
 exit "$status"

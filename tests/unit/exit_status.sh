@@ -103,6 +103,12 @@ for command in models verify "eigen --set a3=0 --at $at" "measure --set I3=0" "s
     # shellcheck disable=SC2086
     expect 5 into_full jellett $command
 done
+# A small stack is made as large as is allowed; where that is too little, this is said before anything crashes.
+on_stack() { (ulimit "$1" 256; "${@:2}"); }
+expect 0 on_stack -Ss jellett continue --along E=2.1:2.15
+expect 0 on_stack -Ss jellett section --start eta=0.1,gamma3=-0.6 --returns 5
+expect 0 on_stack -s jellett models
+grep -q 'the stack is limited to 256 KiB' "$scratch/err" || fail "nothing is said of a small stack: $(cat "$scratch/err")"
 for tool in build test run install-deps regenerate; do expect 0 "$JLT_SOURCE_DIR/tools/$tool" --help; done
 for tool in build install-deps regenerate "test --preset"; do
     # shellcheck disable=SC2086

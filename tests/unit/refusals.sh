@@ -32,6 +32,7 @@ for command in section fates "lyapunov --returns 5" "continue --along E=2:2.2" "
     }
 done
 refuse 3 "eta=-1,gamma3=0.9: the orbit ends before it returns: take another start" jellett orbits --start eta=-1,gamma3=0.9
+refuse 3 "'jellett section' tells which" jellett orbits chaplygin_sleigh --section v=0 --start w=1 --set a=1
 # A start that returns is not to blame for where Newton's steps lead.
 refuse 4 "finds no periodic orbit from eta=1,gamma3=0.9, where .* the other way" jellett orbits --start eta=1,gamma3=0.9
 refuse 3 "gamma3 must lie" jellett section --start "$point" --start eta=0,gamma3=2
