@@ -21,7 +21,8 @@ static double distance(double x, double end, double side, double scale)
     return margin(x, end, side) / jlt_larger(fabs(end), scale);
 }
 
-/* The least distance of x (states,) from an interval's end. NaN counts as outside. */
+/* The least distance of x (states,) from an interval's end. NaN counts as outside. A kept state may be as near to its end as it
+ * likes: its distance is in units of what it is at the step's start. */
 static double least_of_intervals(const jlt_stepper *stepper, const double *x)
 {
     const jlt_field *field = stepper->field;
@@ -30,7 +31,7 @@ static double least_of_intervals(const jlt_stepper *stepper, const double *x)
 
     for (unsigned i = 0; domain->intervals != NULL && i < domain->states; i++) {
         const double low = domain->intervals[i].low, high = domain->intervals[i].high;
-        const double scale = jlt_stepper_unit(stepper, i);
+        const double scale = jlt_field_keeps(field, i) ? fabs(stepper->x_start[i]) : jlt_stepper_unit(stepper, i);
         const double above = isfinite(low) ? distance(x[i], low, 1, scale) : INFINITY;
         const double below = isfinite(high) ? distance(x[i], high, -1, scale) : INFINITY;
         if (!(above >= least)) least = above;

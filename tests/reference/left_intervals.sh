@@ -102,4 +102,20 @@ awk -F, '$2 == 0 { start = $4 } /^[0-9]/ && $2 > 0 { n++; bad += !(($4/start - 1
 expect_text 0 "8 starts: 8 alive" jellett fates ./ebb.tt --set d=40 --section phase=0 --grid x=0.1:0.4:4,y=0:1:2 --returns 2
 awk -F, '/^0/ { n++; bad += !(($5/$1/exp(-160*3.141592653589793) - 1)^2 <= 64^2*1e-18) } END { exit !(n == 8 && !bad) }' out ||
     fail "what is left of x after two turns: $(cat out)"
+# However near x is to its end, y beside it ends where it does: y + y^2/2 = 3/2 - t from y = 1. An error of a step, 1e-12, counts
+# 1 + y times in that time, and there are fewer than 1000 steps.
+printf '%s\n' 'model beside' 'state x in (0, inf)' 'state y in (0, inf)' 'state z' 'state w' 'eq x = -50*x' 'eq y = -1/(1 + y)' \
+    'eq z = w' 'eq w = -z' > beside.tt
+ends_in_time() { # WHAT COLUMN: rows.csv
+    awk -F, '/left_domain/ { off = $t - 3/2; n++; bad += off*off > 4e-18 } END { exit bad || !n }' t="$2" rows.csv ||
+        fail "y comes to 0 at 3/2, $1: $(tail -2 rows.csv)"
+}
+for method in gauss dop853 taylor rk8pd rkf45 msadams; do
+    jellett simulate ./beside.tt --start x=1,y=1,z=0,w=1 --times 100 --method $method > rows.csv 2> err
+    ends_in_time $method 1
+done
+for how in "" "--method gauss"; do # the first: in lanes
+    section rows.csv ./beside.tt --section z=0 --grid x=1:2:2,y=1:1:1,w=1:1:1 --returns 2 $how
+    ends_in_time "${how:-in lanes}" 3
+done
 exit $status
