@@ -118,4 +118,16 @@ for how in "" "--method gauss"; do # the first: in lanes
     section rows.csv ./beside.tt --section z=0 --grid x=1:2:2,y=1:1:1,w=1:1:1 --returns 2 $how
     ends_in_time "${how:-in lanes}" 3
 done
+# Nor does a kernel that overflows, here in v*w at t = 340780.8, make x stand still, which falls as (1 + t/1e6)^(-power).
+for power in 10 100; do
+    printf '%s\n' 'model far' 'state x in (0, inf)' 'state v' 'state w' 'state s' "eq x = -$power*1e148*x/v" 'eq v = 1e148' \
+        'eq w = 1e148' 'eq s = 1/w' > far.tt
+    for what in "x in (0, inf)" x; do
+        sed -e "s/^state x .*/state $what/" -e "s/far/now/" far.tt > now.tt
+        for method in gauss dop853 taylor rk8pd rkf45 msadams; do
+            jellett simulate ./now.tt --start x=1,v=1e154,w=1e154,s=0 --times 1000000 --method $method > out 2> err
+            [ $? -eq 4 ] || fail "$what, power $power, by $method: $(tail -1 out)"
+        done
+    done
+done
 exit $status
