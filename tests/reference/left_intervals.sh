@@ -130,4 +130,21 @@ for power in 10 100; do
         done
     done
 done
+# In an epidemic that is over, I falls as exp(-(1 - 2 S) t), below all doubles by t = 1000. What is left of it, errors of the least
+# scale, is no end of the model's domain.
+printf '%s\n' 'model over' 'state S in (0, inf)' 'state I in (0, inf)' 'state z' 'state w' 'eq S = -2*S*I' \
+    'eq I = 2*S*I - I' 'eq z = w' 'eq w = -z' > over.tt
+for method in gauss dop853 taylor rk8pd rkf45 msadams; do
+    expect 0 '^1000,' jellett simulate ./over.tt --start S=3,I=1e-3,z=0,w=1 --times 1000 --method $method
+    awk -F, '/^1000,/ { i = $3 + 0; exit !(i < 1e-290 && i > -1e-290 && /alive$/) }' out || fail "over, $method: $(tail -1 out)"
+done
+# A state that looks as if it never came to 0, as rates are 0 at all T < 10, ends where it does, though it would soon be back:
+# c = 9.07 - K (1 - cos t), K = 1e5 exp(-10). An error of a step, 9e-12 or less, counts 1/(K sin t) = 3.3 times in that time.
+printf '%s\n' 'model burnt' 'state c in (0, inf)' 'state T in (0, inf)' 'state z' 'state w' 'exp e = exp(-1e4/T)' \
+    'eq c = -1e5*e*z' 'eq T = 0' 'eq z = w' 'eq w = -z' > burnt.tt
+for method in gauss dop853 taylor rk8pd rkf45 msadams; do
+    jellett simulate ./burnt.tt --start c=9.07,T=1000,z=0,w=1 --times 10 --method $method > out 2> err
+    tail -1 out | awk -F, '{ off = $1 - 3.0752547425164227; exit !(off*off < 9e-16 && /left_domain/) }' ||
+        fail "c comes to 0, $method: $(tail -1 out)"
+done
 exit $status
