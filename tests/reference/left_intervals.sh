@@ -147,4 +147,13 @@ for method in gauss dop853 taylor rk8pd rkf45 msadams; do
     tail -1 out | awk -F, '{ off = $1 - 3.0752547425164227; exit !(off*off < 9e-16 && /left_domain/) }' ||
         fail "c comes to 0, $method: $(tail -1 out)"
 done
+# All orbits of x' = -k z x return to where they began, and so do those beside them: exponents are 0. In lanes errors are 64e-12 a
+# step at most, as above, and t is 8 pi. An orbit that leaves the domain, at c > 0, changes nothing for others.
+printf '%s\n' 'model ebbing' 'param c' 'default c = 0' 'state x in (0, inf)' 'state z' 'state w' 'eq x = -30*z*x - c' 'eq z = w' \
+    'eq w = -z' > ebbing.tt
+for sweep in "" "--sweep c=0.001:0:2"; do
+    expect 0 '' jellett lyapunov ./ebbing.tt --section z=0 --grid x=0.5:1.4:4,w=1:1:1 --returns 4 $sweep
+    grep '25[.]1327' out | awk -F, '{ e = $(NF - 1); n++; bad += !(e*e < 1e-17) } END { exit bad || n != 4 }' ||
+        fail "exponents ${sweep:-in lanes}: $(grep -v '^#' out)"
+done
 exit $status
