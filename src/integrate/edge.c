@@ -16,23 +16,38 @@ static double margin(double x, double end, double side)
     return isfinite(end) ? side * (x - end) - JLT_FIELD_NEAREST * fabs(end) : INFINITY;
 }
 
-static double distance(double x, double end, double side, double scale)
+static bool is_kept_from(const jlt_field *field, unsigned state, double end)
 {
-    return margin(x, end, side) / jlt_larger(fabs(end), scale);
+    return end == 0 && jlt_field_keeps(field, state);
+}
+
+/* Where an interval's end counts as such: below the least scale nothing is left of a kept state but errors, which may change its
+ * sign. */
+static double end_of(const jlt_field *field, unsigned state, double end, double side)
+{
+    return is_kept_from(field, state, end) ? -side * JLT_STEPPER_SCALE_LEAST : end;
+}
+
+/* How far x is from an end of this state's interval. A kept state may be as near to 0 as it likes: its distance is in units of what
+ * it is at the step's start. */
+static double distance(const jlt_stepper *stepper, unsigned state, double x, double end, double side)
+{
+    const jlt_field *field = stepper->field;
+
+    if (!isfinite(end)) return INFINITY;
+    const double unit = is_kept_from(field, state, end) ? fabs(stepper->x_start[state]) : jlt_stepper_unit(stepper, state);
+    return margin(x, end_of(field, state, end, side), side) / jlt_larger(fabs(end), unit);
 }
 
 /* The least distance of x (states,) from an interval's end. NaN counts as outside. */
 static double least_of_intervals(const jlt_stepper *stepper, const double *x)
 {
-    const jlt_field *field = stepper->field;
-    const jlt_domain *domain = &field->domain;
+    const jlt_domain *domain = &stepper->field->domain;
     double least = INFINITY;
 
     for (unsigned i = 0; domain->intervals != NULL && i < domain->states; i++) {
-        const double low = domain->intervals[i].low, high = domain->intervals[i].high;
-        const double scale = jlt_stepper_unit(stepper, i);
-        const double above = isfinite(low) ? distance(x[i], low, 1, scale) : INFINITY;
-        const double below = isfinite(high) ? distance(x[i], high, -1, scale) : INFINITY;
+        const double above = distance(stepper, i, x[i], domain->intervals[i].low, 1);
+        const double below = distance(stepper, i, x[i], domain->intervals[i].high, -1);
         if (!(above >= least)) least = above;
         if (!(below >= least)) least = below;
     }
@@ -183,7 +198,7 @@ jlt_status jlt_edge_first_zero(double *theta, jlt_stepper *stepper, const jlt_ev
 
 static jlt_status leave_interval(double *theta, jlt_stepper *stepper, unsigned state, double end, int side)
 {
-    const jlt_event event = { .column = state, .level = end };
+    const jlt_event event = { .column = state, .level = end_of(stepper->field, state, end, side) };
 
     return isfinite(end) ? jlt_edge_first_zero(theta, stepper, &event, side) : JLT_OK;
 }

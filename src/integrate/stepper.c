@@ -178,12 +178,15 @@ static jlt_status approach_edge(jlt_stepper *self, double theta)
     return JLT_ERR_DOMAIN;
 }
 
-/* Whether rates have changed within the last step by no more than an error of its tolerance. */
+/* Whether rates have changed within the last step by no more than makes an error of the tolerance in all the time until now: what
+ * an overflow takes from them is missing from there on. */
 static bool is_steady(const jlt_stepper *self)
 {
+    const double time = jlt_larger(fabs(self->h), fabs(self->tau));
+
     for (unsigned i = 0; i < self->field->dim; i++) {
-        const double change = fabs(self->h * (self->f[i] - self->f_start[i]));
-        if (!(change <= self->asked * jlt_larger(fabs(self->x[i]), jlt_stepper_unit(self, i)))) return false;
+        const double change = fabs(time * (self->f[i] - self->f_start[i]));
+        if (!(change <= self->asked * jlt_larger(fabs(self->x[i]), self->scale[i]))) return false;
     }
     return true;
 }

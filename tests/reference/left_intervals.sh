@@ -102,4 +102,58 @@ awk -F, '$2 == 0 { start = $4 } /^[0-9]/ && $2 > 0 { n++; bad += !(($4/start - 1
 expect_text 0 "8 starts: 8 alive" jellett fates ./ebb.tt --set d=40 --section phase=0 --grid x=0.1:0.4:4,y=0:1:2 --returns 2
 awk -F, '/^0/ { n++; bad += !(($5/$1/exp(-160*3.141592653589793) - 1)^2 <= 64^2*1e-18) } END { exit !(n == 8 && !bad) }' out ||
     fail "what is left of x after two turns: $(cat out)"
+# However near x is to its end, y beside it ends where it does: y + y^2/2 = 3/2 - t from y = 1. An error of a step, 1e-12, counts
+# 1 + y times in that time, and there are fewer than 1000 steps.
+printf '%s\n' 'model beside' 'state x in (0, inf)' 'state y in (0, inf)' 'state z' 'state w' 'eq x = -50*x' 'eq y = -1/(1 + y)' \
+    'eq z = w' 'eq w = -z' > beside.tt
+ends_in_time() { # WHAT COLUMN: rows.csv
+    awk -F, '/left_domain/ { off = $t - 3/2; n++; bad += off*off > 4e-18 } END { exit bad || !n }' t="$2" rows.csv ||
+        fail "y comes to 0 at 3/2, $1: $(tail -2 rows.csv)"
+}
+for method in gauss dop853 taylor rk8pd rkf45 msadams; do
+    jellett simulate ./beside.tt --start x=1,y=1,z=0,w=1 --times 100 --method $method > rows.csv 2> err
+    ends_in_time $method 1
+done
+for how in "" "--method gauss"; do # the first: in lanes
+    section rows.csv ./beside.tt --section z=0 --grid x=1:2:2,y=1:1:1,w=1:1:1 --returns 2 $how
+    ends_in_time "${how:-in lanes}" 3
+done
+# Nor does a kernel that overflows, here in v*w at t = 340780.8, make x stand still, which falls as (1 + t/1e6)^(-power).
+for power in 10 100; do
+    printf '%s\n' 'model far' 'state x in (0, inf)' 'state v' 'state w' 'state s' "eq x = -$power*1e148*x/v" 'eq v = 1e148' \
+        'eq w = 1e148' 'eq s = 1/w' > far.tt
+    for what in "x in (0, inf)" x; do
+        sed -e "s/^state x .*/state $what/" -e "s/far/now/" far.tt > now.tt
+        for method in gauss dop853 taylor rk8pd rkf45 msadams; do
+            jellett simulate ./now.tt --start x=1,v=1e154,w=1e154,s=0 --times 1000000 --method $method > out 2> err
+            [ $? -eq 4 ] || fail "$what, power $power, by $method: $(tail -1 out)"
+        done
+    done
+done
+# In an epidemic that is over, I falls as exp(-(1 - 2 S) t), below all doubles by t = 1000. What is left of it, errors of the least
+# scale, is no end of the model's domain.
+printf '%s\n' 'model over' 'state S in (0, inf)' 'state I in (0, inf)' 'state z' 'state w' 'eq S = -2*S*I' \
+    'eq I = 2*S*I - I' 'eq z = w' 'eq w = -z' > over.tt
+for method in gauss dop853 taylor rk8pd rkf45 msadams; do
+    expect 0 '^1000,' jellett simulate ./over.tt --start S=3,I=1e-3,z=0,w=1 --times 1000 --method $method
+    awk -F, '/^1000,/ { i = $3 + 0; exit !(i < 1e-290 && i > -1e-290 && /alive$/) }' out || fail "over, $method: $(tail -1 out)"
+done
+# A state that looks as if it never came to 0, as rates are 0 at all T < 10, ends where it does, though it would soon be back:
+# c = 9.07 - K (1 - cos t), K = 1e5 exp(-10). An error of a step, 9e-12 or less, counts 1/(K sin t) = 3.3 times in that time.
+printf '%s\n' 'model burnt' 'state c in (0, inf)' 'state T in (0, inf)' 'state z' 'state w' 'exp e = exp(-1e4/T)' \
+    'eq c = -1e5*e*z' 'eq T = 0' 'eq z = w' 'eq w = -z' > burnt.tt
+for method in gauss dop853 taylor rk8pd rkf45 msadams; do
+    jellett simulate ./burnt.tt --start c=9.07,T=1000,z=0,w=1 --times 10 --method $method > out 2> err
+    tail -1 out | awk -F, '{ off = $1 - 3.0752547425164227; exit !(off*off < 9e-16 && /left_domain/) }' ||
+        fail "c comes to 0, $method: $(tail -1 out)"
+done
+# All orbits of x' = -k z x return to where they began, and so do those beside them: exponents are 0. In lanes errors are 64e-12 a
+# step at most, as above, and t is 8 pi. An orbit that leaves the domain, at c > 0, changes nothing for others.
+printf '%s\n' 'model ebbing' 'param c' 'default c = 0' 'state x in (0, inf)' 'state z' 'state w' 'eq x = -30*z*x - c' 'eq z = w' \
+    'eq w = -z' > ebbing.tt
+for sweep in "" "--sweep c=0.001:0:2"; do
+    expect 0 '' jellett lyapunov ./ebbing.tt --section z=0 --grid x=0.5:1.4:4,w=1:1:1 --returns 4 $sweep
+    grep '25[.]1327' out | awk -F, '{ e = $(NF - 1); n++; bad += !(e*e < 1e-17) } END { exit bad || n != 4 }' ||
+        fail "exponents ${sweep:-in lanes}: $(grep -v '^#' out)"
+done
 exit $status
