@@ -36,7 +36,7 @@ static bool coordinates_fit(const fitting *f)
         const bool known = ttc_model_find_symbol(f->chart, image->names[k], &symbol);
         const ttc_symbol_kind kind = known ? f->chart->symbols[symbol].kind : TTC_LET;
         if (kind == TTC_PARAM)
-            return ttc_refuse(f->reason, f->size, "%s is a parameter of %s: set it to an integral, or leave it out if it is the one "
+            return ttc_refuse(f->reason, f->size, "%s is a parameter of %s: set it to an integral, or leave it out if it is that "
                               "of this table", image->names[k], f->file);
         if (kind != TTC_STATE) return ttc_refuse(f->reason, f->size, "%s is no state of %s", image->names[k], f->file);
     }
