@@ -3,79 +3,92 @@
 #include <math.h>
 #include <string.h>
 
-enum { ANGLES = 4, LOOKS = 64 };
+enum { ANGLES = 4, LOOKS = 64, INTEGRALS = JLT_CHART_INTEGRALS_MAX, STATES = JLT_CHART_STATES_MAX };
 
-/* The integrals whose levels the section fixes, at x, shape (level_count,); slopes: their derivatives by a state. */
-static void integrals_at(const jlt_system *self, double *values, double *slopes, unsigned state, const double *x)
+/* A point of the section, and all integrals of the field there. */
+typedef struct {
+    const jlt_system *system;
+    unsigned fixed[INTEGRALS]; /* the integrals whose levels the section fixes, shape (level_count,) */
+    double q[JLT_CHART_COORDINATES_MAX], x[STATES], values[INTEGRALS], gradients[INTEGRALS * STATES];
+} look;
+
+static void find_fixed(look *self)
 {
-    const jlt_descriptor *d = self->instance->descriptor;
-    const jlt_section_chart *section = self->surface->section;
-    double all[JLT_CHART_INTEGRALS_MAX], gradients[JLT_CHART_INTEGRALS_MAX * JLT_CHART_STATES_MAX];
+    const jlt_descriptor *d = self->system->instance->descriptor;
+    const jlt_surface *surface = self->system->surface;
 
-    if (section->level_count == 0) return;
-    d->integral_values.call(x, self->field.p, all);
-    d->integral_gradients.call(x, self->field.p, gradients);
-    for (unsigned k = 0; k < section->level_count; k++) {
-        const char *name = self->surface->table->integrals[section->integrals[k]].name;
+    for (unsigned k = 0; k < surface->section->level_count; k++) {
+        const char *name = surface->table->integrals[surface->section->integrals[k]].name;
         unsigned i = 0;
         while (i + 1 < d->integral_count && strcmp(d->integrals[i].name, name) != 0) i++;
-        values[k] = all[i];
-        slopes[k] = gradients[i * d->state_count + state];
+        self->fixed[k] = i;
     }
 }
 
 /* Whether x with another value of one state lies over the same point, on the same levels, and is crossed in the flow's
  * direction. */
-static bool is_over(const jlt_system *self, const double *x, const double *q, unsigned state, double value)
+static bool is_over(const look *self, unsigned state, double value)
 {
     static const double same = 1e-9;
-    double other[JLT_CHART_STATES_MAX], f[JLT_CHART_STATES_MAX], back[JLT_CHART_COORDINATES_MAX], slopes[JLT_CHART_INTEGRALS_MAX];
-    double here[JLT_CHART_INTEGRALS_MAX], there[JLT_CHART_INTEGRALS_MAX];
+    const jlt_system *system = self->system;
+    const unsigned levels = system->surface->section->level_count;
+    double other[STATES], f[STATES], back[JLT_CHART_COORDINATES_MAX], there[INTEGRALS];
 
-    memcpy(other, x, self->field.dim * sizeof *x);
+    if (!(fabs(value - self->x[state]) > same * fmax(1, fabs(self->x[state])))) return false;
+    memcpy(other, self->x, system->field.dim * sizeof *other);
     other[state] = value;
-    if (!(fabs(value - x[state]) > same * fmax(1, fabs(x[state])))) return false;
-    self->flow.chart->lower(self->flow.chart, back, NULL, other);
-    integrals_at(self, here, slopes, state, x);
-    integrals_at(self, there, slopes, state, other);
-    for (unsigned k = 0; k < self->surface->section->level_count; k++)
-        if (!(fabs(there[k] - here[k]) <= same * fmax(1, fabs(here[k])))) return false;
-    if (!(jlt_chart_distance(self->flow.chart, back, q) <= same)) return false;
-    self->field.call(other, self->field.p, f);
-    const double rate = f[self->flow.chart->column];
-    return self->flow.direction == JLT_BOTH ? fabs(rate) > 0 : self->flow.direction == JLT_RISING ? rate > 0 : rate < 0;
+    if (levels > 0) system->instance->descriptor->integral_values.call(other, system->field.p, there);
+    for (unsigned k = 0; k < levels; k++) {
+        const double here = self->values[self->fixed[k]];
+        if (!(fabs(there[self->fixed[k]] - here) <= same * fmax(1, fabs(here)))) return false;
+    }
+    system->flow.chart->lower(system->flow.chart, back, NULL, other);
+    if (!(jlt_chart_distance(system->flow.chart, back, self->q) <= same)) return false;
+    system->field.call(other, system->field.p, f);
+    const double rate = f[system->flow.chart->column];
+    return system->flow.direction == JLT_BOTH ? fabs(rate) > 0 : system->flow.direction == JLT_RISING ? rate > 0 : rate < 0;
 }
 
 /* Whether the flow crosses another state over the same point on the same levels, which differs in one state alone: in its sign, or
  * by the other root of an integral that is quadratic in it. The lift took one of the two. */
-static bool has_other_root(const jlt_system *self, const double *x, const double *q, unsigned state)
+static bool has_other_root(const look *self, unsigned state)
 {
-    double beyond[JLT_CHART_STATES_MAX], values[JLT_CHART_INTEGRALS_MAX], slopes[JLT_CHART_INTEGRALS_MAX],
-        farther[JLT_CHART_INTEGRALS_MAX];
-    bool found = is_over(self, x, q, state, -x[state]);
+    const jlt_descriptor *d = self->system->instance->descriptor;
+    const unsigned levels = self->system->surface->section->level_count;
+    double beyond[STATES], farther[INTEGRALS * STATES];
+    bool found = is_over(self, state, -self->x[state]);
 
-    memcpy(beyond, x, self->field.dim * sizeof *x);
+    if (found || levels == 0) return found;
+    memcpy(beyond, self->x, self->system->field.dim * sizeof *beyond);
     beyond[state] += 1;
-    integrals_at(self, values, slopes, state, x);
-    integrals_at(self, values, farther, state, beyond);
-    for (unsigned k = 0; k < self->surface->section->level_count && !found; k++)
-        found = is_over(self, x, q, state, x[state] - 2 * slopes[k] / (farther[k] - slopes[k]));
+    d->integral_gradients.call(beyond, self->system->field.p, farther);
+    for (unsigned k = 0; k < levels && !found; k++) {
+        const unsigned at = self->fixed[k] * d->state_count + state;
+        found = is_over(self, state, self->x[state] - 2 * self->gradients[at] / (farther[at] - self->gradients[at]));
+    }
     return found;
 }
 
 bool jlt_surface_crossing_met(const jlt_system *self, const jlt_chart_section *section)
 {
+    const jlt_descriptor *d = self->instance->descriptor;
     const jlt_chart *chart = self->flow.chart;
     const size_t all = jlt_chart_section_probes(section, ANGLES);
+    look here;
     unsigned seen = 0;
 
-    if (self->instance->descriptor->integral_count > JLT_CHART_INTEGRALS_MAX) return true;
+    if (d->integral_count > INTEGRALS) return true;
+    here.system = self;
+    find_fixed(&here);
     for (size_t i = 0; i < all && seen < LOOKS; i++) {
-        double q[JLT_CHART_COORDINATES_MAX], x[JLT_CHART_STATES_MAX];
-        jlt_chart_section_probe(section, q, i, ANGLES);
-        if (chart->lift(chart, x, NULL, q) != JLT_OK) continue;
+        jlt_chart_section_probe(section, here.q, i, ANGLES);
+        if (chart->lift(chart, here.x, NULL, here.q) != JLT_OK) continue;
+        if (section->section->level_count > 0) {
+            d->integral_values.call(here.x, self->field.p, here.values);
+            d->integral_gradients.call(here.x, self->field.p, here.gradients);
+        }
         for (unsigned k = 0; k < section->plain; k++)
-            if (k != chart->column && has_other_root(self, x, q, k)) return false;
+            if (k != chart->column && has_other_root(&here, k)) return false;
         seen++;
     }
     return true;

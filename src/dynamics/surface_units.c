@@ -16,7 +16,9 @@ jlt_units jlt_surface_units_of(const jlt_chart_section *chart)
     for (size_t i = 0; i < probes && !(seen && i >= (all < SOME ? all : SOME)); i++) {
         double q[JLT_CHART_COORDINATES_MAX], x[JLT_CHART_STATES_MAX];
         jlt_chart_section_probe(chart, q, i, 8);
-        if (chart->base.lift(&chart->base, x, NULL, q) != JLT_OK) continue;
+        if (!jlt_chart_section_holds(chart, q)) continue;
+        chart->section->lift(q, chart->values, x);
+        x[chart->base.column] = chart->base.level;
         seen = true;
         for (unsigned k = 0; k < chart->base.states; k++)
             if (isfinite(x[k])) largest[k] = fmax(largest[k], fabs(x[k]));
