@@ -43,13 +43,14 @@ static jlt_section_least least_at(const jlt_section_conditions *self, const doub
     return out;
 }
 
-/* Where a condition is least within the last step, if it is broken there and rises again before the end. */
-static bool dips(jlt_event_least *least, jlt_orbit *orbit, const jlt_event *event)
+/* Where a condition is least within the last step, if it is broken there and rises again before the end. hold: all conditions hold
+ * at its ends; else it has to be seen whether this one does. */
+static bool dips(jlt_event_least *least, jlt_orbit *orbit, const jlt_event *event, bool hold)
 {
     const jlt_stepper *stepper = jlt_orbit_stepper(orbit);
     double theta;
 
-    if (jlt_locate_value(event, stepper->x_start) > 0 && jlt_locate_value(event, stepper->x) > 0)
+    if (hold || (jlt_locate_value(event, stepper->x_start) > 0 && jlt_locate_value(event, stepper->x) > 0))
         return jlt_orbit_loss(orbit, &theta, least, event) == JLT_OK && theta <= 1;
     if (!(stepper->h * jlt_locate_slope(event, stepper, stepper->x_start, stepper->f_start) < 0)
         || !(stepper->h * jlt_locate_slope(event, stepper, stepper->x, stepper->f) > 0))
@@ -59,7 +60,7 @@ static bool dips(jlt_event_least *least, jlt_orbit *orbit, const jlt_event *even
 }
 
 /* Set the dip to the least value of a broken condition within the step, if it is less than what was met before. */
-static void look_within(jlt_section_conditions *self, jlt_orbit *orbit)
+static void look_within(jlt_section_conditions *self, jlt_orbit *orbit, bool hold)
 {
     const unsigned count = self->looks_within ? jlt_observed_conditions(self->observed) : 0;
     watched one = { self->observed, 0 };
@@ -68,7 +69,7 @@ static void look_within(jlt_section_conditions *self, jlt_orbit *orbit)
 
     for (; one.condition < count; one.condition++) {
         jlt_event_least least;
-        if (!dips(&least, orbit, &event) || least.value >= before) continue;
+        if (!dips(&least, orbit, &event, hold) || least.value >= before) continue;
         before = least.value;
         self->dip = (jlt_section_least){ least.value, one.condition };
         self->dip_theta = least.theta;
@@ -84,9 +85,12 @@ void jlt_section_conditions_end(jlt_section_conditions *self)
 
 void jlt_section_conditions_step(jlt_section_conditions *self, jlt_orbit *orbit)
 {
+    const jlt_section_least end = least_at(self, jlt_orbit_stepper(orbit)->x);
+    const bool held = isfinite(self->end.value) && self->end.value > 0;
+
     jlt_section_conditions_end(self);
-    look_within(self, orbit);
-    self->end = least_at(self, jlt_orbit_stepper(orbit)->x);
+    look_within(self, orbit, held && end.value > 0);
+    self->end = end;
 }
 
 void jlt_section_conditions_arrive(jlt_section_conditions *self, double theta, const double *x)

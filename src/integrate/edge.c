@@ -2,11 +2,12 @@
 
 #include <math.h>
 
+#include "integrate/gauss_coefficients.h"
 #include "integrate/locate.h"
 #include "integrate/step_control.h"
 #include "integrate/watch.h"
 
-enum { SAMPLES = 16, BISECTIONS = 60 };
+enum { SAMPLES = 16, BISECTIONS = 60, NODES = JLT_STEPPER_NODES };
 static const double ahead = 1e-8; /* part of |tau|: half of its digits */
 static const double rounding = 1e-9; /* a function is this far from 0 at its zeros at most, in units of it elsewhere */
 
@@ -255,31 +256,55 @@ static bool stands_still(const jlt_stepper *stepper, const jlt_event *event, dou
     return rate[0] == 0 && rate[1] == 0;
 }
 
-/* Whether a step's polynomial is above zero by more than it varies, as seen at both ends and at two places between: a cubic
- * polynomial through four such values goes below the least of them by a third of that at most. */
-static bool stays_far(jlt_stepper *stepper, const jlt_event *event, double w0, double w1)
+/* Whether a function is above zero by more than it varies, as seen at both ends and at two nodes between: a cubic polynomial
+ * through four such values goes below the least of them by two fifths of that at most. */
+static bool stays_far(double w0, double left, double right, double w1)
 {
-    if (jlt_stepper_dense(stepper) != JLT_OK) return false;
-    const double left = value_at(stepper, event, 0.31), right = value_at(stepper, event, 0.64);
     const double least = fmin(fmin(w0, w1), fmin(left, right)), most = fmax(fmax(w0, w1), fmax(left, right));
     return least > most - least;
 }
 
-/* Whether a method's polynomial costs no evaluation: its steps may be so long that values and slopes at the ends tell nothing. */
-static bool has_polynomial(const jlt_method *method)
+/* Whether a function with the values w at both ends and all nodes is above zero between them as well. It goes below the line
+ * through two of them by gap^2/8 of its second derivative at most, taken to be up to twice the largest that three neighbours
+ * show. */
+static bool stays_above_nodes(const double w[NODES + 2])
 {
-    return method->bernstein != NULL || method->needs_jet;
+    double least = w[0], sum = w[0], bend = 0, widest = 0, slope = 0, gap = 0; /* bend: half a second derivative */
+
+    for (unsigned k = 1; k < NODES + 2; k++) {
+        const double from = k == 1 ? 0 : jlt_gauss_node[k - 2], to = k <= NODES ? jlt_gauss_node[k - 1] : 1;
+        const double next = (w[k] - w[k - 1]) / (to - from);
+        if (k > 1) bend = jlt_larger(bend, fabs(next - slope) / (to - from + gap));
+        slope = next;
+        gap = to - from;
+        widest = jlt_larger(widest, gap);
+        least = jlt_smaller(least, w[k]);
+        sum += w[k];
+    }
+    return isfinite(sum) && least > widest * widest / 2 * bend;
+}
+
+/* Whether a function that is positive at both ends of the step is so between. Steps of methods with nodes may be so long that
+ * values and slopes at the ends tell nothing. */
+static bool holds_between(jlt_stepper *stepper, const jlt_event *event, double w0, double w1)
+{
+    static const unsigned char order[NODES] = { 2, 5, 0, 1, 3, 4, 6, 7 };
+    double x[JLT_FIELD_DIM_MAX + 1], w[NODES + 2] = { w0 };
+
+    w[NODES + 1] = w1;
+    for (unsigned i = 0; i < NODES; i++) {
+        if (!jlt_stepper_node(stepper, order[i], x)) return stays_above(stepper, event, w0, w1);
+        w[order[i] + 1] = jlt_locate_value(event, x);
+        if (i == 1 && stays_far(w0, w[3], w[6], w1)) return true;
+    }
+    return stays_above_nodes(w) || stands_still(stepper, event, w0, w1);
 }
 
 jlt_status jlt_edge_first_loss(double *theta, jlt_stepper *stepper, const jlt_event *event)
 {
     const double w0 = jlt_locate_value(event, stepper->x_start), w1 = jlt_locate_value(event, stepper->x);
 
-    if (!(w0 > 0) || !(w1 > 0)) return JLT_OK;
-    const bool holds = has_polynomial(stepper->method)
-                           ? stays_far(stepper, event, w0, w1) || stands_still(stepper, event, w0, w1)
-                           : stays_above(stepper, event, w0, w1);
-    if (holds) return JLT_OK;
+    if (!(w0 > 0) || !(w1 > 0) || holds_between(stepper, event, w0, w1)) return JLT_OK;
     return jlt_edge_first_zero(theta, stepper, event, 1);
 }
 

@@ -11,7 +11,8 @@
 /** Find where in the last step the orbit is outside for the first time, as far as the polynomial tells. Out: *theta, 1 where only
  *  the end of the step is known to be outside, INFINITY when the orbit stays inside.
  *  Cost: that of jlt_stepper_dense where the step comes so near to an end that its variation does not exclude it; of conditions,
- *  two evaluations of their values and gradients, and by methods with a polynomial of their own 13 of values. Errors: those of
+ *  four evaluations of their values, and six more where these vary by more than the least of them; by methods without nodes
+ *  (method.h) two of values and gradients; and 13 of values where that does not tell. Errors: those of
  *  jlt_stepper_dense and of partial steps. */
 JLT_CHECKED jlt_status jlt_edge_left(double *theta, jlt_stepper *stepper);
 

@@ -34,6 +34,7 @@ typedef struct {
     const jlt_gauss_batch *batch;
     jlt_gauss_nodes nodes;     /* of the step being tried */
     jlt_gauss_nodes inside;    /* of a partial step */
+    double *past;              /* (dim, N): states at the nodes of the last accepted step */
     double guessed;            /* length of the step from the point for which `nodes` holds a guess; 0: none */
     double *clock;             /* (N,): dt/dtau at nodes */
     double *legendre;          /* (columns, N): of the last accepted step */
@@ -82,14 +83,15 @@ static jlt_status create(jlt_stepper *stepper)
     if (self == NULL) return JLT_ERR_NOMEM;
 
     /* Rows of eight first, so that all of them stay aligned. */
-    double *block = jlt_memory_array((4 * dim + 2 + 3 * columns) * N + 3 * stepper->stride + 4 * dim + 2 * columns, sizeof *block);
+    double *block = jlt_memory_array((5 * dim + 2 + 3 * columns) * N + 3 * stepper->stride + 4 * dim + 2 * columns, sizeof *block);
     if (block == NULL) return JLT_ERR_NOMEM;
     self->block = self->legendre = block;
     self->trial = self->legendre + columns * N;
     self->partial = self->trial + columns * N;
     self->sizes = self->partial + columns * N;
     self->clock = self->sizes + N;
-    double *rows = self->clock + N;
+    self->past = self->clock + N;
+    double *rows = self->past + dim * N;
     self->end = rows + 4 * dim * N;
     self->end_low = self->end + stepper->stride;
     self->end_f = self->end_low + stepper->stride;
@@ -140,17 +142,15 @@ static void evaluate(gauss *self, jlt_stepper *stepper, const jlt_gauss_nodes *n
 /* Legendre coefficients of the solved step. */
 static void expand(gauss *self, const jlt_field *field, const jlt_gauss_nodes *nodes, double *legendre)
 {
-    double *rate = self->clock;
-
     self->batch->transform(legendre, nodes->f, jlt_gauss_legendre, field->dim);
     if (field->time_rate == NULL) return;
     for (unsigned i = 0; field->batch != NULL && i < N; i += self->batch->lanes)
-        field->batch->time_factor(nodes->x + i, self->p, rate + i, N);
+        field->batch->time_factor(nodes->x + i, self->p, self->clock + i, N);
     for (unsigned i = 0; field->batch == NULL && i < N; i++) {
         for (unsigned c = 0; c < field->dim; c++) self->scratch[c] = nodes->x[c * N + i];
-        field->time_rate(self->scratch, field->p, rate + i);
+        field->time_rate(self->scratch, field->p, self->clock + i);
     }
-    self->batch->transform(legendre + field->dim * N, rate, jlt_gauss_legendre, 1);
+    self->batch->transform(legendre + field->dim * N, self->clock, jlt_gauss_legendre, 1);
 }
 
 static void begin_at(const jlt_gauss_nodes *nodes, const jlt_stepper *stepper, const double *x0)
@@ -257,10 +257,9 @@ static jlt_status step(jlt_stepper *stepper, double limit)
                     self->end[c] = stepper->x[c] + move;
                     self->end_low[c] = (stepper->x[c] - self->end[c]) + move;
                 }
-                double *f = self->end_f;
-                jlt_field_rates(field, f, self->end);
+                jlt_field_rates(field, self->end_f, self->end);
                 stepper->evaluations++;
-                for (unsigned c = 0; c < columns; c++) defect += 0 * (self->end[c] + f[c]);
+                for (unsigned c = 0; c < columns; c++) defect += 0 * (self->end[c] + self->end_f[c]);
                 if (defect == 0) break;
             }
         }
@@ -281,9 +280,9 @@ static jlt_status step(jlt_stepper *stepper, double limit)
     memcpy(stepper->x, self->end, size_of_row);
     memcpy(stepper->x_low, self->end_low, size_of_row);
     memcpy(stepper->f, self->end_f, size_of_row);
-    double *swap = self->legendre;
-    self->legendre = self->trial;
-    self->trial = swap;
+    double *const legendre = self->legendre, *const past = self->past;
+    self->legendre = self->trial, self->trial = legendre;
+    self->past = self->nodes.x, self->nodes.x = past;
     self->has_past = true;
     /* Begin the next step at once: its evaluations overlap with the search for events on this one. */
     const double next = jlt_smaller(stepper->h_next, stepper->max_step);
@@ -359,6 +358,8 @@ static jlt_status partial(jlt_stepper *stepper, double theta, double *out)
     return JLT_OK;
 }
 
+static const double *nodes(const jlt_stepper *stepper) { return ((const gauss *)stepper->state)->past; }
+
 /* |P_k| <= 1. */
 static double variation(const jlt_stepper *stepper, unsigned column)
 {
@@ -395,4 +396,5 @@ const jlt_method jlt_method_gauss = {
     .partial = partial,
     .variation = variation,
     .bernstein = bernstein,
+    .nodes = nodes,
 };

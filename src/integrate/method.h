@@ -30,6 +30,8 @@ struct jlt_method {
      * Bernstein form, b (degree + 1,), without an evaluation; it fills dense_error and returns the degree. */
     double (*variation)(const jlt_stepper *self, unsigned column);
     unsigned (*bernstein)(jlt_stepper *self, unsigned column, double *b);
+    /* The states at jlt_gauss_node inside the last step, shape (dim, JLT_STEPPER_NODES); NULL where they are not computed. */
+    const double *(*nodes)(const jlt_stepper *self);
 };
 
 extern const jlt_method jlt_method_gauss, jlt_method_dop853, jlt_method_taylor, jlt_method_rk8pd, jlt_method_rkf45,

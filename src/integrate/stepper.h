@@ -12,7 +12,7 @@
 
 #include "integrate/field.h"
 
-enum { JLT_DENSE_DEGREE_MAX = JLT_JET_ORDER_MAX, JLT_STEPPER_WIDTH = 8 };
+enum { JLT_DENSE_DEGREE_MAX = JLT_JET_ORDER_MAX, JLT_STEPPER_WIDTH = 8, JLT_STEPPER_NODES = 8 };
 
 /** The least scale, in place of 0, since 0/0 is NaN. */
 #define JLT_STEPPER_SCALE_LEAST 1e-290
@@ -99,6 +99,11 @@ JLT_CHECKED jlt_status jlt_stepper_dense(jlt_stepper *self);
  *  before. */
 double jlt_stepper_value(const jlt_stepper *self, unsigned column, double theta);
 void jlt_stepper_values(const jlt_stepper *self, double theta, double *out);
+
+/** The states at node k < JLT_STEPPER_NODES inside the last step, at the fraction jlt_gauss_node[k] of it (gauss_coefficients.h),
+ *  out (columns,). Returns false if that takes evaluations of the field: steps of such methods are so short that values and slopes
+ *  at their ends tell what lies between. */
+bool jlt_stepper_node(jlt_stepper *self, unsigned k, double *out);
 
 /** Physical time now, at the rounding level; and where the last step began. */
 double jlt_stepper_time(const jlt_stepper *self);

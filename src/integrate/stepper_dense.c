@@ -3,6 +3,8 @@
 
 #include <string.h>
 
+#include "integrate/gauss_coefficients.h"
+
 /* Add gap (3 theta^2 - 2 theta^3) to the polynomial, so that it ends at the point exactly. */
 static void meet_end(jlt_stepper *self)
 {
@@ -31,6 +33,18 @@ jlt_status jlt_stepper_dense(jlt_stepper *self)
     }
     self->dense_ready = true;
     return JLT_OK;
+}
+
+bool jlt_stepper_node(jlt_stepper *self, unsigned k, double *out)
+{
+    if (self->method->nodes != NULL) {
+        const double *nodes = self->method->nodes(self);
+        for (unsigned i = 0; i < self->field->dim; i++) out[i] = nodes[i * JLT_STEPPER_NODES + k];
+        return true;
+    }
+    if (!self->method->needs_jet || jlt_stepper_dense(self) != JLT_OK) return false;
+    jlt_stepper_values(self, jlt_gauss_node[k], out);
+    return true;
 }
 
 double jlt_stepper_value(const jlt_stepper *self, unsigned column, double theta)
