@@ -6,6 +6,7 @@
 
 #include "core/memory.h"
 #include "dynamics/linear.h"
+#include "ext/eigen.h"
 
 /* The relative length below which errors of the tolerance change a vector of DP by more than a thousandth. */
 static double noise_of(const jlt_flow *flow)
@@ -148,35 +149,6 @@ done:
     return st;
 }
 
-/* The logarithm of the 2-norm. */
-static double growth_of(const double *slope, unsigned d)
-{
-    double vector[JLT_CHART_DIM_MAX], norm2 = 0, last;
-    unsigned i, j, k;
-
-    /* Power iteration on A^T A from the longest row of A: the norm from below, to rounding. */
-    for (i = 0; i < d; i++) {
-        double sum = 0;
-        for (j = 0; j < d; j++) sum += slope[i * d + j] * slope[i * d + j];
-        if (sum <= norm2) continue;
-        norm2 = sum;
-        memcpy(vector, slope + i * d, sizeof *vector * d);
-    }
-    last = 0;
-    for (k = 0; k < 200 && norm2 > 0 && fabs(norm2 - last) > 1e-15 * norm2; k++) {
-        double mapped[JLT_CHART_DIM_MAX] = { 0 }, length = 0;
-        for (j = 0; j < d; j++) length = hypot(length, vector[j]);
-        for (i = 0; i < d; i++)
-            for (j = 0; j < d; j++) mapped[i] += slope[i * d + j] * vector[j] / length;
-        last = norm2;
-        for (norm2 = 0, i = 0; i < d; i++) norm2 += mapped[i] * mapped[i];
-        memset(vector, 0, sizeof *vector * d);
-        for (i = 0; i < d; i++)
-            for (j = 0; j < d; j++) vector[j] += slope[i * d + j] * mapped[i];
-    }
-    return log(norm2) / 2;
-}
-
 /* Of each orbit the product of its returns' derivatives, (d, d), without a factor 2^exponent, which may be beyond doubles. */
 typedef struct {
     double *slopes, *exponents;
@@ -216,8 +188,10 @@ jlt_status jlt_lyapunov_finite_each(jlt_map_batch *maps, double *exponents, cons
     JLT_PASS(jlt_map_batch_apply_flows(maps, images, q, flow_of, count, returns, add_slope, &all));
     for (size_t i = 0; i < count; i++) {
         double *slope = slopes + i * d * d;
+        double norm = NAN;
         jlt_chart_scaled_slope(flow->chart, slope, slope);
-        const double growth = growth_of(slope, d) + exponents[i] * log(2);
+        if (jlt_eigen_norm(&norm, slope, d) == JLT_ERR_NOMEM) return JLT_ERR_NOMEM;
+        const double growth = log(norm) + exponents[i] * log(2);
         const bool is_told = images->status[i] == JLT_OK && growth > (double)returns * log(noise_of(flow));
         exponents[i] = is_told ? growth / images->T[i] : NAN;
     }

@@ -87,6 +87,21 @@ static void leave_known(jlt_periodic *orbit, const double *slope, double toleran
     }
 }
 
+/* Two multipliers whose product is the determinant: the smaller of two real ones keeps its digits through it, and a pair keeps its
+ * angle, where errors of DP would make a centre attract. */
+static void multiply_to(jlt_periodic *orbit)
+{
+    const double modulus = hypot(orbit->re[0], orbit->im[0]);
+
+    if (orbit->im[0] == 0 && orbit->re[0] != 0) orbit->re[1] = orbit->determinant / orbit->re[0];
+    if (orbit->im[0] == 0) return;
+    for (unsigned i = 0; i < 2; i++) {
+        orbit->re[i] *= sqrt(orbit->determinant) / modulus;
+        orbit->im[i] *= sqrt(orbit->determinant) / modulus;
+    }
+    orbit->trace = 2 * orbit->re[0];
+}
+
 jlt_status jlt_periodic_measure(jlt_map *map, jlt_periodic *io)
 {
     const jlt_chart *chart = jlt_map_flow(map)->chart;
@@ -115,8 +130,7 @@ jlt_status jlt_periodic_measure(jlt_map *map, jlt_periodic *io)
         const bool turns_over = slope[0] < -orbit.determinant / 2 && slope[0] > -2 * orbit.determinant;
         orbit.trace = orbit.re[0] = turns_over ? -orbit.determinant : orbit.determinant;
     }
-    /* The smaller of two real multipliers keeps its digits through the determinant. */
-    if (d == 2 && orbit.im[0] == 0 && orbit.re[0] != 0) orbit.re[1] = orbit.determinant / orbit.re[0];
+    if (d == 2) multiply_to(&orbit);
     orbit.symmetric = is_symmetric(chart, orbit.points, orbit.period);
     orbit.type = classify(orbit.re, orbit.im, d);
     if (d > 2) leave_known(&orbit, slope, tolerance != 0 ? tolerance : JLT_ORBIT_TOLERANCE, d);

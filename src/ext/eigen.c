@@ -151,3 +151,25 @@ done:
     gsl_matrix_free(u);
     return st;
 }
+
+jlt_status jlt_eigen_norm(double *norm, const double *a, size_t n)
+{
+    jlt_status st = JLT_ERR_NOMEM;
+    gsl_matrix *u = NULL, *v = NULL;
+    gsl_vector *s = NULL;
+
+    if (!all_finite(a, n * n)) return JLT_ERR_NONFINITE;
+    jlt_gsl_quiet();
+    u = gsl_matrix_alloc(n, n);
+    v = gsl_matrix_alloc(n, n);
+    s = gsl_vector_alloc(n);
+    if (u == NULL || v == NULL || s == NULL) goto done;
+    memcpy(u->data, a, n * n * sizeof *a);
+    JLT_TRY(status_of(gsl_linalg_SV_decomp_jacobi(u, v, s)));
+    *norm = gsl_vector_get(s, 0);
+done:
+    gsl_vector_free(s);
+    gsl_matrix_free(v);
+    gsl_matrix_free(u);
+    return st;
+}

@@ -97,10 +97,6 @@ bool jlt_edge_is_outside(const jlt_stepper *stepper)
     return stepper->watches && !(distance_of(stepper, stepper->x) > 0);
 }
 
-bool jlt_edge_reached(const jlt_stepper *stepper)
-{
-    return distance_of(stepper, stepper->x) <= near(stepper);
-}
 
 bool jlt_edge_is_ahead(const jlt_stepper *stepper)
 {
@@ -124,6 +120,25 @@ static double time_to_zero(double value, double rate)
 {
     if (!(value > 0)) return 0;
     return rate < 0 ? -value / rate : INFINITY;
+}
+
+/* Whether a condition is as near to its zero, or its pole, in time as in value: one of higher order is small long before. */
+static bool is_soon(const jlt_stepper *stepper)
+{
+    const jlt_domain *domain = &stepper->field->domain;
+    double values[JLT_REGION_CONDITIONS_MAX], first = INFINITY;
+
+    domain->values(stepper->x, domain->p, values);
+    domain->gradients(stepper->x, domain->p, stepper->gradients);
+    for (unsigned k = 0; k < domain->conditions; k++)
+        first = fmin(first, fabs(values[k] / along(stepper->gradients + k * domain->states, stepper->f, domain->states)));
+    return first <= near(stepper) * fabs(stepper->h);
+}
+
+bool jlt_edge_reached(const jlt_stepper *stepper)
+{
+    if (least_of_intervals(stepper, stepper->x) <= near(stepper)) return true;
+    return least_of_conditions(stepper, stepper->x) <= near(stepper) && is_soon(stepper);
 }
 
 bool jlt_edge_ahead(jlt_edge_part *out, const jlt_stepper *stepper)

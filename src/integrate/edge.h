@@ -33,7 +33,7 @@ bool jlt_edge_is_outside(const jlt_stepper *stepper);
 
 /** Whether the point counts as being at the domain's end: its distance from an interval's end, relative to the larger of |end|
  *  and the state's scale, or a condition's value, relative to that at the start of the step, or the inverse of that beside a pole,
- *  is at most the larger of the tolerance and 2^-46. */
+ *  is at most the larger of the tolerance and 2^-46; and a condition, at its rate, as near in time, relative to the step. */
 bool jlt_edge_reached(const jlt_stepper *stepper);
 
 /** Whether the orbit would be outside after going straight on for 1e-8 |tau|: where the field is unbounded at the edge, or has no

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # A search over a grid: a degenerate orbit, to which Newton's method comes from all sides and no nearer than a root of its residual,
 # is listed once; a grid none of whose points is on the levels is refused, by every command that has one; what to try where nothing
-# is found is said, and finds it. And small multipliers.
+# is found is said, and finds it. And multipliers that are small, or near 1.
 source "$JLT_SOURCE_DIR/tests/scratch.sh"
 
 cat > cusp.tt << 'T'
@@ -69,5 +69,14 @@ for set in b=-1,c=-5 b=-1,c=-20 b=-8,c=-20; do
         NR == FNR { b = $1; c = $2; next }
         { exit !(NF == 16 && is($8, 1/10) && (b < -7 ? $10 $12 == "" : is($10, b) && is($12, c)) && $15 == "saddle") }' - row.csv ||
         fail "multipliers with $set: $(cat row.csv err)"
+done
+
+# A centre 9e-9 from a pole, where errors of DP are as large as its multipliers are far from 1: their product is the determinant.
+top=m=0.45264883301985243,R=7.2400265539988222,g=9.81,I1=2.7955972416477382,I3=0.57355983089921614,a3=0
+for tolerance in 1e-11 1e-12 1e-13; do
+    jellett orbits --set $top --level E=9.1690530782586067,G=-0.0022233743414763313 --tol $tolerance --period 1 \
+        --start eta=-1.0790763652803357e-07,gamma3=-0.99999999127374439 2> err | tail -1 > row.csv
+    awk -F, '{ exit !($12 == "centre" && ($7^2 + $8^2 - $6)^2 < 1e-30 && ($5 - 2*$7)^2 < 1e-30) }' row.csv ||
+        fail "a centre by $tolerance: $(cat row.csv err)"
 done
 exit $status

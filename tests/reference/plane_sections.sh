@@ -20,6 +20,17 @@ awk -F, '/^0,0,/ { for (i = 4; i <= 14; i++) q[i] = $i }
 expect 0 '^1,1,0.1,0.2,.*degenerate' jellett orbits ./oscillators.tt --section q1=0 --start p1=1,$others --period 1
 grep -q -- 'this is any one of it; --hold keeps' err || fail "nobody says that orbits come in a family: $(cat err)"
 
+# Beside a clock a saddle so weak that a return hardly moves a point: the norm of DP is exp(k t). An error of k t is that of ten
+# returns, each of the tolerance 1e-12, and of the norm, 1e-15.
+printf 'model weak\nparam k\n' > weak.tt
+printf 'state %s\n' x y u v >> weak.tt
+printf 'eq x = k*y\neq y = k*x\neq u = v\neq v = -u\nintegral H = u^2 + v^2\n' >> weak.tt
+for k in 1e-7 1e-5 1e-3; do
+    expect 0 '' jellett lyapunov ./weak.tt --set k=$k --section u=0 --level H=1 --solve v=1 --grid x=-1:1:2,y=-1:1:2 --returns 10
+    awk -F, -v k=$k '/^-?1,/ { n++; if (($3 - k)^2*$4^2 > 1e-22) exit 1 } END { if (n != 4) exit 1 }' out ||
+        fail "k = $k: no exponent of k: $(grep -v '^#' out)"
+done
+
 # A coordinate that is not named is no number.
 expect 3 "p6 has no range: add p6=LOW:HIGH:COUNT, or p6=VALUE" \
     jellett section ./oscillators.tt --section q1=0 --grid p1=1:2:3,${others%,p6=1}

@@ -18,16 +18,18 @@ static void row_of(double row[ROW_SIZE], const jlt_chart_top *chart, const doubl
     jlt_chart_top_rotation(chart, &row[ROW_OMEGA_N], &row[ROW_OMEGA3], x);
 }
 
-/* What the residual, which is one of eta and gamma3, makes of the states: much where little energy is left for velocities. */
+/* What the residual, and ten tolerances of the return that it is measured by, all in eta and gamma3, make of the states: much where
+ * little energy is left for velocities, and beside a pole, where a spin follows from gamma3 divided by s^2. */
 static long double slack_of(const family *f, const jlt_chart_top *chart, const jlt_periodic *orbit, const double *row)
 {
+    const double off = 2 * orbit->residual + 10 * f->question.tolerance;
     const double U = f->question.speed, W = U / chart->R;
     const double scale[ROW_SIZE] = { 1, U, W, fmax(W, fabs(row[ROW_OMEGA_N])), fmax(W, fabs(row[ROW_OMEGA3])), U, 1 / W };
     double x[5], other[ROW_SIZE], worst = 0;
 
     for (int k = 0; k < 4; k++) {
         double q[2] = { orbit->points[0], orbit->points[1] };
-        q[k / 2] += (k % 2 == 0 ? 2 : -2) * orbit->residual;
+        q[k / 2] += k % 2 == 0 ? off : -off;
         if (chart->base.lift(&chart->base, x, NULL, q) != JLT_OK) return INFINITY;
         row_of(other, chart, x, orbit->T);
         for (int i = 0; i < ROW_SIZE; i++) worst = fmax(worst, fabs(other[i] - row[i]) / scale[i]);
