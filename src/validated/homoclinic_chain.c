@@ -157,15 +157,6 @@ static void begin(jlt_homoclinic_chain *self, arb_mat_t G, arb_mat_t DG, arb_src
     self->inside = arb_lt(away, q->reach);
 }
 
-static void watch(jlt_homoclinic_chain *self)
-{
-    const jlt_arrival *arrival = &self->of->arrival;
-
-    for (unsigned i = 0; i < JLT_ARRIVAL_VALIDS_MAX; i++)
-        if (arf_is_nan(arrival->least + i) || arf_cmp(arrival->least + i, self->least + i) < 0)
-            arf_set(self->least + i, arrival->least + i);
-}
-
 /* The last equations: levels, and 0 of the flipped state at the arrival from the last point. */
 static void land(jlt_homoclinic_chain *self, arb_mat_t G, arb_mat_t DG, slong row, slong from, arb_srcptr y)
 {
@@ -196,7 +187,7 @@ static jlt_status equations(void *context, arb_mat_t G, arb_mat_t DG, arb_srcptr
         arb_srcptr here = y + i * n;
         JLT_PASS(jlt_cycle_map_arrive(self->of, here, arb_midref(self->own_instants + i),
                                       i < last ? q->question->direction : q->landing, NULL));
-        watch(self);
+        jlt_step_lower(self->least, self->of->arrival.least, JLT_ARRIVAL_VALIDS_MAX);
         self->goes_on = arb_is_positive(self->of->arrival.time) && self->goes_on;
         if (self->adjusts) arb_get_mid_arb(self->own_instants + i, self->of->arrival.time);
         if (i == last) land(self, G, DG, 1 + i * n, i * n, here);
