@@ -2,16 +2,9 @@
 #include "algebra/search.h"
 
 #include "algebra/solver.h"
+#include "base/random.h"
 
 enum { EARLY_ATTEMPTS = 48, LATE_ATTEMPTS = 600 };
-
-static uint64_t mix(uint64_t x)
-{
-    x += UINT64_C(0x9E3779B97F4A7C15);
-    x = (x ^ (x >> 30)) * UINT64_C(0xBF58476D1CE4E5B9);
-    x = (x ^ (x >> 27)) * UINT64_C(0x94D049BB133111EB);
-    return x ^ (x >> 31);
-}
 
 /* A positive rational number: simple ones in early attempts, any in later ones. */
 static void magnitude(fmpq_t out, unsigned attempt, uint64_t random)
@@ -73,7 +66,7 @@ static void choose(ttc_witness *point, unsigned attempt)
     for (slong v = 0; v < (slong)point->ring->variable_count; v++) {
         if (!ttc_witness_is_free(point, v)) continue;
         size_t symbol = ttc_valuation_symbol(point->valuation, v);
-        uint64_t random = mix(((uint64_t)attempt << 20) + (uint64_t)v);
+        uint64_t random = ttc_random_bits(&(uint64_t){ ((uint64_t)attempt << 20) + (uint64_t)v });
         const ttc_symbol_entry *entry = symbol < model->symbol_count ? &model->symbols[symbol] : NULL;
         if (entry != NULL && entry->kind == TTC_STATE)
             choose_state(point->values + v, model->graph, entry, attempt, random);
@@ -84,7 +77,7 @@ static void choose(ttc_witness *point, unsigned attempt)
             if (random >> 32 & 1) fmpq_neg(point->values + v, point->values + v);
         }
     }
-    point->negative = (unsigned)(mix(attempt) >> 40) & (attempt == 0 ? 0 : ~0u);
+    point->negative = (unsigned)(ttc_random_bits(&(uint64_t){ attempt }) >> 40) & (attempt == 0 ? 0 : ~0u);
     ttc_witness_changed(point);
 }
 

@@ -1,16 +1,10 @@
 #include "challenge/sample.h"
 
+#include "base/random.h"
+
 enum { FAR = 40 };
 
-static uint64_t next_bits(ttc_random *random)
-{
-    uint64_t z = random->state += UINT64_C(0x9e3779b97f4a7c15);
-    z = (z ^ (z >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
-    z = (z ^ (z >> 27)) * UINT64_C(0x94d049bb133111eb);
-    return z ^ (z >> 31);
-}
-
-uint64_t ttc_random_below(ttc_random *random, uint64_t bound) { return next_bits(random) % bound; }
+uint64_t ttc_random_below(ttc_random *random, uint64_t bound) { return ttc_random_bits(&random->state) % bound; }
 
 /* p/q with 1 <= p, q <= size */
 static void fraction(fmpq_t out, ttc_random *random, uint64_t size)

@@ -1,5 +1,4 @@
-/** Random rational numbers of widely varying size, from a seeded generator: the same on every machine.
- *  Source: G. Steele, D. Lea, C. Flood, Fast splittable pseudorandom number generators, OOPSLA 2014 (splitmix64). */
+/** Random rational numbers of widely varying size, from a seeded generator (base/random.h): the same on every machine. */
 #ifndef TTC_SAMPLE_H
 #define TTC_SAMPLE_H
 

@@ -115,7 +115,7 @@ void ttc_ansatz_create(ttc_ansatz *out, const ttc_flow *flow, int degree, const 
     unsigned char *exponents = flint_calloc(flow->count + 1, 1);
     extend(&l, exponents, 0, 0, degree);
     qsort(l.entries, l.count, sizeof *l.entries, by_sector);
-    *out = (ttc_ansatz){ .width = flow->count, .total = l.count };
+    *out = (ttc_ansatz){ .total = l.count };
     for (size_t i = 0; i < l.count; i++) out->sector_count += i == 0 || !same_sector(&l.entries[i - 1], &l.entries[i]);
     out->sectors = flint_calloc(out->sector_count, sizeof *out->sectors);
     ttc_ansatz_sector *sector = out->sectors;
@@ -137,5 +137,5 @@ void ttc_ansatz_clear(ttc_ansatz *ansatz)
 {
     for (size_t i = 0; i < ansatz->sector_count; i++) flint_free(ansatz->sectors[i].exponents);
     flint_free(ansatz->sectors);
-    *ansatz = (ttc_ansatz){ .width = 0 };
+    *ansatz = (ttc_ansatz){ .total = 0 };
 }

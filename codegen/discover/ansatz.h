@@ -13,7 +13,6 @@ typedef struct {
 typedef struct {
     ttc_ansatz_sector *sectors;
     size_t sector_count;
-    size_t width; /* quantities */
     size_t total; /* monomials of all sectors */
     size_t largest;
 } ttc_ansatz;

@@ -1,5 +1,7 @@
 #include "discover/modular.h"
 
+#include "base/random.h"
+
 #include <flint/fmpz.h>
 #include <flint/ulong_extras.h>
 
@@ -73,16 +75,10 @@ bool ttc_modular_ratio_value(ulong *out, const ttc_modular_ratio *a, const ulong
     return true;
 }
 
-/* splitmix64: G. L. Steele, D. Lea, C. H. Flood, Fast splittable pseudorandom number generators, OOPSLA 2014. */
 ulong ttc_modular_draw(uint64_t *source, nmod_t mod)
 {
     ulong drawn = 0;
-    while (drawn == 0) {
-        uint64_t z = *source += UINT64_C(0x9e3779b97f4a7c15);
-        z = (z ^ (z >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
-        z = (z ^ (z >> 27)) * UINT64_C(0x94d049bb133111eb);
-        drawn = (ulong)(z ^ (z >> 31)) % mod.n;
-    }
+    while (drawn == 0) drawn = (ulong)ttc_random_bits(source) % mod.n;
     return drawn;
 }
 

@@ -37,7 +37,7 @@ static bool make_ansatz(ttc_ansatz *ansatz, ttc_discovery *d, const ttc_question
 {
     size_t columns;
     const double bytes = ttc_search_bytes(d, question, graded, &columns);
-    *ansatz = (ttc_ansatz){ .width = 0 };
+    *ansatz = (ttc_ansatz){ .total = 0 };
     if (bytes > (double)d->memory) {
         d->too_large = bytes;
         return false;

@@ -4,6 +4,8 @@
  * Each step takes the pair that saves most. */
 #include "optimize/extract_candidates.h"
 
+#include "base/random.h"
+
 #include <stdlib.h>
 
 typedef struct {
@@ -14,14 +16,6 @@ typedef struct {
     uint64_t pair_limit;
     bool is_large;
 } extractor;
-
-static uint64_t next_random(extractor *e)
-{
-    uint64_t z = e->random += UINT64_C(0x9E3779B97F4A7C15);
-    z = (z ^ (z >> 30)) * UINT64_C(0xBF58476D1CE4E5B9);
-    z = (z ^ (z >> 27)) * UINT64_C(0x94D049BB133111EB);
-    return z ^ (z >> 31);
-}
 
 static int compare_cubes(const void *left, const void *right)
 {
@@ -160,7 +154,7 @@ static const ttc_ranked *best_of(extractor *e, const ttc_extract_index *index, u
     const ttc_ranked *best = NULL;
     for (size_t i = 0; i < index->ranked_count; i++) {
         uint64_t score = (uint64_t)index->ranked[i].gain * 64 + bonus;
-        if (e->noise > 0) score += next_random(e) % e->noise;
+        if (e->noise > 0) score += ttc_random_bits(&e->random) % e->noise;
         if (score <= *best_score) continue;
         *best_score = score;
         best = index->ranked + i;

@@ -7,7 +7,6 @@
 #include <string.h>
 
 typedef struct {
-    const ttc_model *model;
     ttc_token *tokens;
     ttc_mutation_report *report;
 } mutation;
@@ -172,7 +171,7 @@ bool ttc_mutate(const ttc_model *model, ttc_resolver resolver, void *context, tt
 {
     *report = NULL;
     bool ok = false;
-    mutation m = { .model = model };
+    mutation m = { .tokens = NULL };
     ttc_mutant itself = { 0 };
     ttc_diagnostics *diagnostics = ttc_diagnostics_create();
     m.report = calloc(1, sizeof *m.report);

@@ -116,12 +116,12 @@ static bool reduce(jlt_deflation_choice *c, const jlt_deflation_problem *p)
     const size_t n = p->n, k = p->rank, rest = n - k;
     double largest = 0.0, worst = 0.0;
     jlt_guard guard;
-    bool regular, safe;
+    bool invertible, safe;
 
     jlt_guard_enter(&guard);
-    regular = eliminate_guarded(c, p);
+    invertible = eliminate_guarded(c, p);
     safe = jlt_guard_leave(&guard) == JLT_OK;
-    if (!regular || !inverts(c, p)) return false;
+    if (!invertible || !inverts(c, p)) return false;
     bound_follow(c, p);
     for (size_t i = 0; i < rest; i++)
         for (size_t j = 0; j < rest; j++) {

@@ -7,7 +7,7 @@
 #include "core/memory.h"
 #include "report/table.h"
 
-static unsigned cut(char *fields[JLT_COLUMN_MAP_MAX], char *line)
+unsigned jlt_column_map_cut(char *fields[JLT_COLUMN_MAP_MAX], char *line)
 {
     const size_t count = jlt_table_cut(fields, JLT_COLUMN_MAP_MAX, line);
 
@@ -36,8 +36,8 @@ bool jlt_column_map_make(jlt_column_map *map, char **odd, const char *where, con
     JLT_FREED char *own_text = strdup(own), *whole_text = strdup(whole);
 
     if (own_text == NULL || whole_text == NULL) return false;
-    const unsigned count = map->own = cut(owned, own_text);
-    map->count = cut(all, whole_text);
+    const unsigned count = map->own = jlt_column_map_cut(owned, own_text);
+    map->count = jlt_column_map_cut(all, whole_text);
     for (unsigned i = 0; i < map->count; i++) {
         unsigned k = 0;
         while (k < count && strcmp(owned[k], all[i]) != 0) k++;

@@ -19,4 +19,7 @@ typedef struct {
  *  first. Returns false when memory is out. */
 bool jlt_column_map_make(jlt_column_map *map, char **odd, const char *where, const char *whole, const char *own);
 
+/** Cut a line at its commas into fields. Returns their number, at most JLT_COLUMN_MAP_MAX. */
+unsigned jlt_column_map_cut(char *fields[JLT_COLUMN_MAP_MAX], char *line);
+
 #endif

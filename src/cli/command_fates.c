@@ -11,9 +11,6 @@
 
 typedef struct {
     jlt_motion_options motion;
-    const char **starts;
-    size_t start_count;
-    const char *grid;
     size_t returns;
 } options;
 

@@ -33,11 +33,10 @@ static const struct argp_option option_table[] = {
 static error_t parse(int key, char *value, struct argp_state *state)
 {
     options *o = state->input;
-    jlt_merged_kind kind;
 
     switch (key) {
     case 'o':
-        if (!jlt_merged_known(&kind, value)) argp_error(state, "--output: '%s' is no .csv, .npy or .sqlite", value);
+        if (!jlt_merged_known(value)) argp_error(state, "--output: '%s' is no .csv, .npy or .sqlite", value);
         if (o->output_count == OUTPUTS_MAX) argp_error(state, "--output: %d files at most", OUTPUTS_MAX);
         o->outputs[o->output_count++] = value;
         return 0;

@@ -90,11 +90,10 @@ static error_t parse_common(int key, char *value, struct argp_state *state)
 static error_t parse_files(int key, char *value, struct argp_state *state)
 {
     jlt_common *self = state->input;
-    jlt_merged_kind kind;
 
     switch (key) {
     case 'o':
-        if (jlt_merged_known(&kind, value) && kind == JLT_MERGED_SQLITE)
+        if (jlt_merged_is_database(value))
             argp_error(state, "--output: '%s' would be a database, which 'jellett merge' alone writes: name a .csv or .npy", value);
         self->output = value;
         return 0;

@@ -2,26 +2,22 @@
 #ifndef JLT_CLI_MERGED_H
 #define JLT_CLI_MERGED_H
 
-#include <stdio.h>
-
-#include "cli/command.h"
-#include "report/npy.h"
+#include "cli/stream.h"
 #include "shards/database.h"
 #include "report/table.h"
 
-typedef enum { JLT_MERGED_CSV, JLT_MERGED_NPY, JLT_MERGED_SQLITE } jlt_merged_kind;
-
 typedef struct {
     const char *path;
-    jlt_merged_kind kind;
-    jlt_file place; /* zeroed for standard output */
-    FILE *stream;   /* takes the CSV */
-    jlt_npy *array;
+    jlt_stream stream;      /* of CSV and NumPy */
+    jlt_file place;         /* of SQLite, as is the next; else zeroed */
     jlt_database *database;
 } jlt_merged;
 
-/** The kind of file that a path's ending means: .csv, .npy, .sqlite or .db; "-" is CSV. Returns false for any other ending. */
-bool jlt_merged_known(jlt_merged_kind *kind, const char *path);
+/** Whether a file of this name is one of SQLite: .sqlite or .db. */
+bool jlt_merged_is_database(const char *path);
+
+/** Whether a path's ending is known: .csv, .npy, .sqlite or .db; "-" is CSV. */
+bool jlt_merged_known(const char *path);
 
 /** Begin a file, and write what precedes its rows. The first `over` columns are those that the study runs over. study: its
  *  manifest, for SQLite; header: comments, for CSV and NumPy. Call jlt_merged_discard in the end, whatever is returned. */

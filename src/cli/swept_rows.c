@@ -9,8 +9,6 @@
 #include "report/csv.h"
 #include "report/table.h"
 
-enum { COLUMNS_MAX = JLT_COLUMN_MAP_MAX };
-
 /* The length of the line at the start of the text, without its newline. Out: *next, the line after it, NULL if there is none. */
 static size_t line_at(const char *text, const char **next)
 {
@@ -43,18 +41,10 @@ static char *comments(const char *text, const char *with)
     return NULL;
 }
 
-/* Cut a line at its commas into fields. Returns their number, at most COLUMNS_MAX. */
-static unsigned cut(char *fields[COLUMNS_MAX], char *line)
-{
-    const size_t count = jlt_table_cut(fields, COLUMNS_MAX, line);
-
-    return (unsigned)(count < COLUMNS_MAX ? count : COLUMNS_MAX);
-}
-
 /* A row of the table without its newline, the point's values and the mapped fields; for the caller to free. */
 static char *row_of(const jlt_column_map *map, const char *values, const char *row, size_t length)
 {
-    char *text = NULL, *line, *fields[COLUMNS_MAX];
+    char *text = NULL, *line, *fields[JLT_COLUMN_MAP_MAX];
     size_t size = 0;
     FILE *stream = open_memstream(&text, &size);
 
@@ -66,7 +56,7 @@ static char *row_of(const jlt_column_map *map, const char *values, const char *r
         return NULL;
     }
     fprintf(stream, "%s%s", values, map->same ? line : "");
-    const unsigned count = map->same ? 0 : cut(fields, line);
+    const unsigned count = map->same ? 0 : jlt_column_map_cut(fields, line);
     for (unsigned i = 0; !map->same && i < map->count; i++)
         fprintf(stream, "%s%s", i > 0 ? "," : "", map->from[i] < count ? fields[map->from[i]] : "");
     free(line);
@@ -78,8 +68,8 @@ static char *row_of(const jlt_column_map *map, const char *values, const char *r
 /* Add a row to the picture's data if both of its columns have numbers. Cuts the row at its commas. */
 static void draw_row(jlt_swept_rows *self, char *row)
 {
-    char *fields[COLUMNS_MAX], *end;
-    const unsigned count = cut(fields, row);
+    char *fields[JLT_COLUMN_MAP_MAX], *end;
+    const unsigned count = jlt_column_map_cut(fields, row);
     double at[2] = { NAN, NAN };
 
     for (unsigned k = 0; k < 2; k++) {
@@ -126,13 +116,13 @@ static jlt_exit write_rows(jlt_swept_rows *self, size_t point, const char *text,
 static jlt_exit choose(jlt_swept_rows *self)
 {
     JLT_FREED char *text = strdup(self->names);
-    char *columns[COLUMNS_MAX];
-    const char *names[JLT_SWEPT_AXES_MAX + COLUMNS_MAX];
+    char *columns[JLT_COLUMN_MAP_MAX];
+    const char *names[JLT_SWEPT_AXES_MAX + JLT_COLUMN_MAP_MAX];
     unsigned count = 0;
     jlt_exit code = JLT_EXIT_DONE;
 
     if (text == NULL) return jlt_command_no_memory();
-    const unsigned own = cut(columns, text);
+    const unsigned own = jlt_column_map_cut(columns, text);
     for (size_t k = 0; k < self->count; k++) names[count++] = self->axes[k].name;
     self->shown[1] = count + (self->lead < own ? self->lead : own - 1);
     for (unsigned i = 0; i < own; i++) names[count++] = columns[i];
@@ -233,12 +223,12 @@ static void caption(jlt_plot *plot, const jlt_swept_rows *self)
 
 jlt_exit jlt_swept_rows_draw(const jlt_swept_rows *self)
 {
-    char label[JLT_LOOK_LABEL_MAX], *text = strdup(self->names), *columns[COLUMNS_MAX];
+    char label[JLT_LOOK_LABEL_MAX], *text = strdup(self->names), *columns[JLT_COLUMN_MAP_MAX];
     const char *names[2];
     jlt_plot plot;
 
     if (text == NULL) return jlt_command_no_memory();
-    (void)cut(columns, text);
+    (void)jlt_column_map_cut(columns, text);
     for (unsigned k = 0; k < 2; k++)
         names[k] = self->shown[k] < self->count ? self->axes[self->shown[k]].name : columns[self->shown[k] - self->count];
     if (!self->has_points || jlt_plot_open(&plot, self->common) != JLT_OK) {

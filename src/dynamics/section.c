@@ -9,17 +9,12 @@
 #include "dynamics/section_conditions.h"
 #include "integrate/rest.h"
 
-typedef struct {
-    const jlt_observed *observed;
-    unsigned index;
-} condition;
-
 struct jlt_section {
     jlt_flow flow;
     jlt_orbit *orbit;
     jlt_event events[JLT_ORBIT_EVENTS_MAX];
     unsigned crossings, event_count; /* the first `crossings` events are of the section, the others losses of model conditions */
-    condition conditions[JLT_ORBIT_EVENTS_MAX];
+    jlt_observed_one conditions[JLT_ORBIT_EVENTS_MAX];
     size_t number;
     int time_direction;
     double t_start;  /* of the current return */
@@ -85,12 +80,6 @@ bool jlt_section_fate_of(jlt_fate *fate, jlt_status status)
     return last > JLT_FATE_EQUILIBRIUM;
 }
 
-static double condition_value(void *context, const double *x)
-{
-    const condition *self = context;
-    return jlt_observed_condition_value(self->observed, self->index, x);
-}
-
 static int watch(void *context, jlt_orbit *orbit)
 {
     jlt_section *self = context;
@@ -106,9 +95,9 @@ static jlt_status add_conditions(jlt_section *self, const jlt_observed *observed
 
     if (self->event_count + count > JLT_ORBIT_EVENTS_MAX) return JLT_ERR_UNSUPPORTED;
     for (unsigned i = 0; i < count; i++) {
-        self->conditions[i] = (condition){ observed, i };
+        self->conditions[i] = (jlt_observed_one){ observed, i };
         self->events[self->event_count++] =
-            (jlt_event){ .value = condition_value, .context = &self->conditions[i], .direction = JLT_BOTH };
+            (jlt_event){ .value = jlt_observed_condition_value, .context = &self->conditions[i], .direction = JLT_BOTH };
     }
     return JLT_OK;
 }

@@ -4,17 +4,6 @@
 
 #include "integrate/locate.h"
 
-typedef struct {
-    const jlt_observed *observed;
-    unsigned condition;
-} watched;
-
-static double condition_value(void *context, const double *x)
-{
-    const watched *self = context;
-    return jlt_observed_condition_value(self->observed, self->condition, x);
-}
-
 void jlt_section_conditions_turn(jlt_section_conditions *self)
 {
     self->end.value = INFINITY;
@@ -63,15 +52,15 @@ static bool dips(jlt_event_least *least, jlt_orbit *orbit, const jlt_event *even
 static void look_within(jlt_section_conditions *self, jlt_orbit *orbit, bool hold)
 {
     const unsigned count = self->looks_within ? jlt_observed_conditions(self->observed) : 0;
-    watched one = { self->observed, 0 };
-    const jlt_event event = { .value = condition_value, .context = &one };
+    jlt_observed_one one = { self->observed, 0 };
+    const jlt_event event = { .value = jlt_observed_condition_value, .context = &one };
     double before = self->so_far.value;
 
-    for (; one.condition < count; one.condition++) {
+    for (; one.index < count; one.index++) {
         jlt_event_least least;
         if (!dips(&least, orbit, &event, hold) || least.value >= before) continue;
         before = least.value;
-        self->dip = (jlt_section_least){ least.value, one.condition };
+        self->dip = (jlt_section_least){ least.value, one.index };
         self->dip_theta = least.theta;
     }
 }

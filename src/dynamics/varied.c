@@ -3,7 +3,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "dynamics/varied_batch.h"
 #include "integrate/batch.h"
 #include "integrate/gauss_batch.h"
 #include "kernel/batch_isa.h"
@@ -54,6 +53,17 @@ static void time_rate(const double *restrict x, const double *restrict p, double
 }
 
 /* A row has one value for each Gauss node of a step. */
+static jlt_varied_batch *instance(const jlt_kernel_batch *kernels)
+{
+#if defined(JLT_HAVE_X86)
+    if (strcmp(kernels->isa, "avx512") == 0) return jlt_varied_batch_avx512;
+    if (strcmp(kernels->isa, "avx2") == 0) return jlt_varied_batch_avx2;
+#else
+    (void)kernels;
+#endif
+    return jlt_varied_batch_baseline;
+}
+
 static void call_on_lanes(const double *restrict x, const double *restrict p, double *restrict out, size_t stride)
 {
     const jlt_varied *self = (const jlt_varied *)(const void *)p;
@@ -61,7 +71,7 @@ static void call_on_lanes(const double *restrict x, const double *restrict p, do
     _Alignas(64) double both[JLT_BATCH_STATES_MAX * (1 + JLT_BATCH_STATES_MAX) * JLT_GAUSS_BATCH_NODES];
 
     kernels->rhs_jacobian(x, self->spread, both, stride);
-    self->products->product(x, both, out, stride, self->plain->dim, self->tangents);
+    self->products(x, both, out, stride, self->plain->dim, self->tangents);
 }
 
 static void time_rate_on_lanes(const double *restrict x, const double *restrict p, double *restrict out, size_t stride)
@@ -94,7 +104,7 @@ jlt_status jlt_varied_make(jlt_varied *self, const jlt_field *plain, jlt_kernel_
                                           .lanes = kernels->lanes,
                                           .rhs = call_on_lanes,
                                           .time_factor = plain->time_rate != NULL ? time_rate_on_lanes : NULL };
-        self->products = jlt_varied_batch_find(kernels);
+        self->products = instance(kernels);
         self->field.batch = &self->batch;
         self->spread = jlt_batch_isa_spread(kernels, plain->p);
         if (self->spread == NULL) return JLT_ERR_NOMEM;

@@ -4,6 +4,7 @@
 #define JLT_DYNAMICS_VARIED_H
 
 #include "dynamics/chart.h"
+#include "dynamics/varied_batch.h"
 
 enum { JLT_VARIED_DIM_MAX = JLT_CHART_STATES_MAX * (1 + JLT_CHART_DIM_MAX) + 1 };
 
@@ -14,7 +15,7 @@ typedef struct {
     jlt_field field;                  /* the varied field: f, J Y and the trace of J; its `p` is this structure */
     jlt_kernel_batch batch;           /* the varied field on vectors, for the method gauss */
     double *spread;                   /* the plain field's prepared values in every lane; owned; NULL: there is no `batch` */
-    const struct jlt_varied_batch *products; /* computes J Y and the trace on vectors */
+    jlt_varied_batch *products;  /* computes J Y and the trace on vectors */
     double scale[JLT_VARIED_DIM_MAX]; /* scale of `field`: that of the plain field for its states, 1 for all else */
 } jlt_varied;
 

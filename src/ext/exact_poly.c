@@ -71,7 +71,7 @@ void jlt_exact_poly_derive(jlt_exact_poly *out, const jlt_exact_poly *p)
     for (size_t i = 0; i < slope.length; i++) {
         c = &slope.coefficients[i];
         jlt_surd_set(c, &p->coefficients[i + 1]);
-        for (size_t k = 0; k < (size_t)1 << c->level; k++) {
+        for (size_t k = 0; k < (size_t)1 << c->roots; k++) {
             fmpz_t factor;
             fmpz_init_set_ui(factor, i + 1);
             fmpq_mul_fmpz(c->coordinates + k, c->coordinates + k, factor);

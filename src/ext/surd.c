@@ -6,9 +6,9 @@
 
 enum { FEW = sizeof(((jlt_surd *)0)->few) / sizeof(fmpq) };
 
-static size_t size_of(unsigned level)
+static size_t size_of(unsigned roots)
 {
-    return (size_t)1 << level;
+    return (size_t)1 << roots;
 }
 
 static bool all_zero(const fmpq *a, size_t count)
@@ -35,11 +35,11 @@ void jlt_surd_field_destroy(jlt_surd_field *field)
     free(field);
 }
 
-static void init_at(jlt_surd *a, unsigned level)
+static void init_at(jlt_surd *a, unsigned roots)
 {
-    a->level = level;
+    a->roots = roots;
     for (size_t i = 0; i < FEW; i++) fmpq_init(a->few + i);
-    a->coordinates = size_of(level) <= FEW ? a->few : _fmpq_vec_init((slong)size_of(level));
+    a->coordinates = size_of(roots) <= FEW ? a->few : _fmpq_vec_init((slong)size_of(roots));
 }
 
 void jlt_surd_init(jlt_surd *a)
@@ -50,7 +50,7 @@ void jlt_surd_init(jlt_surd *a)
 void jlt_surd_clear(jlt_surd *a)
 {
     for (size_t i = 0; i < FEW; i++) fmpq_clear(a->few + i);
-    if (a->coordinates != a->few) _fmpq_vec_clear(a->coordinates, (slong)size_of(a->level));
+    if (a->coordinates != a->few) _fmpq_vec_clear(a->coordinates, (slong)size_of(a->roots));
 }
 
 void jlt_surd_swap(jlt_surd *a, jlt_surd *b)
@@ -63,16 +63,16 @@ void jlt_surd_swap(jlt_surd *a, jlt_surd *b)
     if (b->coordinates == a->few) b->coordinates = b->few;
 }
 
-/* Move `a` into out at its least level; `a` is cleared. */
+/* Move `a` into out, with the fewest roots that it needs; `a` is cleared. */
 static void give(jlt_surd *out, jlt_surd *a)
 {
-    unsigned level = a->level;
+    unsigned roots = a->roots;
     jlt_surd least;
 
-    while (level > 0 && all_zero(a->coordinates + size_of(level - 1), size_of(level - 1))) level--;
-    if (level < a->level) {
-        init_at(&least, level);
-        for (size_t i = 0; i < size_of(level); i++) fmpq_swap(least.coordinates + i, a->coordinates + i);
+    while (roots > 0 && all_zero(a->coordinates + size_of(roots - 1), size_of(roots - 1))) roots--;
+    if (roots < a->roots) {
+        init_at(&least, roots);
+        for (size_t i = 0; i < size_of(roots); i++) fmpq_swap(least.coordinates + i, a->coordinates + i);
         jlt_surd_swap(a, &least);
         jlt_surd_clear(&least);
     }
@@ -80,11 +80,11 @@ static void give(jlt_surd *out, jlt_surd *a)
     jlt_surd_clear(a);
 }
 
-/* Initialize out to a, at a level not below that of a. */
-static void raise_to(jlt_surd *out, const jlt_surd *a, unsigned level)
+/* Initialize out to a, in the field of the first `roots` roots, which contains a. */
+static void raise_to(jlt_surd *out, const jlt_surd *a, unsigned roots)
 {
-    init_at(out, level);
-    copy(out->coordinates, a->coordinates, size_of(a->level));
+    init_at(out, roots);
+    copy(out->coordinates, a->coordinates, size_of(a->roots));
 }
 
 void jlt_surd_set(jlt_surd *out, const jlt_surd *a)
@@ -92,17 +92,17 @@ void jlt_surd_set(jlt_surd *out, const jlt_surd *a)
     jlt_surd same;
 
     if (out == a) return;
-    if (out->level + a->level == 0) {
+    if (out->roots + a->roots == 0) {
         fmpq_set(out->coordinates, a->coordinates);
         return;
     }
-    raise_to(&same, a, a->level);
+    raise_to(&same, a, a->roots);
     give(out, &same);
 }
 
 void jlt_surd_set_rational(jlt_surd *out, const fmpq_t value)
 {
-    if (out->level > 0) {
+    if (out->roots > 0) {
         jlt_surd_clear(out);
         jlt_surd_init(out);
     }
@@ -111,19 +111,19 @@ void jlt_surd_set_rational(jlt_surd *out, const fmpq_t value)
 
 bool jlt_surd_is_zero(const jlt_surd *a)
 {
-    return all_zero(a->coordinates, size_of(a->level));
+    return all_zero(a->coordinates, size_of(a->roots));
 }
 
 static void combine(jlt_surd *out, const jlt_surd *a, const jlt_surd *b, bool minus)
 {
     jlt_surd sum;
 
-    if (out->level + a->level + b->level == 0) {
+    if (out->roots + a->roots + b->roots == 0) {
         (minus ? fmpq_sub : fmpq_add)(out->coordinates, a->coordinates, b->coordinates);
         return;
     }
-    raise_to(&sum, a, a->level > b->level ? a->level : b->level);
-    for (size_t i = 0; i < size_of(b->level); i++)
+    raise_to(&sum, a, a->roots > b->roots ? a->roots : b->roots);
+    for (size_t i = 0; i < size_of(b->roots); i++)
         (minus ? fmpq_sub : fmpq_add)(sum.coordinates + i, sum.coordinates + i, b->coordinates + i);
     give(out, &sum);
 }
@@ -138,64 +138,64 @@ void jlt_surd_subtract(jlt_surd *out, const jlt_surd *a, const jlt_surd *b)
     combine(out, a, b, true);
 }
 
-static void add_multiple(fmpq *out, const fmpq *a, unsigned level, const jlt_surd *b, const jlt_surd_field *field);
+static void add_multiple(fmpq *out, const fmpq *a, unsigned roots, const jlt_surd *b, const jlt_surd_field *field);
 
-/* Add a b to out, all at one level: (p + q t)(u + v t) = p u + q v t^2 + (p v + q u) t. */
-static void add_product(fmpq *out, const fmpq *a, const fmpq *b, unsigned level, const jlt_surd_field *field)
+/* Add a b to out, all with the same roots: (p + q t)(u + v t) = p u + q v t^2 + (p v + q u) t. */
+static void add_product(fmpq *out, const fmpq *a, const fmpq *b, unsigned roots, const jlt_surd_field *field)
 {
-    if (level == 0) {
+    if (roots == 0) {
         if (fmpq_is_zero(out)) fmpq_mul(out, a, b);
         else fmpq_addmul(out, a, b);
         return;
     }
-    const size_t half = size_of(level - 1);
+    const size_t half = size_of(roots - 1);
     const bool low[] = { !all_zero(a, half), !all_zero(b, half) };
     const bool high[] = { !all_zero(a + half, half), !all_zero(b + half, half) };
-    if (low[0] && low[1]) add_product(out, a, b, level - 1, field);
-    if (low[0] && high[1]) add_product(out + half, a, b + half, level - 1, field);
-    if (high[0] && low[1]) add_product(out + half, a + half, b, level - 1, field);
+    if (low[0] && low[1]) add_product(out, a, b, roots - 1, field);
+    if (low[0] && high[1]) add_product(out + half, a, b + half, roots - 1, field);
+    if (high[0] && low[1]) add_product(out + half, a + half, b, roots - 1, field);
     if (high[0] && high[1]) {
         jlt_surd product;
-        init_at(&product, level - 1);
-        add_product(product.coordinates, a + half, b + half, level - 1, field);
-        add_multiple(out, product.coordinates, level - 1, &field->radicands[level - 1], field);
+        init_at(&product, roots - 1);
+        add_product(product.coordinates, a + half, b + half, roots - 1, field);
+        add_multiple(out, product.coordinates, roots - 1, &field->radicands[roots - 1], field);
         jlt_surd_clear(&product);
     }
 }
 
-/* Add a b to out, which has the level of `a`; that of b is not above it. */
-static void add_multiple(fmpq *out, const fmpq *a, unsigned level, const jlt_surd *b, const jlt_surd_field *field)
+/* Add a b to out, which has as many roots as `a`; b has no more. */
+static void add_multiple(fmpq *out, const fmpq *a, unsigned roots, const jlt_surd *b, const jlt_surd_field *field)
 {
-    for (size_t i = 0; i < size_of(level); i += size_of(b->level))
-        add_product(out + i, a + i, b->coordinates, b->level, field);
+    for (size_t i = 0; i < size_of(roots); i += size_of(b->roots))
+        add_product(out + i, a + i, b->coordinates, b->roots, field);
 }
 
 void jlt_surd_multiply(jlt_surd *out, const jlt_surd *a, const jlt_surd *b, const jlt_surd_field *field)
 {
-    const jlt_surd *const low = a->level < b->level ? a : b, *const high = low == a ? b : a;
+    const jlt_surd *const low = a->roots < b->roots ? a : b, *const high = low == a ? b : a;
     jlt_surd product;
 
-    if (low->level == 0 && fmpq_is_one(low->coordinates)) {
+    if (low->roots == 0 && fmpq_is_one(low->coordinates)) {
         jlt_surd_set(out, high);
         return;
     }
-    if (out->level + high->level == 0) {
+    if (out->roots + high->roots == 0) {
         fmpq_mul(out->coordinates, a->coordinates, b->coordinates);
         return;
     }
-    init_at(&product, high->level);
-    add_multiple(product.coordinates, high->coordinates, high->level, low, field);
+    init_at(&product, high->roots);
+    add_multiple(product.coordinates, high->coordinates, high->roots, low, field);
     give(out, &product);
 }
 
 /* a = low + high t, where t is the last root in a. */
 static void split(jlt_surd *low, jlt_surd *high, const jlt_surd *a)
 {
-    const size_t half = size_of(a->level - 1);
+    const size_t half = size_of(a->roots - 1);
     jlt_surd part;
 
     for (int k = 0; k < 2; k++) {
-        init_at(&part, a->level - 1);
+        init_at(&part, a->roots - 1);
         copy(part.coordinates, a->coordinates + (k == 0 ? 0 : half), half);
         give(k == 0 ? low : high, &part);
     }
@@ -207,7 +207,7 @@ static void join(jlt_surd *out, const jlt_surd *low, const jlt_surd *high, unsig
     jlt_surd whole;
 
     raise_to(&whole, low, root + 1);
-    copy(whole.coordinates + size_of(root), high->coordinates, size_of(high->level));
+    copy(whole.coordinates + size_of(root), high->coordinates, size_of(high->roots));
     give(out, &whole);
 }
 
@@ -224,10 +224,10 @@ static void norm(jlt_surd *out, const jlt_surd *low, const jlt_surd *high, unsig
 
 bool jlt_surd_invert(jlt_surd *out, const jlt_surd *a, const jlt_surd_field *field)
 {
-    const unsigned root = a->level - 1;
+    const unsigned root = a->roots - 1;
 
     if (jlt_surd_is_zero(a)) return false;
-    if (a->level == 0) {
+    if (a->roots == 0) {
         jlt_surd_set(out, a);
         fmpq_inv(out->coordinates, out->coordinates);
         return true;
@@ -246,14 +246,14 @@ bool jlt_surd_invert(jlt_surd *out, const jlt_surd *a, const jlt_surd_field *fie
 void jlt_surd_enclose(arb_t out, const jlt_surd *a, const jlt_surd_field *field, slong precision)
 {
 
-    if (a->level == 0) {
+    if (a->roots == 0) {
         arb_set_fmpq(out, a->coordinates, precision);
         return;
     }
     JLT_SCOPED(jlt_surd, low, high);
     JLT_SCOPED(arb, root, rest);
     split(low, high, a);
-    jlt_surd_enclose(root, &field->radicands[a->level - 1], field, precision);
+    jlt_surd_enclose(root, &field->radicands[a->roots - 1], field, precision);
     arb_sqrt(root, root, precision);
     jlt_surd_enclose(rest, low, field, precision);
     jlt_surd_enclose(out, high, field, precision);
@@ -265,7 +265,7 @@ slong jlt_surd_height(const jlt_surd *a)
 {
     slong most = 0;
 
-    for (size_t i = 0; i < size_of(a->level); i++) {
+    for (size_t i = 0; i < size_of(a->roots); i++) {
         const slong bits = (slong)fmpq_height_bits(a->coordinates + i);
         if (bits > most) most = bits;
     }
@@ -296,7 +296,7 @@ static bool rational_root(jlt_surd *out, const fmpq_t a)
     return true;
 }
 
-static bool find_root(jlt_surd *out, const jlt_surd *a, unsigned level, const jlt_surd_field *field);
+static bool find_root(jlt_surd *out, const jlt_surd *a, unsigned roots, const jlt_surd_field *field);
 
 /* A square root of a, which does not contain t, the root number `root`: either x without t, or y t with y^2 = a/t^2. */
 static bool find_plain(jlt_surd *out, const jlt_surd *a, unsigned root, const jlt_surd_field *field)
@@ -340,19 +340,19 @@ static bool find_mixed(jlt_surd *out, const jlt_surd *low, const jlt_surd *high,
     return found;
 }
 
-/* A square root of a, of either sign, in the field of the first `level` roots. Returns false if there is none. */
-static bool find_root(jlt_surd *out, const jlt_surd *a, unsigned level, const jlt_surd_field *field)
+/* A square root of a, of either sign, in the field of the first roots. Returns false if there is none. */
+static bool find_root(jlt_surd *out, const jlt_surd *a, unsigned roots, const jlt_surd_field *field)
 {
 
     if (jlt_surd_is_zero(a)) {
         jlt_surd_set(out, a);
         return true;
     }
-    if (level == 0) return rational_root(out, a->coordinates);
-    if (a->level < level) return find_plain(out, a, level - 1, field);
+    if (roots == 0) return rational_root(out, a->coordinates);
+    if (a->roots < roots) return find_plain(out, a, roots - 1, field);
     JLT_SCOPED(jlt_surd, low, high);
     split(low, high, a);
-    return find_mixed(out, low, high, level - 1, field);
+    return find_mixed(out, low, high, roots - 1, field);
 }
 
 bool jlt_surd_root(jlt_surd *out, const jlt_surd *a, jlt_surd_field *field)

@@ -11,9 +11,9 @@
 
 enum { JLT_SURD_ROOTS_MAX = 4 };
 
-/* coordinates, shape (2^level,): with t the root number level - 1, the number is (first half) + (second half) t. */
+/* coordinates, shape (2^roots,): with t the last of its roots, the number is (first half) + (second half) t. */
 typedef struct {
-    unsigned level; /* the least possible */
+    unsigned roots; /* how many of the field's first roots it needs */
     fmpq *coordinates;
     fmpq few[2];    /* where they lie if there are no more */
 } jlt_surd; /* not to be copied by assignment: see jlt_surd_set, jlt_surd_swap */
@@ -37,7 +37,7 @@ void jlt_surd_set_rational(jlt_surd *out, const fmpq_t value);
 void jlt_surd_swap(jlt_surd *a, jlt_surd *b);
 bool jlt_surd_is_zero(const jlt_surd *a);
 
-/** Arithmetic; out may alias inputs. Cost: at most 5^level products of rationals per product. */
+/** Arithmetic; out may alias inputs. Cost: at most 5^roots products of rationals per product. */
 void jlt_surd_add(jlt_surd *out, const jlt_surd *a, const jlt_surd *b);
 void jlt_surd_subtract(jlt_surd *out, const jlt_surd *a, const jlt_surd *b);
 void jlt_surd_multiply(jlt_surd *out, const jlt_surd *a, const jlt_surd *b, const jlt_surd_field *field);

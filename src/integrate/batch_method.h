@@ -17,9 +17,9 @@ typedef struct jlt_batch_method {
     unsigned stages;      /* slopes beyond k[0]; the last is at the end of the step, and the next step's k[0] */
     jlt_stage_sum sum[JLT_BATCH_STAGES_MAX]; /* [i - 1] leads to slope i; the last one is the solution */
     jlt_stage_sum error;                     /* its error estimate */
-    jlt_stage_sum high, low; /* divided differences of the slopes in time, of orders n and n - 2, at instants of the step; */
-    double quadrature;       /* high (high/low)^2 times this is three times the quadrature's error for an oscillation that advances
-                                a radian in a step */
+    jlt_stage_sum high, low; /* divided differences of the slopes in time, of orders n and n - 2, at instants of the step */
+    double quadrature;       /* of an oscillation that advances a radian in a step, three times the error that the step makes in an
+                                integral over time is quadrature high (high/low)^2 */
 } jlt_batch_method;
 
 /** The table: verner8, stepanov10. NULL past the end. */

@@ -353,7 +353,6 @@ const jlt_method jlt_method_dop853 = {
     .meaning = "Dormand and Prince 8(5,3), 12 stages, dense output of order 7 (Hairer, Norsett and Wanner)",
     .order = 8,
     .share = 1.0 / 32,
-    .evaluations = 12,
     .create = create,
     .destroy = destroy,
     .start = start,

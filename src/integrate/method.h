@@ -12,9 +12,8 @@ struct jlt_method {
     const char *name;        /* as typed on the command line */
     const char *meaning;     /* one line, with its source */
     unsigned order;          /* of the accepted solution; 0: variable */
-    unsigned evaluations;    /* field evaluations per accepted step; 0: variable */
     double share;            /* part of the tolerance that the error estimate of a step may reach; a power of two */
-    bool needs_jet;
+    bool needs_jet;          /* serves fields with Taylor coefficients alone (jlt_field.jet) */
     bool multistep;          /* uses past steps: moving the point restarts it at order 1 */
     jlt_status (*create)(jlt_stepper *self);    /* makes self->state */
     void (*destroy)(jlt_stepper *self);         /* legal when create failed */

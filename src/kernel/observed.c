@@ -106,10 +106,12 @@ const jlt_kernel_batch *jlt_observed_lanes(const jlt_observed *observed, const d
     return kernels != NULL && kernels->lanes == lanes && kernels->valid_values != NULL ? kernels : NULL;
 }
 
-double jlt_observed_condition_value(const jlt_observed *observed, unsigned condition, const double *x)
+double jlt_observed_condition_value(void *condition, const double *x)
 {
+    const jlt_observed_one *one = condition;
+    const jlt_instance *general = one->observed->general;
     double values[JLT_OBSERVED_CONDITIONS_MAX], room[JLT_OBSERVED_STATES_MAX];
 
-    observed->general->descriptor->valid_values.call(in_table(observed, room, x), observed->general->prepared, values);
-    return values[condition];
+    general->descriptor->valid_values.call(in_table(one->observed, room, x), general->prepared, values);
+    return values[one->index];
 }

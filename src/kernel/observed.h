@@ -34,8 +34,14 @@ void jlt_observed_values(const jlt_observed *observed, double *values, const dou
  *  unchanged for INFINITY. */
 double jlt_observed_least(const jlt_observed *observed, unsigned *condition, const double *x);
 
-/** The value of one condition at x; the index must be below jlt_observed_conditions(). */
-double jlt_observed_condition_value(const jlt_observed *observed, unsigned condition, const double *x);
+/** One condition, index < jlt_observed_conditions(): what events (integrate/event.h) have as context. */
+typedef struct {
+    const jlt_observed *observed;
+    unsigned index;
+} jlt_observed_one;
+
+/** The value of a condition, a jlt_observed_one, at x, shape (states,). */
+double jlt_observed_condition_value(void *condition, const double *x);
 
 /** The conditions on vectors, for callers whose states are in lanes: kernels with `valid_values`, which take states in the table's
  *  units and give values of shape (conditions,) in each lane. Returns NULL if there are no conditions, or the table has no kernels

@@ -111,7 +111,7 @@ void jlt_npy_destroy(jlt_npy *self)
 }
 
 /* Write the rows first, then the header, so that the header never counts a row that is not in the file. */
-jlt_status jlt_npy_flush(jlt_npy *self)
+static jlt_status flush(jlt_npy *self)
 {
     if (self->form.count == 0) return JLT_ERR_ARG; /* there is no table */
     if (fflush(self->notes) != 0) return JLT_ERR_NOMEM;
@@ -150,7 +150,7 @@ static jlt_status widen(jlt_npy *self, size_t index, size_t width)
     const size_t was_head = self->head, was_row = self->width, was_width = width_of(column);
     size_t before = 0;
 
-    JLT_PASS(jlt_npy_flush(self));
+    JLT_PASS(flush(self));
     for (size_t i = 0; i < index; i++) before += width_of(&self->form.columns[i]);
     column->width = (width + NUMBER - 1) / NUMBER * NUMBER;
     if (!was_text && self->form.rows > 0 && column->width < JLT_DIGITS_SIZE) column->width = JLT_DIGITS_SIZE;
@@ -164,7 +164,7 @@ static jlt_status widen(jlt_npy *self, size_t index, size_t width)
         memcpy(to + before + column->width, from + before + was_width, was_row - before - was_width);
         JLT_PASS(jlt_file_put(self->place, to, self->width, self->head + i * self->width));
     }
-    return jlt_npy_flush(self);
+    return flush(self);
 }
 
 /* Returns false if the column holds numbers and the field is a text, or the field is too long for it. */
@@ -186,34 +186,27 @@ static bool put_field(char *to, const jlt_table_column *column, const char *fiel
     return true;
 }
 
-/* Add a row to the block from its fields or, if these are NULL, from a line of CSV. When a field does not fit its column, widen the
- * column and begin the row again. */
-static jlt_status put_row(jlt_npy *self, char *const *fields, const char *line)
+/* Add a row to the block from a line of CSV. When a field does not fit its column, widen the column and begin the row again. */
+static jlt_status put_row(jlt_npy *self, const char *line)
 {
     const char *field = line;
     char *to;
 
-    if (self->held + self->width > BLOCK) JLT_PASS(jlt_npy_flush(self));
+    if (self->held + self->width > BLOCK) JLT_PASS(flush(self));
     to = self->block + self->held;
     for (size_t i = 0; i < self->form.count; i++) {
         const jlt_table_column *column = &self->form.columns[i];
-        if (fields != NULL) field = fields[i];
         const char *end = jlt_table_field_end(field);
-        if (fields == NULL && (*end == ',') != (i + 1 < self->form.count)) return JLT_ERR_ARG;
+        if ((*end == ',') != (i + 1 < self->form.count)) return JLT_ERR_ARG;
         if (!put_field(to, column, field, end)) {
             JLT_PASS(widen(self, i, (size_t)(end - field)));
-            return put_row(self, fields, line);
+            return put_row(self, line);
         }
         to += width_of(column);
         field = end + 1;
     }
     self->held += self->width;
     return JLT_OK;
-}
-
-jlt_status jlt_npy_row(jlt_npy *self, char *const *fields)
-{
-    return put_row(self, fields, NULL);
 }
 
 /* Take the line of column names. All columns hold numbers until a field is a text. */
@@ -232,7 +225,7 @@ static jlt_status take_line(jlt_npy *self, char *line)
 {
     if (*line == '#') return fprintf(self->notes, "%s\n", line) >= 0 ? JLT_OK : JLT_ERR_NOMEM;
     if (self->form.count == 0) return take_names(self, line);
-    return put_row(self, NULL, line);
+    return put_row(self, line);
 }
 
 jlt_status jlt_npy_take(jlt_npy *self, const char *text, size_t size)
@@ -255,7 +248,7 @@ jlt_status jlt_npy_take(jlt_npy *self, const char *text, size_t size)
     }
     self->begun_size -= (size_t)(line - self->begun);
     memmove(self->begun, line, self->begun_size);
-    if (self->form.count > 0) st = jlt_npy_flush(self);
+    if (self->form.count > 0) st = flush(self);
 done:
     if (st == JLT_ERR_ARG) self->place->whole = 0; /* not a table: committing fails, so that no other file is replaced */
     self->failed = st;

@@ -18,8 +18,4 @@ void jlt_npy_destroy(jlt_npy *self); /* NULL is legal; the file is not committed
  *  jlt_file_commit fails. */
 JLT_CHECKED jlt_status jlt_npy_take(jlt_npy *self, const char *text, size_t size);
 
-/** Take one row from its fields, one for each column; write the rows that wait to the file. Errors: NOMEM, IO. */
-JLT_CHECKED jlt_status jlt_npy_row(jlt_npy *self, char *const *fields);
-JLT_CHECKED jlt_status jlt_npy_flush(jlt_npy *self);
-
 #endif

@@ -33,18 +33,17 @@ bool jlt_course_conditions_note(jlt_course_conditions *self, const char **unknow
 }
 
 typedef struct {
-    const jlt_course_conditions *conditions;
+    jlt_observed_one condition;
     const jlt_leg *leg;
-    unsigned index;
 } watched;
 
 static double value_of(void *context, const double *y)
 {
-    const watched *self = context;
+    watched *self = context;
     double x[JLT_WAY_VALUES_MAX];
 
     jlt_tier_extract(&self->leg->view, x, y);
-    return jlt_observed_condition_value(self->conditions->observed, self->index, x);
+    return jlt_observed_condition_value(&self->condition, x);
 }
 
 /* Where in the last step, as a fraction of it, a condition breaks first; INFINITY: nowhere, or it was broken at the start. *least:
@@ -69,7 +68,7 @@ void jlt_course_conditions_look_within(jlt_course_conditions *self, const jlt_le
     double y[JLT_WAY_VALUES_MAX + 1], first = INFINITY;
 
     for (unsigned i = 0; i < jlt_observed_conditions(self->observed); i++) {
-        watched one = { self, leg, i };
+        watched one = { { self->observed, i }, leg };
         jlt_event_least least = { .value = INFINITY };
         const double theta = break_within(&least, &one, stepper);
         self->least = fmin(self->least, least.value);

@@ -1,26 +1,18 @@
 #include "shards/deal.h"
 
-#include <stdint.h>
+#include "base/random.h"
 
 enum { ROUNDS = 4 };
-
-/* The finalizer of splitmix64: Steele, Lea, Flood, Fast splittable pseudorandom number generators, OOPSLA 2014. */
-static uint64_t mix(uint64_t z)
-{
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return z ^ (z >> 31);
-}
 
 /* A permutation of the numbers of 2 * half bits, another one for each `turn`: a Feistel network (Luby, Rackoff, SIAM J. Comput. 17,
  * 1988), which is invertible whatever its hash function. */
 static uint64_t permuted(uint64_t x, unsigned half, uint64_t turn)
 {
-    const uint64_t mask = ((uint64_t)1 << half) - 1, key = mix(turn);
+    const uint64_t mask = ((uint64_t)1 << half) - 1, key = ttc_random_mixed(turn);
     uint64_t left = x >> half, right = x & mask;
 
     for (uint64_t round = 1; round <= ROUNDS; round++) {
-        const uint64_t next = left ^ (mix(key + right + round * 0x9e3779b97f4a7c15u) & mask);
+        const uint64_t next = left ^ (ttc_random_mixed(key + right + round * TTC_RANDOM_STEP) & mask);
         left = right;
         right = next;
     }

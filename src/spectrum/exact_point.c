@@ -43,7 +43,7 @@ static bool take_value(jlt_surd *out, const jlt_ball_value *value)
 /* A function's value at an argument where it is known to be rational: log at 1, the others at 0. Returns false elsewhere. */
 static bool function_of(jlt_surd *out, const jlt_surd *of, ttc_symbol_kind kind)
 {
-    const bool one = of->level == 0 && fmpq_is_one(of->coordinates), zero = jlt_surd_is_zero(of);
+    const bool one = of->roots == 0 && fmpq_is_one(of->coordinates), zero = jlt_surd_is_zero(of);
 
     if (kind == TTC_LOG ? !one : !zero) return false;
     JLT_SCOPED(fmpq, value);
@@ -133,13 +133,13 @@ static bool evaluate_product(jlt_surd *out, walk *w, ttc_id id)
     fmpq_set(rational, ttc_coefficient(graph, id));
     for (size_t i = 0; i < count; i++) {
         const ttc_part part = ttc_part_at(graph, id, i);
-        if (w->numbers[part.id].level == 0) multiply_power(rational, w->numbers[part.id].coordinates, part.exponent);
+        if (w->numbers[part.id].roots == 0) multiply_power(rational, w->numbers[part.id].coordinates, part.exponent);
     }
     fmpq_canonicalise(rational);
     jlt_surd_set_rational(out, rational);
     for (size_t i = 0; i < count; i++) {
         const ttc_part part = ttc_part_at(graph, id, i);
-        if (w->numbers[part.id].level == 0) continue;
+        if (w->numbers[part.id].roots == 0) continue;
         const jlt_surd *number = part.exponent < 0 ? inverse_of(w, part.id) : &w->numbers[part.id];
         for (int32_t k = abs(part.exponent); k > 0; k--) jlt_surd_multiply(out, out, number, w->field);
     }

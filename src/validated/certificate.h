@@ -27,12 +27,11 @@ typedef enum {
     JLT_CERTIFICATE_GOOD,
     JLT_CERTIFICATE_REFUSED, /* the certificate does not prove what it says */
     JLT_CERTIFICATE_MALFORMED, /* this is no certificate, or it speaks of a table that is not available */
-    JLT_CERTIFICATE_FAILED   /* the proof could not be carried out; `status` says why */
+    JLT_CERTIFICATE_FAILED   /* the proof could not be carried out */
 } jlt_certificate_verdict;
 
 typedef struct {
     jlt_certificate_verdict verdict;
-    jlt_status status;
     char problem[JLT_GIVEN_PROBLEM_MAX]; /* "" if the verdict is GOOD */
 } jlt_certificate_report;
 

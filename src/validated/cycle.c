@@ -119,9 +119,7 @@ static void follow(shooting *self, arb_srcptr y, arb_srcptr next)
     arb_mat_mul(self->D, D, self->D, bits);
     arb_add(self->time, self->time, arrival->time, bits);
     arb_add(self->expansion, self->expansion, arrival->expansion, bits);
-    for (unsigned i = 0; i < JLT_ARRIVAL_VALIDS_MAX; i++)
-        if (arf_is_nan(arrival->least + i) || arf_cmp(arrival->least + i, self->least + i) < 0)
-            arf_set(self->least + i, arrival->least + i);
+    jlt_step_lower(self->least, arrival->least, JLT_ARRIVAL_VALIDS_MAX);
 }
 
 static jlt_status shoot(void *context, arb_mat_t G, arb_mat_t DG, arb_srcptr y)

@@ -5,8 +5,8 @@
  *  section, F the integrals, c their levels, and y = (q, w) with as many w as levels, the equations of all legs i are
  *      P_q(y_i) = q_(i+1),      F(y_i) = c,
  *  where the last leg ends at the first point. Krawczyk's operator (krawczyk.h) proves that they have exactly one solution. There
- *  F(q_(i+1), P_w(y_i)) = F(y_i) = c = F(y_(i+1)): if dF/dw is regular over the hull of both points, then P_w(y_i) = w_(i+1), so
- *  that the legs meet.
+ *  F(q_(i+1), P_w(y_i)) = F(y_i) = c = F(y_(i+1)): if dF/dw is invertible over the hull of both points, then P_w(y_i) =
+ *  w_(i+1), so that the legs meet.
  *
  *  On the levels dw = -F_w^-1 F_q dq, which gives the derivative D of the map in q, leg by leg. Its determinant is also
  *      det D = exp(integral of div f over the orbit),

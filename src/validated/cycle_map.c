@@ -87,7 +87,7 @@ bool jlt_cycle_map_solve_levels(jlt_cycle *self, arb_mat_t slope, arb_srcptr y, 
 {
     const unsigned m = self->question->level_count, n = self->unknowns;
     const slong bits = jlt_step_bits(self->step);
-    bool regular;
+    bool invertible;
     JLT_SCOPED_MATRIX(arb, m, n, gradients);
     JLT_SCOPED_MATRIX(arb, m, m, by_left, inverse);
     JLT_SCOPED_MATRIX(arb, m, n - m, by_kept);
@@ -102,10 +102,10 @@ bool jlt_cycle_map_solve_levels(jlt_cycle *self, arb_mat_t slope, arb_srcptr y, 
             else left++;
         }
     }
-    regular = m == 0 || arb_mat_inv(inverse, by_left, bits);
+    invertible = m == 0 || arb_mat_inv(inverse, by_left, bits);
     arb_mat_mul(slope, inverse, by_kept, bits);
     arb_mat_neg(slope, slope);
-    return regular;
+    return invertible;
 }
 
 bool jlt_cycle_map_meets(jlt_cycle *self, arb_srcptr next, const unsigned *kept)
@@ -127,11 +127,11 @@ bool jlt_cycle_map_restrict(jlt_cycle *self, arb_mat_t D, arb_srcptr y, const un
 {
     const unsigned m = self->question->level_count, n = self->unknowns, k = n - m;
     const slong bits = jlt_step_bits(self->step);
-    bool regular;
+    bool invertible;
     JLT_SCOPED_MATRIX(arb, m, k, slope);
 
-    regular = jlt_cycle_map_solve_levels(self, slope, y, kept);
-    for (unsigned i = 0; regular && i < k; i++)
+    invertible = jlt_cycle_map_solve_levels(self, slope, y, kept);
+    for (unsigned i = 0; invertible && i < k; i++)
         for (unsigned l = 0; l < k; l++) {
             arb_ptr out = arb_mat_entry(D, i, l);
             unsigned left = 0;
@@ -143,5 +143,5 @@ bool jlt_cycle_map_restrict(jlt_cycle *self, arb_mat_t D, arb_srcptr y, const un
                 left++;
             }
         }
-    return regular;
+    return invertible;
 }

@@ -183,7 +183,6 @@ static jlt_status create(jlt_formulas **formulas, const jlt_descriptor *descript
     st = JLT_ERR_ARG;
     if (free_count > JLT_FORMULAS_FREE_MAX || level_count > JLT_FORMULAS_LEVELS_MAX) goto done;
     st = JLT_ERR_UNSUPPORTED;
-    self->descriptor = descriptor;
     self->model = ttc_model_again(descriptor->table, descriptor->model);
     if (self->model == NULL || self->model->state_count != descriptor->state_count
         || self->model->param_count != descriptor->param_count)

@@ -15,7 +15,6 @@
 enum { JLT_FORMULAS_FREE_MAX = 8, JLT_FORMULAS_LEVELS_MAX = 8 };
 
 typedef struct {
-    const jlt_descriptor *descriptor; /* a general field in its own time */
     ttc_model *model;
     unsigned states, params;          /* states: lifted roots and t included, where there are any */
     unsigned lifted_count, pole;      /* 0 in the table's own time; index of the state whose interval ends at the pole */

@@ -58,12 +58,12 @@ static jlt_status prove(jlt_homoclinic_chain *chain, jlt_homoclinic_result *resu
     JLT_SCOPED_VECTOR(arb, around, (slong)result->unknowns);
     jlt_krawczyk_verdict verdict;
     jlt_krawczyk problem;
-    bool regular;
+    bool determined;
     JLT_SCOPED_MATRIX(arb, 2, 2, A);
 
     result->verdict = JLT_HOMOCLINIC_NO_CONE;
-    JLT_PASS(jlt_homoclinic_chain_local(chain, A, around, &regular));
-    if (!regular || !jlt_homoclinic_chain_is_cone(chain, A)) return JLT_OK;
+    JLT_PASS(jlt_homoclinic_chain_local(chain, A, around, &determined));
+    if (!determined || !jlt_homoclinic_chain_is_cone(chain, A)) return JLT_OK;
     result->verdict = JLT_HOMOCLINIC_UNSHOWN;
     problem = jlt_homoclinic_chain_equations(chain);
     JLT_PASS(jlt_krawczyk_prove(&problem, &verdict, result->solution, question->box));

@@ -17,7 +17,7 @@ bool jlt_homoclinic_chain_init(jlt_homoclinic_chain *self, jlt_cycle *of, const 
                                arb_srcptr saddle)
 {
     const slong n = (slong)of->unknowns, count = n * (slong)question->legs, dim = (slong)of->formulas->dim;
-    bool regular;
+    bool invertible;
 
     *self = (jlt_homoclinic_chain){ .of = of, .question = question };
     self->saddle = _arb_vec_init(n);
@@ -32,8 +32,8 @@ bool jlt_homoclinic_chain_init(jlt_homoclinic_chain *self, jlt_cycle *of, const 
     _arb_vec_set(self->own_instants, question->instants, (slong)question->legs);
     JLT_SCOPED_MATRIX(arb, 2, 2, frame);
     for (unsigned i = 0; i < 4; i++) arb_set(arb_mat_entry(frame, i / 2, i % 2), question->frame + i);
-    regular = arb_mat_inv(self->inverse, frame, jlt_step_bits(of->step));
-    return find_flipped(&self->flipped, question) && regular;
+    invertible = arb_mat_inv(self->inverse, frame, jlt_step_bits(of->step));
+    return find_flipped(&self->flipped, question) && invertible;
 }
 
 void jlt_homoclinic_chain_clear(jlt_homoclinic_chain *self)
@@ -97,16 +97,16 @@ static bool surround(jlt_homoclinic_chain *self, arb_ptr y)
     return inside;
 }
 
-jlt_status jlt_homoclinic_chain_local(jlt_homoclinic_chain *self, arb_mat_t A, arb_ptr around, bool *regular)
+jlt_status jlt_homoclinic_chain_local(jlt_homoclinic_chain *self, arb_mat_t A, arb_ptr around, bool *determined)
 {
     const jlt_homoclinic_question *q = self->question;
     const slong bits = jlt_step_bits(self->of->step);
     JLT_SCOPED_MATRIX(arb, 2, 2, D, frame);
 
-    *regular = surround(self, around);
-    if (!*regular) return JLT_OK;
+    *determined = surround(self, around);
+    if (!*determined) return JLT_OK;
     JLT_PASS(jlt_cycle_map_arrive(self->of, around, arb_midref(q->saddle_instant), q->question->direction, NULL));
-    *regular = jlt_cycle_map_restrict(self->of, D, around, q->kept);
+    *determined = jlt_cycle_map_restrict(self->of, D, around, q->kept);
     for (unsigned i = 0; i < 4; i++) arb_set(arb_mat_entry(frame, i / 2, i % 2), q->frame + i);
     arb_mat_mul(A, D, frame, bits);
     arb_mat_mul(A, self->inverse, A, bits);
@@ -157,15 +157,6 @@ static void begin(jlt_homoclinic_chain *self, arb_mat_t G, arb_mat_t DG, arb_src
     self->inside = arb_lt(away, q->reach);
 }
 
-static void watch(jlt_homoclinic_chain *self)
-{
-    const jlt_arrival *arrival = &self->of->arrival;
-
-    for (unsigned i = 0; i < JLT_ARRIVAL_VALIDS_MAX; i++)
-        if (arf_is_nan(arrival->least + i) || arf_cmp(arrival->least + i, self->least + i) < 0)
-            arf_set(self->least + i, arrival->least + i);
-}
-
 /* The last equations: levels, and 0 of the flipped state at the arrival from the last point. */
 static void land(jlt_homoclinic_chain *self, arb_mat_t G, arb_mat_t DG, slong row, slong from, arb_srcptr y)
 {
@@ -196,7 +187,7 @@ static jlt_status equations(void *context, arb_mat_t G, arb_mat_t DG, arb_srcptr
         arb_srcptr here = y + i * n;
         JLT_PASS(jlt_cycle_map_arrive(self->of, here, arb_midref(self->own_instants + i),
                                       i < last ? q->question->direction : q->landing, NULL));
-        watch(self);
+        jlt_step_lower(self->least, self->of->arrival.least, JLT_ARRIVAL_VALIDS_MAX);
         self->goes_on = arb_is_positive(self->of->arrival.time) && self->goes_on;
         if (self->adjusts) arb_get_mid_arb(self->own_instants + i, self->of->arrival.time);
         if (i == last) land(self, G, DG, 1 + i * n, i * n, here);

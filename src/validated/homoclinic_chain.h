@@ -30,9 +30,9 @@ bool jlt_homoclinic_chain_init(jlt_homoclinic_chain *self, jlt_cycle *of, const 
                                arb_srcptr saddle);
 void jlt_homoclinic_chain_clear(jlt_homoclinic_chain *self);
 
-/** The derivative of P over N in the frame, A, shape (2, 2), and the box around N, shape (unknowns,). *regular: the levels are
+/** The derivative of P over N in the frame, A, shape (2, 2), and the box around N, shape (unknowns,). *determined: the levels are
  *  proved to determine the other states all over the box. Errors: as jlt_arrival_compute. */
-JLT_CHECKED jlt_status jlt_homoclinic_chain_local(jlt_homoclinic_chain *self, arb_mat_t A, arb_ptr around, bool *regular);
+JLT_CHECKED jlt_status jlt_homoclinic_chain_local(jlt_homoclinic_chain *self, arb_mat_t A, arb_ptr around, bool *determined);
 
 /** Whether A maps the cone into its interior and expands |u|. */
 bool jlt_homoclinic_chain_is_cone(const jlt_homoclinic_chain *self, const arb_mat_t A);

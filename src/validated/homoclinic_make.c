@@ -40,19 +40,19 @@ static jlt_status look(jlt_cycle *of, arb_mat_t D, const jlt_homoclinic_question
 static jlt_status choose_cone(jlt_homoclinic_chain *chain, jlt_homoclinic_question *q)
 {
     JLT_SCOPED_VECTOR(arb, around, (slong)chain->of->unknowns);
-    bool regular, is_cone = false;
+    bool determined, is_cone = false;
     JLT_SCOPED_MATRIX(arb, 2, 2, A);
 
     arb_set(q->slope, q->reach);
     for (unsigned attempt = 0; attempt < CONES && !is_cone; attempt++) {
-        JLT_PASS(jlt_homoclinic_chain_local(chain, A, around, &regular));
-        is_cone = regular && jlt_homoclinic_chain_is_cone(chain, A);
+        JLT_PASS(jlt_homoclinic_chain_local(chain, A, around, &determined));
+        is_cone = determined && jlt_homoclinic_chain_is_cone(chain, A);
         if (is_cone) break;
         JLT_SCOPED(mag, least);
         arb_get_mag(least, arb_mat_entry(A, 1, 0));
         mag_mul_2exp_si(least, least, 2);
         arb_mul_2exp_si(q->slope, q->slope, 1);
-        if (mag_cmp_2exp_si(least, 0) < 0 && regular) {
+        if (mag_cmp_2exp_si(least, 0) < 0 && determined) {
             arf_set_mag(arb_midref(around), least);
             mag_zero(arb_radref(around));
             arb_max(q->slope, q->slope, around, 53);

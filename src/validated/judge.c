@@ -24,10 +24,7 @@ static jlt_certificate_report broken(const char *problem)
 
 jlt_certificate_report jlt_judge_failure(jlt_status status)
 {
-    jlt_certificate_report report = jlt_judge_say(JLT_CERTIFICATE_FAILED, jlt_status_text(status));
-
-    report.status = status;
-    return report;
+    return jlt_judge_say(JLT_CERTIFICATE_FAILED, jlt_status_text(status));
 }
 
 jlt_certificate_report jlt_judge_failure_along(jlt_status status)

@@ -6,13 +6,13 @@ enum { NEWTON_STEPS = 12 };
 
 bool jlt_krawczyk_invert(arb_mat_t M, const arb_mat_t DG, slong bits)
 {
-    bool regular;
+    bool invertible;
     JLT_SCOPED_MATRIX(arb, arb_mat_nrows(DG), arb_mat_ncols(DG), middle);
 
     arb_mat_get_mid(middle, DG);
-    regular = arb_mat_inv(M, middle, bits);
+    invertible = arb_mat_inv(M, middle, bits);
     arb_mat_get_mid(M, M);
-    return regular;
+    return invertible;
 }
 
 static jlt_status evaluate(const jlt_krawczyk *self, arb_mat_t G, arb_mat_t DG, arb_srcptr y)
@@ -73,8 +73,8 @@ static void operator_clear(operator *self)
     arb_mat_clear(self->unused);
 }
 
-/* Evaluate at the midpoint of the box; M is the inverse of DG there. *regular: it exists. */
-static jlt_status operator_init(operator *self, const jlt_krawczyk *of, bool *regular, arb_srcptr box)
+/* Evaluate at the midpoint of the box; M is the inverse of DG there. *invertible: it exists. */
+static jlt_status operator_init(operator *self, const jlt_krawczyk *of, bool *invertible, arb_srcptr box)
 {
     const slong n = of->n;
     jlt_status st;
@@ -87,7 +87,7 @@ static jlt_status operator_init(operator *self, const jlt_krawczyk *of, bool *re
     JLT_SCOPED_MATRIX(arb, n, 1, G);
     for (slong i = 0; i < n; i++) arb_get_mid_arb(self->middle + i, box + i);
     st = evaluate(of, G, self->DG, self->middle);
-    *regular = st == JLT_OK && jlt_krawczyk_invert(self->M, self->DG, of->bits);
+    *invertible = st == JLT_OK && jlt_krawczyk_invert(self->M, self->DG, of->bits);
     arb_mat_mul(self->offset, self->M, G, of->bits);
     return st;
 }
@@ -135,12 +135,12 @@ jlt_status jlt_krawczyk_prove(const jlt_krawczyk *self, jlt_krawczyk_verdict *ve
 {
     const slong n = self->n;
     JLT_SCOPED_VECTOR(arb, K, n);
-    bool regular = false;
+    bool invertible = false;
     JLT_CLEARED(operator_clear) operator op;
 
     *verdict = JLT_KRAWCZYK_UNSHOWN;
-    JLT_PASS(operator_init(&op, self, &regular, box));
-    if (!regular) return JLT_OK;
+    JLT_PASS(operator_init(&op, self, &invertible, box));
+    if (!invertible) return JLT_OK;
     JLT_PASS(operator_apply(&op, K, box));
     if (!all_inside(box, K, n)) return JLT_OK;
     *verdict = JLT_KRAWCZYK_PROVED;

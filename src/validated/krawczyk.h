@@ -2,8 +2,8 @@
  *
  *  With G the equations, y0 the midpoint of a box Y and M an approximation of DG(y0)^-1,
  *      K = y0 - M G(y0) + (1 - M DG(Y)) (Y - y0).
- *  If K lies in the interior of Y, then G has exactly one zero in Y, the zero lies in K, and DG is regular all over Y (R. Krawczyk
- *  1969; W. Tucker, Validated Numerics, 2011). */
+ *  If K lies in the interior of Y, then G has exactly one zero in Y, the zero lies in K, and DG is invertible all over Y
+ *  (R. Krawczyk 1969; W. Tucker, Validated Numerics, 2011). */
 #ifndef JLT_VALIDATED_KRAWCZYK_H
 #define JLT_VALIDATED_KRAWCZYK_H
 

@@ -92,9 +92,7 @@ static jlt_pole_verdict conclude(jlt_pole_result *result, const jlt_pole_questio
         arb_set(result->limit + i, settled->limit + i);
     }
     arb_set(result->time, settled->limit + of->states - 1);
-    for (unsigned i = 0; i < of->valid_count; i++)
-        if (arf_is_nan(settled->least + i) || arf_cmp(settled->least + i, result->least + i) < 0)
-            arf_set(result->least + i, settled->least + i);
+    jlt_step_lower(result->least, settled->least, of->valid_count);
     return tell_end(result, question) ? JLT_POLE_PROVED : JLT_POLE_EITHER;
 }
 

@@ -167,12 +167,18 @@ static void expand(const jlt_step *self, arb_t expansion, const arb_t h)
     arb_add(expansion, expansion, a, bits);
 }
 
+void jlt_step_lower(arf_struct *least, const arf_struct *other, unsigned count)
+{
+    for (unsigned i = 0; i < count; i++)
+        if (arf_is_nan(other + i) || arf_cmp(other + i, least + i) < 0) arf_set(least + i, other + i);
+}
+
 static void lower(arf_t least, const arb_t value, slong bits)
 {
     JLT_SCOPED(arf, bound);
 
     arb_get_lbound_arf(bound, value, bits);
-    if (arf_cmp(bound, least) < 0 || arf_is_nan(bound)) arf_set(least, bound);
+    jlt_step_lower(least, bound, 1);
 }
 
 /* Enclose an output over a part of the step. */

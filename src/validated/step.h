@@ -52,6 +52,9 @@ bool jlt_step_holds(const jlt_step *self);
 /* Lower `least`, shape (valid_count,), to the lower bounds of the conditions over the box last evaluated. */
 void jlt_step_conditions(const jlt_step *self, arf_struct *least);
 
+/* Lower `least`, shape (count,), to those of `other` that are below it, or NaN. */
+void jlt_step_lower(arf_struct *least, const arf_struct *other, unsigned count);
+
 const jlt_formulas *jlt_step_formulas(const jlt_step *self);
 slong jlt_step_bits(const jlt_step *self);
 

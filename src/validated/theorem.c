@@ -130,7 +130,7 @@ static void write_multipliers(FILE *out, const jlt_theorem_subject *s)
 }
 
 /* shown: the object with "conditions". */
-static void write_conditions(FILE *out, const jlt_descriptor *d, const json_t *shown, const char *where)
+static void write_conditions_of(FILE *out, const jlt_descriptor *d, const json_t *shown, const char *where)
 {
     const char *name;
     json_t *bound;
@@ -253,43 +253,35 @@ static void write_horseshoe(FILE *out, const jlt_theorem_subject *s)
           "Stable and Random Motions, 1973).", out);
 }
 
-static void write_conditions_of_orbit(FILE *out, const jlt_theorem_subject *s)
+static void write_conditions(FILE *out, const jlt_theorem_subject *s)
 {
-    write_conditions(out, s->descriptor, s->shown, "all along the orbit");
+    write_conditions_of(out, s->descriptor, s->shown, s->where);
 }
 
 static void write_conditions_of_way(FILE *out, const jlt_theorem_subject *s)
 {
-    write_conditions(out, s->descriptor, json_object_get(s->shown, "homoclinic"),
-                     "all along that orbit from its first point to the symmetric one");
+    write_conditions_of(out, s->descriptor, json_object_get(s->shown, "homoclinic"),
+                        "all along that orbit from its first point to the symmetric one");
 }
 
-static void write_conditions_of_family(FILE *out, const jlt_theorem_subject *s)
-{
-    write_conditions(out, s->descriptor, s->shown, "at each of them");
-}
-
-static void write_conditions_of_pole(FILE *out, const jlt_theorem_subject *s)
-{
-    write_conditions(out, s->descriptor, s->shown, "all the way");
-}
-
-#define ORBIT write_setting, write_orbit, write_multipliers, write_conditions_of_orbit
+#define ORBIT write_setting, write_orbit, write_multipliers, write_conditions
+#define ALONG "all along the orbit"
 
 /* The sentences of each kind, in their order. */
 static const struct {
-    const char *kind;
+    const char *kind, *where; /* where: conditions hold */
     jlt_theorem_sentence *sentences[10]; /* until NULL */
 } contents[] = {
-    { "cycle", { ORBIT } },
-    { "elliptic", { ORBIT, jlt_theorem_symmetry_write, jlt_theorem_symmetry_write_twist } },
-    { "equilibria", { jlt_theorem_family_setting, jlt_theorem_family_trace, write_conditions_of_family,
-                      jlt_theorem_family_measure } },
-    { "homoclinic", { ORBIT, write_saddle, write_homoclinic, write_tangent, write_conditions_of_way, write_horseshoe } },
-    { "obstruction", { ORBIT, write_expansion } },
-    { "pole", { jlt_theorem_pole_setting, jlt_theorem_pole_end, jlt_theorem_pole_limits, write_conditions_of_pole } },
-    { "symmetric", { ORBIT, jlt_theorem_symmetry_write } },
-    { "sink", { ORBIT, write_attraction, write_image, write_sink_measure } },
+    { "cycle", ALONG, { ORBIT } },
+    { "elliptic", ALONG, { ORBIT, jlt_theorem_symmetry_write, jlt_theorem_symmetry_write_twist } },
+    { "equilibria", "at each of them",
+      { jlt_theorem_family_setting, jlt_theorem_family_trace, write_conditions, jlt_theorem_family_measure } },
+    { "homoclinic", ALONG,
+      { ORBIT, write_saddle, write_homoclinic, write_tangent, write_conditions_of_way, write_horseshoe } },
+    { "obstruction", ALONG, { ORBIT, write_expansion } },
+    { "pole", "all the way", { jlt_theorem_pole_setting, jlt_theorem_pole_end, jlt_theorem_pole_limits, write_conditions } },
+    { "symmetric", ALONG, { ORBIT, jlt_theorem_symmetry_write } },
+    { "sink", ALONG, { ORBIT, write_attraction, write_image, write_sink_measure } },
 };
 
 bool jlt_theorem_is_kind(const char *kind)
@@ -301,12 +293,12 @@ bool jlt_theorem_is_kind(const char *kind)
 
 json_t *jlt_theorem_words(const char *kind, const jlt_descriptor *descriptor, const json_t *given, const json_t *shown)
 {
-    const jlt_theorem_subject s = { descriptor, given, shown };
+    jlt_theorem_subject s = { descriptor, given, shown, NULL };
     jlt_theorem_sentence *const *which = NULL;
     json_t *words = json_array();
 
     for (size_t i = 0; i < sizeof contents / sizeof *contents; i++)
-        if (strcmp(contents[i].kind, kind) == 0) which = contents[i].sentences;
+        if (strcmp(contents[i].kind, kind) == 0) which = contents[i].sentences, s.where = contents[i].where;
     for (; words != NULL && *which != NULL; which++) {
         char *text = NULL;
         size_t size = 0;

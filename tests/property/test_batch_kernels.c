@@ -14,6 +14,7 @@
 
 #include <math.h>
 
+#include "base/random.h"
 #include "kernel/batch_isa.h"
 #include "registry.h"
 
@@ -31,13 +32,9 @@ typedef struct {
     jlt_kernel_lanes lanes[JLT_ISA_COUNT];
 } pair;
 
-/* A small deterministic generator is enough here: xorshift64*, Vigna 2016. */
 static double uniform(uint64_t *state)
 {
-    *state ^= *state >> 12;
-    *state ^= *state << 25;
-    *state ^= *state >> 27;
-    return (double)((*state * UINT64_C(2685821657736338717)) >> 11) * 0x1p-53;
+    return (double)(ttc_random_bits(state) >> 11) * 0x1p-53;
 }
 
 static unsigned pairs_of(const jlt_descriptor *d, pair *pairs)

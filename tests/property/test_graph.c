@@ -6,6 +6,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 
+#include "base/random.h"
 #include "expression/graph.h"
 
 enum { SYMBOLS = 4, TRIALS = 400 };
@@ -23,11 +24,7 @@ static uint64_t random_state;
 
 static unsigned draw(unsigned bound)
 {
-    random_state += UINT64_C(0x9E3779B97F4A7C15); /* splitmix64 */
-    uint64_t z = random_state;
-    z = (z ^ (z >> 30)) * UINT64_C(0xBF58476D1CE4E5B9);
-    z = (z ^ (z >> 27)) * UINT64_C(0x94D049BB133111EB);
-    return (unsigned)((z ^ (z >> 31)) % bound);
+    return (unsigned)(ttc_random_bits(&random_state) % bound);
 }
 
 static void draw_rational(fmpq_t q) { fmpq_set_si(q, (long)draw(19) - 9, 1 + draw(7)); }

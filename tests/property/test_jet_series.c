@@ -5,6 +5,7 @@
 #include "../unit/check.h"
 
 #include "ball/ball.h"
+#include "base/random.h"
 #include "kernel_jet.h"
 
 #if __has_include(<flint/arb_poly.h>)
@@ -17,14 +18,10 @@ enum { ORDER = 24, ROUNDS = 200, FINE = 256, COARSE = 53 };
 
 static uint64_t random_state = 24;
 
-/* splitmix64, in [0, 1) */
+/* In [0, 1). */
 static double draw(void)
 {
-    random_state += UINT64_C(0x9E3779B97F4A7C15);
-    uint64_t z = random_state;
-    z = (z ^ (z >> 30)) * UINT64_C(0xBF58476D1CE4E5B9);
-    z = (z ^ (z >> 27)) * UINT64_C(0x94D049BB133111EB);
-    return (double)((z ^ (z >> 31)) >> 11) * 0x1p-53;
+    return (double)(ttc_random_bits(&random_state) >> 11) * 0x1p-53;
 }
 
 static void add_ulp(arb_t ball)

@@ -10,18 +10,15 @@
 
 #include <math.h>
 
+#include "base/random.h"
 #include "kernel/batch_isa.h"
 #include "registry.h"
 
 enum { STATES_MAX = 64, PARAMS_MAX = 64, ORDER = 16, ROUNDS = 10, LANES_MAX = 8, PREPARED_MAX = 512 };
 
-/* xorshift64*, Vigna 2016. */
 static double uniform(uint64_t *state)
 {
-    *state ^= *state >> 12;
-    *state ^= *state << 25;
-    *state ^= *state >> 27;
-    return (double)((*state * UINT64_C(2685821657736338717)) >> 11) * 0x1p-53;
+    return (double)(ttc_random_bits(state) >> 11) * 0x1p-53;
 }
 
 static double largest(const double *a, unsigned n)

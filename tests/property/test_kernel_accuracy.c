@@ -9,6 +9,7 @@
  * 0.8 in all models of the top. */
 #include "../unit/check.h"
 
+#include "base/random.h"
 #include "kernel_ball.h"
 #include "registry.h"
 
@@ -25,11 +26,7 @@ static uint64_t random_state;
 
 static double draw(void)
 {
-    random_state += UINT64_C(0x9E3779B97F4A7C15); /* splitmix64 */
-    uint64_t z = random_state;
-    z = (z ^ (z >> 30)) * UINT64_C(0xBF58476D1CE4E5B9);
-    z = (z ^ (z >> 27)) * UINT64_C(0x94D049BB133111EB);
-    return (double)((z ^ (z >> 31)) >> 11) * 0x1p-53;
+    return (double)(ttc_random_bits(&random_state) >> 11) * 0x1p-53;
 }
 
 typedef struct {

@@ -3,6 +3,7 @@
 #include "../unit/check.h"
 
 #include "ball/ball.h"
+#include "base/random.h"
 #include "prove/prove.h"
 
 #include <stdio.h>
@@ -13,14 +14,9 @@ enum { TABLES = 150, CLAIMS = 3, POINTS = 4 };
 
 static uint64_t random_state = 2026;
 
-/* splitmix64 */
 static unsigned draw(unsigned below)
 {
-    random_state += UINT64_C(0x9E3779B97F4A7C15);
-    uint64_t z = random_state;
-    z = (z ^ (z >> 30)) * UINT64_C(0xBF58476D1CE4E5B9);
-    z = (z ^ (z >> 27)) * UINT64_C(0x94D049BB133111EB);
-    return (unsigned)((z ^ (z >> 31)) >> 33) % below;
+    return (unsigned)(ttc_random_bits(&random_state) >> 33) % below;
 }
 
 typedef struct {

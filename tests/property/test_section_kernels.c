@@ -6,6 +6,7 @@
  * of its value at the start of zero are left out, as lifts have no slope at its edge. */
 #include "../unit/check.h"
 
+#include "base/random.h"
 #include "registry.h"
 
 #include <float.h>
@@ -18,11 +19,7 @@ static uint64_t random_state = 7;
 
 static double draw(void)
 {
-    random_state += UINT64_C(0x9E3779B97F4A7C15); /* splitmix64 */
-    uint64_t z = random_state;
-    z = (z ^ (z >> 30)) * UINT64_C(0xBF58476D1CE4E5B9);
-    z = (z ^ (z >> 27)) * UINT64_C(0x94D049BB133111EB);
-    return (double)((z ^ (z >> 31)) >> 11) * 0x1p-53;
+    return (double)(ttc_random_bits(&random_state) >> 11) * 0x1p-53;
 }
 
 typedef struct {

@@ -8,6 +8,7 @@
  * from poles. */
 #include "../unit/check.h"
 
+#include "base/random.h"
 #include "registry.h"
 
 #include <float.h>
@@ -20,11 +21,7 @@ static uint64_t random_state = 11;
 
 static double draw(double low, double high)
 {
-    random_state += UINT64_C(0x9E3779B97F4A7C15); /* splitmix64 */
-    uint64_t z = random_state;
-    z = (z ^ (z >> 30)) * UINT64_C(0xBF58476D1CE4E5B9);
-    z = (z ^ (z >> 27)) * UINT64_C(0x94D049BB133111EB);
-    return low + (high - low) * ((double)((z ^ (z >> 31)) >> 11) * 0x1p-53);
+    return low + (high - low) * ((double)(ttc_random_bits(&random_state) >> 11) * 0x1p-53);
 }
 
 /* A point of a field, with its parameters; of the other one, after it, y and values. */

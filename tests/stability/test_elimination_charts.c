@@ -116,17 +116,11 @@ static int prepare(void **state)
     return csv_read(&rows[0][0], ROWS, COLUMNS, "grid_regular_51.csv") == ROWS ? 0 : -1;
 }
 
-static int finish(void **state)
-{
-    table_close(*state);
-    return 0;
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_level_keeps_its_digits_through_b_0_and_a_single_chart_shows_its_loss_in_the_energy),
         cmocka_unit_test(a_start_on_b_0_is_like_any_other_but_in_the_chart_that_divides_by_it),
     };
-    return cmocka_run_group_tests(tests, prepare, finish);
+    return cmocka_run_group_tests(tests, prepare, table_close);
 }

@@ -29,17 +29,11 @@ static int prepare(void **state)
     return 0;
 }
 
-static int finish(void **state)
-{
-    table_close(*state);
-    return 0;
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(integrals_drift_by_less_than_the_steps_allow),
         cmocka_unit_test(projected_batches_do_not_drift),
     };
-    return cmocka_run_group_tests(tests, prepare, finish);
+    return cmocka_run_group_tests(tests, prepare, table_close);
 }

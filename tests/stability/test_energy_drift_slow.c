@@ -47,12 +47,6 @@ static int prepare(void **state)
     return 0;
 }
 
-static int finish(void **state)
-{
-    table_close(*state);
-    return 0;
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -60,5 +54,5 @@ int main(void)
         cmocka_unit_test(a_million_batched_returns_drift_no_faster),
         cmocka_unit_test(over_a_million_returns_projected_batches_do_not_drift),
     };
-    return cmocka_run_group_tests(tests, prepare, finish);
+    return cmocka_run_group_tests(tests, prepare, table_close);
 }

@@ -222,12 +222,6 @@ static int prepare(void **state)
            && csv_read(&regular[0][0], ROWS, COLUMNS, "grid_regular_51.csv") == ROWS ? 0 : -1;
 }
 
-static int finish(void **state)
-{
-    table_close(*state);
-    return 0;
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -237,5 +231,5 @@ int main(void)
         cmocka_unit_test(other_forms_lose_digits_by_every_method),
         cmocka_unit_test(a_field_written_by_hand_keeps_twelve_digits_as_well),
     };
-    return cmocka_run_group_tests(tests, prepare, finish);
+    return cmocka_run_group_tests(tests, prepare, table_close);
 }

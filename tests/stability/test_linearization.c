@@ -231,7 +231,7 @@ static void small_spin_keeps_relative_accuracy(void **unused)
                     exponent, off, small, zero, turned);
         }
     }
-    table_close(table);
+    table_close(&(void *){ table });
     {
         double params[PARAMS] = { 1.3, 0.7, 9.8, 0.0, 0.29, 0.21 }, x[STATES] = { 0.3, 0.8, 0, 0, 0.0 };
         jlt_linearization r;

@@ -178,12 +178,6 @@ static int prepare(void **state)
     return csv_read(&reference[0][0], ROWS, COLUMNS, "approach_51.csv") == ROWS ? 0 : -1;
 }
 
-static int finish(void **state)
-{
-    table_close(*state);
-    return 0;
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -192,5 +186,5 @@ int main(void)
         cmocka_unit_test(unwatched_the_steps_collapse_and_the_digits_are_gone),
         cmocka_unit_test(nothing_is_ever_reported_beyond_the_pole),
     };
-    return cmocka_run_group_tests(tests, prepare, finish);
+    return cmocka_run_group_tests(tests, prepare, table_close);
 }

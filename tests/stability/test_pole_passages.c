@@ -189,12 +189,6 @@ static int prepare(void **state)
     return csv_read(&rows[0][0], PASSAGES, COLUMNS, "passages_51.csv") == PASSAGES ? 0 : -1;
 }
 
-static int finish(void **state)
-{
-    table_close(*state);
-    return 0;
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = { 
@@ -202,5 +196,5 @@ int main(void)
         cmocka_unit_test(batches_pass_as_well_as_single_orbits),
         cmocka_unit_test(in_plain_time_digits_go_with_s_and_then_the_run_is_refused),
      };
-    return cmocka_run_group_tests(tests, prepare, finish);
+    return cmocka_run_group_tests(tests, prepare, table_close);
 }

@@ -99,14 +99,8 @@ static int prepare(void **state)
     return 0;
 }
 
-static int finish(void **state)
-{
-    table_close(*state);
-    return 0;
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = { cmocka_unit_test(the_angle_stays_within_its_error_bar) };
-    return cmocka_run_group_tests(tests, prepare, finish);
+    return cmocka_run_group_tests(tests, prepare, table_close);
 }

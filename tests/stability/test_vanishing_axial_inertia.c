@@ -116,12 +116,6 @@ static int prepare(void **state)
     return 0;
 }
 
-static int finish(void **state)
-{
-    table_close(*state);
-    return 0;
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -129,5 +123,5 @@ int main(void)
         cmocka_unit_test(the_chart_that_divides_by_I3_is_refused_or_drifts),
         cmocka_unit_test(the_section_map_has_a_limit),
     };
-    return cmocka_run_group_tests(tests, prepare, finish);
+    return cmocka_run_group_tests(tests, prepare, table_close);
 }

@@ -90,6 +90,11 @@ expect 1 "pieces are missing" jellett merge map.3 -o none.csv
 [ ! -e none.csv ] || fail "pieces are missing, and something is written"
 expect 0 "bytes among its records are damaged" jellett sweep map.scene --into=map.3 --shard=2/3 --resume
 grep -q '; 1 of them now' err || fail "one record is damaged, and more than its piece is computed again: $(cat err)"
+mkdir full
+for kind in csv npy sqlite; do # a full disk, played by a limit on the size of files
+    (ulimit -f 1; trap '' XFSZ; jellett merge map.1 -o full/rows.$kind) 2> err
+    [ $? -eq 5 ] && grep -q "cannot write 'full/rows.$kind'" err && [ -z "$(ls -A full)" ] || fail "no room, $kind: $(cat err)"
+done
 expect 0 "" jellett merge map.3 -o again.csv
 cmp again.csv map.1.csv || fail "a record in the middle is damaged: other bytes"
 # The damage is in the line of a record, which then seems to end elsewhere, or behind the file.

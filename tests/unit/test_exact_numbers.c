@@ -221,8 +221,8 @@ static void a_full_matrix_has_the_polynomial_that_others_find(void **unused)
     assert_int_equal(m->charpoly.length, 5);
     for (size_t k = 0; k < 5; k++) {
         const jlt_surd *c = &m->charpoly.coefficients[k];
-        assert_int_equal(c->level, expected[k][1] != 0);
-        for (size_t i = 0; i <= c->level; i++) assert_true(fmpq_cmp_si(c->coordinates + i, expected[k][i]) == 0);
+        assert_int_equal(c->roots, expected[k][1] != 0);
+        for (size_t i = 0; i <= c->roots; i++) assert_true(fmpq_cmp_si(c->coordinates + i, expected[k][i]) == 0);
     }
     jlt_exact_matrix_destroy(m);
 }
