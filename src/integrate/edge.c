@@ -97,7 +97,6 @@ bool jlt_edge_is_outside(const jlt_stepper *stepper)
     return stepper->watches && !(distance_of(stepper, stepper->x) > 0);
 }
 
-
 bool jlt_edge_is_ahead(const jlt_stepper *stepper)
 {
     const double move = stepper->direction * ahead * fabs(stepper->tau);
