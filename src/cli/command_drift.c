@@ -383,7 +383,8 @@ static jlt_exit run(int argc, char **argv)
     else if (jlt_motion_interrupted(&o.motion))
         fprintf(stderr, "jellett: interrupted; whole rows are saved in %s\n", common->table.path);
     else if (drawn == 0)
-        return jlt_command_fail(JLT_EXIT_INPUT, "%s: the orbit ends before it returns, and nothing drifts: take another start",
+        return jlt_command_fail(JLT_EXIT_INPUT, "%s: the orbit ends before it returns, and nothing drifts: take another start, or, "
+                                "where it ends by budget, more --max-steps",
                                 o.motion.starts[0]);
     return code == JLT_EXIT_DONE && drawn != 0 && common->plot != NULL ? draw(&r, &o, drawn) : code;
 }

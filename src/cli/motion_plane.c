@@ -189,7 +189,7 @@ static jlt_exit read_levels(jlt_motion_plane *out, const jlt_motion_options *opt
     JLT_PASS(read_states(states, guesses, &count, options->solve, d, "--solve"));
     if (count != out->level_count)
         return jlt_command_fail(JLT_EXIT_USAGE,
-                                "each level needs a state to solve for: %u levels are given, and --solve names %zu (write --solve "
+                                "each level needs a state to solve for; levels: %u, states that --solve names: %zu (write --solve "
                                 "STATE=GUESS,...)",
                                 out->level_count, count);
     for (size_t i = 0; i < count; i++) {

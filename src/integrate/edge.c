@@ -175,6 +175,16 @@ static double value_at(const jlt_stepper *stepper, const jlt_event *event, doubl
     return jlt_locate_value(event, x);
 }
 
+/* Where between these places, at the first of which an event's function has the sign `side`, it has it no more. */
+static double change_between(const jlt_stepper *stepper, const jlt_event *event, int side, double low, double high)
+{
+    for (int k = 0; k < BISECTIONS; k++) {
+        const double middle = low + (high - low) / 2;
+        *(side * value_at(stepper, event, middle) > 0 ? &low : &high) = middle;
+    }
+    return high;
+}
+
 /* The first place in the step where the sign of an event's function is not `side`, as far as samples tell; INFINITY: none. */
 static double first_change(const jlt_stepper *stepper, const jlt_event *event, int side)
 {
@@ -184,11 +194,19 @@ static double first_change(const jlt_stepper *stepper, const jlt_event *event, i
         const double at = (double)k / SAMPLES;
         *(side * value_at(stepper, event, at) > 0 ? &low : &high) = at;
     }
-    for (int k = 0; k < BISECTIONS && high <= 1; k++) {
-        const double middle = low + (high - low) / 2;
-        *(side * value_at(stepper, event, middle) > 0 ? &low : &high) = middle;
+    return high <= 1 ? change_between(stepper, event, side, low, high) : high;
+}
+
+/* Where a function itself changes sign near a zero of its polynomial, which at a zero of higher order is not as sharp, and may have
+ * others beside it; INFINITY: nowhere. */
+static double sharpened(const jlt_stepper *stepper, const jlt_event *event, int side, double theta)
+{
+    for (double about = 0x1p-40; about < 0.1; about *= 16) {
+        const double low = jlt_larger(theta - about, 0), high = jlt_smaller(theta + about, 1);
+        if (side * value_at(stepper, event, low) > 0 && !(side * value_at(stepper, event, high) > 0))
+            return change_between(stepper, event, side, low, high);
     }
-    return high;
+    return INFINITY;
 }
 
 /* Beside a pole the polynomial of a function is far from it, and has zeros where the function has none, neither relative to the
@@ -201,7 +219,9 @@ jlt_status jlt_edge_first_zero(double *theta, jlt_stepper *stepper, const jlt_ev
     double first = INFINITY;
 
     JLT_PASS(jlt_watch_step(&watch, stepper, list, &count));
-    if (count > 0) first = list[0].theta;
+    for (unsigned i = 0; event->value != NULL && i < count && first > 1; i++)
+        first = sharpened(stepper, event, side, list[i].theta);
+    if (count > 0 && first > 1) first = list[0].theta;
     if (event->value != NULL && count > 0) {
         const double before = fabs(jlt_locate_value(event, stepper->x_start)), within = fabs(value_at(stepper, event, 0.5));
         const bool has_pole = fabs(value_at(stepper, event, first)) > jlt_larger(before / 2, rounding * within);

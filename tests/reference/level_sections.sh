@@ -100,8 +100,8 @@ paste -d, rows.csv turned/rows.csv |
 # Refused by name.
 section=(jellett section ./henon_heiles.tt --section x=0 --start y=0.1,py=0)
 expect 3 "henon_heiles claims no integral 'L'; it has E" "${section[@]}" --level L=1 --solve px=1
-expect 2 "each level needs a state to solve for: 1 levels are given, and --solve names 0" "${section[@]}" --level E=1/12
-expect 2 "each level needs a state to solve for: 0 levels are given, and --solve names 1" "${section[@]}" --solve px=1
+expect 2 "each level needs a state to solve for; levels: 1, states that --solve names: 0" "${section[@]}" --level E=1/12
+expect 2 "each level needs a state to solve for; levels: 0, states that --solve names: 1" "${section[@]}" --solve px=1
 expect 4 "is crossed the other way: try --direction down" jellett orbits lorenz --section z=20 --set rho=22 --start x=7,y=5
 expect 3 "has no state 'p'" "${section[@]}" --level E=1/12 --solve p=1
 expect 3 "x is fixed by --section already" "${section[@]}" --level E=1/12 --solve x=1
