@@ -37,8 +37,7 @@ static unsigned divisions_after_roots(const ttc_program *program)
     assert_non_null(is_after);
     for (size_t k = 0; k < n; k++) {
         const ttc_instruction *i = ttc_program_at(program, (ttc_value)k);
-        const ttc_value operands[] = { i->a, i->b, i->c };
-        for (unsigned j = 0; j < ttc_op_arity(i->op); j++) is_after[k] |= is_after[operands[j]];
+        for (unsigned j = 0; j < ttc_op_arity(i->op); j++) is_after[k] |= is_after[i->operands[j]];
         count += i->op == TTC_OP_DIVIDE && is_after[k];
         is_after[k] |= i->op == TTC_OP_ROOT;
     }
