@@ -4,7 +4,7 @@
  * Tolerance: each of these sums up to a dozen terms of products of the entries of two matrices, with relative errors of some
  * dozen roundings an entry; 200 roundings, relative to the sum of the absolute terms. Points at which a region is within a tenth
  * of its value at the start of zero are left out, as lifts have no slope at its edge. */
-#include "../unit/check.h"
+#include "unit/check.h"
 
 #include "base/random.h"
 #include "registry.h"

@@ -1,12 +1,7 @@
 /* What the optimizer does to the longest chain of operations, for an integration waits for each of its calls. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdlib.h>
-#include <string.h>
+#include "unit/check.h"
 
-#include <cmocka.h>
+#include <stdlib.h>
 
 #include "base/diagnostic.h"
 #include "kernels/kernels.h"
