@@ -3,7 +3,6 @@
 #include "unit/check.h"
 
 #include <fcntl.h>
-#include <stdbool.h>
 #include <stdlib.h>
 
 #include "fault/failing_memory.h"

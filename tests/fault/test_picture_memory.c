@@ -2,8 +2,6 @@
  * for somebody to read on. */
 #include "unit/check.h"
 
-#include <stdbool.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <unistd.h>
 

@@ -11,7 +11,6 @@
 
 #include <float.h>
 #include <stdbool.h>
-#include <stdio.h>
 
 enum { MOST = 64, POINTS = 200 };
 static const double tolerance = 200 * DBL_EPSILON;

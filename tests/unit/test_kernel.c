@@ -9,7 +9,6 @@
 #include "kernel/kernel.h"
 #include "kernel/units.h"
 
-#include <float.h>
 #include <stdlib.h>
 
 /* Oracle: xoshiro256++ from the state 1, 2, 3, 4, as published with its reference implementation. */

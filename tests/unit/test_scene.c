@@ -1,7 +1,6 @@
 /* Scene files: what they become, and that every mistake is named with its line. */
 #include "unit/check.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <unistd.h>
 
