@@ -2,17 +2,13 @@
  * the table uses pi, the quarter turn pi/2 is one more angle of the basis, with cosine 0 and sine 1. */
 #include "algebra/angle.h"
 #include "algebra/valuation_state.h"
+#include "base/array.h"
 
 #include <stdlib.h>
 
 #define NO_SYMBOL UINT32_MAX
 
-static bool in_basis(const ttc_valuation *v, uint32_t cosine)
-{
-    for (size_t i = 0; i < v->basis_count; i++)
-        if (v->basis[i] == cosine) return true;
-    return false;
-}
+static bool in_basis(const ttc_valuation *v, uint32_t cosine) { return ttc_array_has(v->basis, v->basis_count, cosine); }
 
 static bool has_pi(const ttc_valuation *v)
 {

@@ -2,17 +2,11 @@
  * the others are products of integer powers of it: exp(2 e_1) is exp(e_1)^2, and the exponential of a logarithm is its argument. */
 #include "algebra/angle.h"
 #include "algebra/valuation_state.h"
+#include "base/array.h"
 
 #include <stdlib.h>
 
 #define NO_SYMBOL UINT32_MAX
-
-static bool in_list(const uint32_t *list, size_t count, uint32_t symbol)
-{
-    for (size_t i = 0; i < count; i++)
-        if (list[i] == symbol) return true;
-    return false;
-}
 
 /* The ratio that represents a symbol in linear relations: the definition of an exponential or cosine, a logarithm itself. */
 static void column(ttc_valuation *v, ttc_ratio *out, uint32_t symbol)
@@ -118,7 +112,7 @@ static void find_exponentials(ttc_valuation *v)
     total = fixed;
     for (size_t i = 0; i < count && v->ring->status == TTC_RING_OK; i++) {
         ttc_evaluate(v, &exponent, v->model->symbols[plain[i]].definition);
-        if (!in_list(symbols, fixed, plain[i]) && !ttc_ratio_is_zero(v->ring, &exponent)) symbols[total++] = plain[i];
+        if (!ttc_array_has(symbols, fixed, plain[i]) && !ttc_ratio_is_zero(v->ring, &exponent)) symbols[total++] = plain[i];
     }
     if (total > TTC_ANGLE_LIMIT) ttc_ring_fail(v->ring, TTC_RING_TOO_LARGE);
     if (v->ring->status == TTC_RING_OK) columns = columns_of(v, symbols, total);
@@ -154,7 +148,7 @@ static void value_at_exponent(ttc_valuation *v, ttc_ratio *out, const ttc_ratio 
     size_t count;
     bool again = false;
     if (!v->has_exponentials) find_exponentials(v);
-    if (in_list(v->exponentials, v->exponential_count, symbol) || v->ring->status != TTC_RING_OK) return;
+    if (ttc_array_has(v->exponentials, v->exponential_count, symbol) || v->ring->status != TTC_RING_OK) return;
     if (ttc_ratio_is_zero(v->ring, exponent)) {
         ttc_ratio_set_integer(v->ring, out, 1);
         return;
@@ -190,7 +184,7 @@ void ttc_valuation_exp_value(ttc_valuation *v, ttc_ratio *out, uint32_t symbol)
     ttc_evaluate(v, &exponent, v->model->symbols[symbol].definition);
     if (v->base != NULL) ttc_valuation_exp(ttc_valuation_plain(v), out, &exponent);
     else value_at_exponent(v, out, &exponent, symbol);
-    if (v->base == NULL && in_list(v->exponentials, v->exponential_count, symbol))
+    if (v->base == NULL && ttc_array_has(v->exponentials, v->exponential_count, symbol))
         ttc_ratio_set_variable(v->ring, out, v->variable[symbol]);
     ttc_ratio_clear(v->ring, &exponent);
 }

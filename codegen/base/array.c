@@ -1,6 +1,5 @@
 #include "base/array.h"
 
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -16,4 +15,11 @@ bool ttc_array_grow(void *place, size_t count, size_t size)
     if (array == NULL) return false;
     memcpy(place, &array, sizeof array);
     return true;
+}
+
+bool ttc_array_has(const uint32_t *list, size_t count, uint32_t number)
+{
+    for (size_t i = 0; i < count; i++)
+        if (list[i] == number) return true;
+    return false;
 }

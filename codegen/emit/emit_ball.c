@@ -30,7 +30,6 @@ static void add_instruction(ttc_text *text, const ttc_program *program, ttc_valu
                                          [TTC_OP_COSINE] = "cos",    [TTC_OP_SINE] = "sin",    [TTC_OP_EXP] = "exp",
                                          [TTC_OP_LOG] = "log" };
     const ttc_instruction *i = ttc_program_at(program, value);
-    const ttc_value operands[] = { i->a, i->b };
     if (i->op == TTC_OP_INPUT || i->op == TTC_OP_PARAMETER) return;
     if (i->op == TTC_OP_CONSTANT) {
         add_constant(text, value, i->constant);
@@ -43,7 +42,7 @@ static void add_instruction(ttc_text *text, const ttc_program *program, ttc_valu
     ttc_text_format(text, "    arb_%s(t + %u", names[i->op], value);
     for (unsigned k = 0; k < ttc_op_arity(i->op); k++) {
         ttc_text_add(text, ", ");
-        add_operand(text, program, operands[k]);
+        add_operand(text, program, i->operands[k]);
     }
     ttc_text_add(text, i->op == TTC_OP_NEGATE ? ");" : ", prec);");
     const char *label = ttc_program_label_of(program, value);

@@ -71,11 +71,10 @@ static void add_operation(body *b, const ttc_instruction *i)
         [TTC_OP_FNMA] = { "JLT_FNMA(", ", ", ", ", ")" },
     };
     const char *const *shape = i->op >= TTC_OP_ROOT ? functions[i->op] : shapes[i->op];
-    const ttc_value operands[] = { i->a, i->b, i->c };
     unsigned arity = ttc_op_arity(i->op);
     for (unsigned k = 0; k < arity; k++) {
         ttc_text_add(b->text, shape[k]);
-        add_operand(b, operands[k]);
+        add_operand(b, i->operands[k]);
     }
     ttc_text_add(b->text, shape[arity]);
 }

@@ -160,8 +160,7 @@ static void add_outputs_of(survey *s, ttc_value value, bool alone)
     needs[value] = 1;
     for (size_t v = (size_t)value + 1; v < n && !alone; v++) {
         const ttc_instruction *i = ttc_program_at(s->program, (ttc_value)v);
-        const ttc_value operands[] = { i->a, i->b, i->c };
-        for (unsigned k = 0; k < ttc_op_arity(i->op); k++) needs[v] |= needs[operands[k]];
+        for (unsigned k = 0; k < ttc_op_arity(i->op); k++) needs[v] |= needs[i->operands[k]];
     }
     for (size_t k = 0; k < ttc_program_output_count(s->program); k++) {
         if (!needs[ttc_program_output_at(s->program, k)]) continue;
@@ -204,10 +203,9 @@ static void count_uses(survey *s)
 {
     for (size_t v = 0; v < ttc_program_size(s->program); v++) {
         const ttc_instruction *i = ttc_program_at(s->program, (ttc_value)v);
-        const ttc_value operands[] = { i->a, i->b, i->c };
         for (unsigned k = 0; k < ttc_op_arity(i->op); k++) {
-            s->users[operands[k]] = (ttc_value)v;
-            s->use_counts[operands[k]]++;
+            s->users[i->operands[k]] = (ttc_value)v;
+            s->use_counts[i->operands[k]]++;
         }
     }
     for (size_t k = 0; k < ttc_program_output_count(s->program); k++) s->use_counts[ttc_program_output_at(s->program, k)] += 2;

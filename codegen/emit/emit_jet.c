@@ -228,9 +228,8 @@ static bool find_series(jet *j)
     if (j->series == NULL) return false;
     for (size_t v = 0; v < n; v++) {
         const ttc_instruction *i = ttc_program_at(j->program, (ttc_value)v);
-        const ttc_value operands[] = { i->a, i->b, i->c };
         j->series[v] = i->op == TTC_OP_INPUT;
-        for (unsigned k = 0; k < ttc_op_arity(i->op); k++) j->series[v] |= j->series[operands[k]];
+        for (unsigned k = 0; k < ttc_op_arity(i->op); k++) j->series[v] |= j->series[i->operands[k]];
     }
     return true;
 }

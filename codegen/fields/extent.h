@@ -6,7 +6,6 @@
 #define TTC_EXTENT_H
 
 #include <stdbool.h>
-#include <stddef.h>
 
 #include <flint/fmpq.h>
 

@@ -1,7 +1,6 @@
 /* Signs and bounds of expressions on the domain of a field. */
 #include "fields/field.h"
 
-#include <math.h>
 #include <stdlib.h>
 
 static ttc_extent extent_of(ttc_field *field, ttc_id id);

@@ -22,9 +22,8 @@ static bool judge(fault *f, const ttc_kernels *k, const ttc_program *program)
     *f = (fault){ .flops = ttc_count_flops(ttc_program_count(program)) };
     for (size_t v = 0; ok && v < n; v++) {
         const ttc_instruction *i = ttc_program_at(program, (ttc_value)v);
-        const ttc_value operands[] = { i->a, i->b, i->c };
         is_reached[v] = losses[v] == TTC_CANCELS;
-        for (unsigned j = 0; j < ttc_op_arity(i->op); j++) is_reached[v] |= is_reached[operands[j]];
+        for (unsigned j = 0; j < ttc_op_arity(i->op); j++) is_reached[v] |= is_reached[i->operands[j]];
     }
     for (size_t j = 0; ok && j < ttc_program_output_count(program); j++)
         f->outputs += is_reached[ttc_program_output_at(program, j)];

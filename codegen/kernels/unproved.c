@@ -2,6 +2,8 @@
  * the derived ones (roots, variants, times, eliminations, poles, observed quantities) by kind and name. */
 #include "kernels/unproved.h"
 
+#include "base/array.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -10,23 +12,16 @@ static void add_kernels(ttc_text *text, ttc_kernel_kind first, ttc_kernel_kind s
     ttc_text_format(text, "%s%s, %s", text->length > 0 ? ", " : "", ttc_kernel_name(first), ttc_kernel_name(second));
 }
 
-static bool holds(const uint32_t *claims, size_t count, uint32_t claim)
-{
-    for (size_t i = 0; i < count; i++)
-        if (claims[i] == claim) return true;
-    return false;
-}
-
 static void kernels_of_claim(ttc_text *text, const ttc_kernels *k, uint32_t number)
 {
     const ttc_claim *claim = k->field->model->claims + number;
     uint32_t family = ttc_claim_speaks_of_family(claim->kind) ? claim->family : number;
     if (k->field->elimination != NULL && k->field->elimination->integral == number) ttc_text_add(text, "all kernels");
-    else if (holds(k->integrals, k->integral_count, number))
+    else if (ttc_array_has(k->integrals, k->integral_count, number))
         add_kernels(text, TTC_KERNEL_INTEGRAL_VALUES, TTC_KERNEL_INTEGRAL_GRADIENTS);
-    else if (holds(k->measures, k->measure_count, number))
+    else if (ttc_array_has(k->measures, k->measure_count, number))
         add_kernels(text, TTC_KERNEL_MEASURE_VALUES, TTC_KERNEL_MEASURE_DIVERGENCES);
-    else if (holds(k->families, k->family_count, family)) ttc_text_add(text, "equilibria");
+    else if (ttc_array_has(k->families, k->family_count, family)) ttc_text_add(text, "equilibria");
     else if (claim->kind == TTC_CLAIM_SECTION && ttc_field_is_general(k->field))
         ttc_text_add(text, "sections");
 }

@@ -41,7 +41,12 @@ typedef uint32_t ttc_value;
 
 typedef struct {
     ttc_op op;
-    ttc_value a, b, c; /* operands; TTC_NO_VALUE where the operation has none */
+    union { /* TTC_NO_VALUE where the operation has none */
+        struct {
+            ttc_value a, b, c;
+        };
+        ttc_value operands[3];
+    };
     uint32_t index;    /* INPUT, PARAMETER */
     fmpq_t constant;   /* CONSTANT */
     char *label;       /* see ttc_program_label */

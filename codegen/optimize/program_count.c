@@ -22,12 +22,11 @@ ttc_count ttc_program_count(const ttc_program *program)
     if (depth == NULL || last_use == NULL || ending == NULL) goto done;
     for (size_t k = 0; k < n; k++) {
         const ttc_instruction *i = ttc_program_at(program, (ttc_value)k);
-        const ttc_value operands[] = { i->a, i->b, i->c };
         unsigned arity = ttc_op_arity(i->op);
         last_use[k] = k;
         for (unsigned j = 0; j < arity; j++) {
-            if (depth[operands[j]] > depth[k]) depth[k] = depth[operands[j]];
-            last_use[operands[j]] = k;
+            if (depth[i->operands[j]] > depth[k]) depth[k] = depth[i->operands[j]];
+            last_use[i->operands[j]] = k;
         }
         if (arity > 0) {
             depth[k]++;
@@ -57,9 +56,8 @@ unsigned ttc_program_latency(const ttc_program *program)
     if (ready == NULL) return UINT_MAX;
     for (size_t k = 0; k < n; k++) {
         const ttc_instruction *i = ttc_program_at(program, (ttc_value)k);
-        const ttc_value operands[] = { i->a, i->b, i->c };
         for (unsigned j = 0; j < ttc_op_arity(i->op); j++)
-            if (ready[operands[j]] > ready[k]) ready[k] = ready[operands[j]];
+            if (ready[i->operands[j]] > ready[k]) ready[k] = ready[i->operands[j]];
         ready[k] += ttc_op_latency(i->op);
         if (ready[k] > longest) longest = ready[k];
     }

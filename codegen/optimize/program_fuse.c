@@ -14,12 +14,11 @@ typedef struct {
 /* The operand that is a reciprocal used by this product alone: x * (1/y) becomes x/y, which rounds once. */
 static ttc_value lone_reciprocal(const fusing *f, const ttc_instruction *i)
 {
-    const ttc_value operands[] = { i->a, i->b };
     for (int k = 0; i->op == TTC_OP_MULTIPLY && k < 2; k++) {
-        const ttc_instruction *operand = ttc_program_at(f->program, operands[k]);
-        if (operand->op != TTC_OP_DIVIDE || f->uses[operands[k]] != 1) continue;
+        const ttc_instruction *operand = ttc_program_at(f->program, i->operands[k]);
+        if (operand->op != TTC_OP_DIVIDE || f->uses[i->operands[k]] != 1) continue;
         const ttc_instruction *one = ttc_program_at(f->program, operand->a);
-        if (one->op == TTC_OP_CONSTANT && fmpq_is_one(one->constant)) return operands[k];
+        if (one->op == TTC_OP_CONSTANT && fmpq_is_one(one->constant)) return i->operands[k];
     }
     return TTC_NO_VALUE;
 }
@@ -66,8 +65,7 @@ static void count_uses(fusing *f)
 {
     for (size_t k = 0; k < ttc_program_size(f->program); k++) {
         const ttc_instruction *i = ttc_program_at(f->program, (ttc_value)k);
-        const ttc_value operands[] = { i->a, i->b, i->c };
-        for (unsigned j = 0; j < ttc_op_arity(i->op); j++) f->uses[operands[j]]++;
+        for (unsigned j = 0; j < ttc_op_arity(i->op); j++) f->uses[i->operands[j]]++;
     }
     for (size_t k = 0; k < ttc_program_output_count(f->program); k++) f->uses[ttc_program_output_at(f->program, k)] += 2;
 }

@@ -55,8 +55,7 @@ static void mark(const ttc_program *program, unsigned char *reached)
     for (size_t k = 0; k < ttc_program_output_count(program); k++) reached[ttc_program_output_at(program, k)] = 1;
     for (size_t k = ttc_program_size(program); k-- > 0;) {
         const ttc_instruction *i = ttc_program_at(program, (ttc_value)k);
-        const ttc_value operands[] = { i->a, i->b, i->c };
-        for (unsigned j = 0; reached[k] && j < ttc_op_arity(i->op); j++) reached[operands[j]] = 1;
+        for (unsigned j = 0; reached[k] && j < ttc_op_arity(i->op); j++) reached[i->operands[j]] = 1;
     }
 }
 

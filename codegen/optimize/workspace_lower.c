@@ -33,10 +33,9 @@ static ttc_value note(lowering *l, ttc_value value)
         l->ready_capacity = capacity;
     }
     const ttc_instruction *i = ttc_program_at(l->program, value);
-    const ttc_value operands[] = { i->a, i->b, i->c };
     unsigned arity = ttc_op_arity(i->op), start = 0;
     for (unsigned k = 0; k < arity; k++)
-        if (operands[k] < l->ready_capacity && l->ready[operands[k]] > start) start = l->ready[operands[k]];
+        if (i->operands[k] < l->ready_capacity && l->ready[i->operands[k]] > start) start = l->ready[i->operands[k]];
     if (arity > 0) l->ready[value] = start + ttc_op_latency(i->op);
     return value;
 }

@@ -61,10 +61,8 @@ static bool parse_lifted(ttc_parser *parser, ttc_time *time)
         if (parser->model->symbols[symbol].kind != TTC_ROOT)
             return ttc_parse_error(parser, ttc_token_place(name), "'%s' is not a root (expected one)",
                                    parser->model->symbols[symbol].name);
-        for (size_t i = 0; i < time->lifted_count; i++)
-            if (time->lifted[i] == symbol)
-                return ttc_parse_error(parser, ttc_token_place(name), "'%s' is lifted twice",
-                                       parser->model->symbols[symbol].name);
+        if (ttc_array_has(time->lifted, time->lifted_count, symbol))
+            return ttc_parse_error(parser, ttc_token_place(name), "'%s' is lifted twice", parser->model->symbols[symbol].name);
         if (!ttc_parse_append(parser, &time->lifted, &time->lifted_count, symbol)) return false;
     } while (ttc_parse_accept_mark(parser, ','));
     return true;

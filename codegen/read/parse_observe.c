@@ -4,13 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static bool is_observed(const ttc_model *model, uint32_t symbol)
-{
-    for (size_t i = 0; i < model->observed_count; i++)
-        if (model->observed[i] == symbol) return true;
-    return false;
-}
-
 /* Returns true for names that output tables give to columns of their own. */
 static bool is_column(const char *name)
 {
@@ -31,7 +24,8 @@ static bool observe(ttc_parser *parser, uint32_t symbol, ttc_place place)
         return ttc_parse_error(parser, place, "'%s' is no let (expected one, or a name of its own: 'observe NAME = %s')", name,
                                name);
     if (is_column(name)) return ttc_parse_error(parser, place, "'%s' is a column of every table (expected another name)", name);
-    if (is_observed(model, symbol)) return ttc_parse_error(parser, place, "'%s' is observed twice", name);
+    if (ttc_array_has(model->observed, model->observed_count, symbol))
+        return ttc_parse_error(parser, place, "'%s' is observed twice", name);
     parser->used[symbol] = 1;
     return ttc_parse_append(parser, &model->observed, &model->observed_count, symbol);
 }

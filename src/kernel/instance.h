@@ -2,8 +2,6 @@
 #ifndef JLT_KERNEL_INSTANCE_H
 #define JLT_KERNEL_INSTANCE_H
 
-#include <stdbool.h>
-
 #include "core/status.h"
 #include "kernel/units.h"
 

@@ -5,8 +5,6 @@
 #ifndef JLT_KERNEL_OBSERVED_H
 #define JLT_KERNEL_OBSERVED_H
 
-#include <stdbool.h>
-
 #include "kernel/instance.h"
 
 enum { JLT_OBSERVED_CONDITIONS_MAX = 256, JLT_OBSERVED_STATES_MAX = 256 }; /* bounds of a table, lifted roots included */

@@ -1,6 +1,5 @@
 #include "scene/course_units.h"
 
-#include <math.h>
 #include <string.h>
 
 /* Whether the values `counted`, converted to the table's units, equal `told` bit for bit. */

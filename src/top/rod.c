@@ -4,7 +4,6 @@
 #include "kernel/descriptor.h"
 #include "kernel/way.h"
 
-#include <float.h>
 #include <math.h>
 #include <string.h>
 

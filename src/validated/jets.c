@@ -48,10 +48,9 @@ static jlt_status look_through(jlt_jets *self)
 
     for (size_t v = 0; v < self->size; v++) {
         const ttc_instruction *i = ttc_program_at(self->program, (ttc_value)v);
-        const ttc_value operands[] = { i->a, i->b, i->c };
         if (i->op == TTC_OP_FMA || i->op == TTC_OP_FMS || i->op == TTC_OP_FNMA) return JLT_ERR_UNSUPPORTED;
         self->series[v] = state_of(self, (ttc_value)v) != SIZE_MAX;
-        for (unsigned k = 0; k < ttc_op_arity(i->op); k++) self->series[v] |= self->series[operands[k]];
+        for (unsigned k = 0; k < ttc_op_arity(i->op); k++) self->series[v] |= self->series[i->operands[k]];
         if (i->op == TTC_OP_COSINE || i->op == TTC_OP_SINE) self->partner[v] = self->size + partners++;
     }
     self->count = (self->of->dim + self->size + partners) * self->terms * self->length;

@@ -1,6 +1,5 @@
 /* Calls every kernel of one descriptor a few times, scalar or by one instruction set, for counting instructions from outside:
  * kernel_calls scalar|baseline|avx2. Exit status 77: the processor has not got it. */
-#include <stdio.h>
 #include <string.h>
 
 #include "kernel_abi.h"

@@ -2,12 +2,7 @@
 # What jellett writes to a file is there whole or not at all: status 5 and the old file untouched where it cannot be
 # written; the old file or the new one, which has the first rows where the program is asked to stop, and nothing beside it, however
 # the program is stopped.
-set -uo pipefail
-awk() { LC_ALL=C command awk "$@"; } # numbers have points in any locale
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-status=0
-fail() { echo "$*"; status=1; }
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
 
 at=v_nu=0.7,omega3=1.1
 sweep=(jellett eigen --set a3=0 --at "$at" --sweep gamma3=-0.99:0.99:501)

@@ -1,12 +1,7 @@
 #!/usr/bin/env bash
 # Signals: a command that is asked to end does so within a second, saves its whole rows or says what is lost, leaves nothing
 # beside them, and ends by the signal; further signals within a second change nothing.
-set -uo pipefail
-awk() { LC_ALL=C command awk "$@"; } # numbers have points in any locale
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-status=0
-fail() { echo "$*"; status=1; }
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
 now() { date +%s%N; }
 
 # SIGNALS COMMAND...: run in $scratch/d, send each signal when it has run for 0.4 s, one right after the other; into $code,

@@ -1,17 +1,12 @@
 /* Proofs under guard: a claim whose proof is late, out of memory or at fault is not settled, says which of the three it was,
  * and takes no other claim with it. What goes wrong here goes wrong where a reduction's target is read, in the worker. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
+#include "unit/check.h"
+
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 #include <time.h>
 #include <unistd.h>
-
-#include <cmocka.h>
 
 #include <flint/flint.h>
 

@@ -1,12 +1,8 @@
 /* Memory runs out at every single allocation behind a handle: each time that is the status, nothing is given out where nothing was
  * made, and what was made before goes on serving. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "unit/check.h"
+
 #include <fcntl.h>
-#include <stdbool.h>
 #include <stdlib.h>
 
 #include "fault/failing_memory.h"

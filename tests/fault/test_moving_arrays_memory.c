@@ -1,14 +1,10 @@
 /* Arrays that grow move each time, and what they leave is overwritten at once: whoever keeps a pointer into one across a call that
  * lets it grow reads nonsense, with or without a sanitizer. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "unit/check.h"
+
 #include <malloc.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include <flint/fmpz.h>
 

@@ -1,11 +1,8 @@
 /* Memory runs out at every single allocation of the front end, one after the other: nothing crashes, nothing leaks (under
  * the sanitizer), and an incomplete model is never handed out. FLINT's own allocations are left alone: it ends the program
  * when one fails. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "unit/check.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 

@@ -1,14 +1,8 @@
 /* Memory runs out at every single allocation while gnuplot draws: the picture is refused, and nobody waits for gnuplot, which waits
  * for somebody to read on. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
-#include <stdbool.h>
-#include <stdio.h>
+#include "unit/check.h"
+
 #include <stdlib.h>
-#include <string.h>
 #include <unistd.h>
 
 #include "fault/failing_memory.h"

@@ -1,13 +1,9 @@
 /* Memory runs out in the prover, at one allocation after the other: nothing crashes, and a verdict is the right one or is missing
  * by name. FLINT's own allocations are left alone: it ends the program when one fails. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "unit/check.h"
+
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "fault/failing_memory.h"
 #include "base/text.h"

@@ -1,13 +1,8 @@
 #!/usr/bin/env bash
 # `ttc generate` leaves whole files or none: where it cannot write it says so with status 5, and however it is stopped,
 # every file under a final name is complete, and running it again gives exactly what an undisturbed run gives.
-set -uo pipefail
-awk() { LC_ALL=C command awk "$@"; } # numbers have points in any locale
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
 model=$JLT_SOURCE_DIR/codegen/models/chaplygin_sleigh.tt
-status=0
-fail() { echo "$*"; status=1; }
 
 expect() { # STATUS TITLE COMMAND...
     local want=$1 title=$2 code

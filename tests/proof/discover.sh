@@ -2,12 +2,8 @@
 # ttc discover finds what tables of the house and of the literature claim, with these claims taken out of the tables: known
 # integrals and densities are the oracle, `ttc prove --challenge`, which shares no code with what finds and proves, the witness.
 # With the claims in place it finds nothing more, by the same rank.
-set -uo pipefail
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
 cd "$JLT_SOURCE_DIR"
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-status=0
-fail() { echo "$*"; status=1; }
 
 # A table without its claims, and without what rests on them.
 strip() {

@@ -3,16 +3,10 @@
 #ifndef JLT_TESTS_BATCH_GRID_H
 #define JLT_TESTS_BATCH_GRID_H
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdint.h>
+#include "unit/check.h"
+
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
-
-#include <cmocka.h>
-
-#include <math.h>
 
 #include "integrate/batch.h"
 #include "kernel/batch_isa.h"

@@ -5,7 +5,6 @@
 #include "core/random.h"
 
 #include <float.h>
-#include <stdio.h>
 #include <stdlib.h>
 
 static const char table[] = "model sample\n"

@@ -4,15 +4,9 @@
  * are compiled for the baseline. The wider instruction sets fuse multiply-adds, which rounds once where the scalar code
  * rounds twice: AVX2 and AVX-512 agree with each other bit for bit, and with the scalar kernels to the conditioning of the
  * sums in them. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdint.h>
+#include "unit/check.h"
+
 #include <stdlib.h>
-#include <string.h>
-
-#include <cmocka.h>
-
-#include <math.h>
 
 #include "base/random.h"
 #include "kernel/batch_isa.h"

@@ -1,11 +1,7 @@
 /* A batched section map asks for the same memory however many rows go by, and a section's batch for a bounded one. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdlib.h>
+#include "unit/check.h"
 
-#include <cmocka.h>
+#include <stdlib.h>
 
 #include "fault/wrapped_memory.h"
 #include "dynamics/section_batch.h"

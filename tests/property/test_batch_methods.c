@@ -4,14 +4,8 @@
  * themselves. A local error C h^q + O(h^(q+1)) falls by 2^q when h is halved; near the apocentre, at h = 1/2 and 1/4, where the
  * next term is a few tenths of the first, the measured exponent is within 0.7 of q. Errors are above 1e-14 there; weights rounded
  * to double move the end by less than 1e-15. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
+#include "unit/check.h"
 
-#include <cmocka.h>
-
-#include <math.h>
 #include <stdbool.h>
 
 #include "integrate/batch_method.h"

@@ -208,9 +208,8 @@ static void find_prepared_losses(const fixture *f, ttc_loss *losses)
     assert_true(ttc_program_losses(losses, prepare, f->kernels->field, NULL));
     for (ttc_value v = 0; v < n; v++) {
         const ttc_instruction *i = ttc_program_at(prepare, v);
-        const ttc_value operands[] = { i->a, i->b, i->c };
         is_lossy[v] = losses[v] != TTC_KEEPS_DIGITS;
-        for (unsigned k = 0; k < ttc_op_arity(i->op); k++) is_lossy[v] |= is_lossy[operands[k]];
+        for (unsigned k = 0; k < ttc_op_arity(i->op); k++) is_lossy[v] |= is_lossy[i->operands[k]];
     }
     for (size_t k = 0; k < ttc_program_output_count(prepare); k++)
         if (is_lossy[ttc_program_output_at(prepare, k)])

@@ -4,8 +4,6 @@
 #include "analysis/density.h"
 #include "kernel/descriptor.h"
 
-#include <float.h>
-
 enum { M, R, G, A3, I1, I3, PARAMS };
 
 static jlt_instance *bind(const double *params)

@@ -1,10 +1,6 @@
 /* The expression graph against direct exact arithmetic: random expressions are built twice, as nodes and as rational
  * numbers (with their derivatives) at random points, by rules that share no code with the graph. Nothing is rounded. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "unit/check.h"
 
 #include "base/random.h"
 #include "expression/graph.h"

@@ -2,7 +2,7 @@
  *
  * Tolerance: the radius to which the same recurrence grows in 53-bit balls, which bounds what rounding does to it, and twice that
  * as doubles add in another order; C's exp and log at order 0 are given one unit in the last place, as glibc's have. */
-#include "../unit/check.h"
+#include "unit/check.h"
 
 #include "ball/ball.h"
 #include "base/random.h"

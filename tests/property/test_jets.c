@@ -1,14 +1,8 @@
 /* Generated Taylor recurrences of every field, against its right-hand side and its Jacobian; on lanes, against the scalar ones. */
-#include <setjmp.h>
-#include <stdarg.h>
+#include "unit/check.h"
+
 #include <stdbool.h>
-#include <stdint.h>
 #include <stdlib.h>
-#include <string.h>
-
-#include <cmocka.h>
-
-#include <math.h>
 
 #include "base/random.h"
 #include "kernel/batch_isa.h"

@@ -7,7 +7,7 @@
  * recovered from one division: at most two products for each of up to three denominators, where the ball has one
  * quotient; prepared coefficients: one more rounding a factor), hence the factor below; measured: 1.35 at most, and below
  * 0.8 in all models of the top. */
-#include "../unit/check.h"
+#include "unit/check.h"
 
 #include "base/random.h"
 #include "kernel_ball.h"

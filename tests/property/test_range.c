@@ -1,11 +1,6 @@
 /* Interval arithmetic by ends against exact rational arithmetic: results contain what the operations give at points, and signs that
  * hold everywhere are kept. Balls and bounds as certificates write them contain what they were written from. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
+#include "unit/check.h"
 
 #include "validated/numerals.h"
 #include "validated/range.h"

@@ -1,6 +1,6 @@
 /* Verdicts on random identities between exponentials, logarithms and angles, against ball arithmetic: what is proved holds at every
  * point, what is refuted fails at some point. About half of the identities are true by the functional equations. */
-#include "../unit/check.h"
+#include "unit/check.h"
 
 #include "ball/ball.h"
 #include "base/random.h"

@@ -4,14 +4,13 @@
  * Tolerance: each of these sums up to a dozen terms of products of the entries of two matrices, with relative errors of some
  * dozen roundings an entry; 200 roundings, relative to the sum of the absolute terms. Points at which a region is within a tenth
  * of its value at the start of zero are left out, as lifts have no slope at its edge. */
-#include "../unit/check.h"
+#include "unit/check.h"
 
 #include "base/random.h"
 #include "registry.h"
 
 #include <float.h>
 #include <stdbool.h>
-#include <stdio.h>
 
 enum { MOST = 64, POINTS = 200 };
 static const double tolerance = 200 * DBL_EPSILON;

@@ -1,12 +1,5 @@
 /* I3 = 0 and a3 = 0: quadratures, levels and fixed points against integration and against the generated kernels. */
-#include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <string.h>
-
-#include <cmocka.h>
+#include "unit/check.h"
 
 #include "core/random.h"
 #include "kernel/descriptor.h"

@@ -1,11 +1,6 @@
 /* Series whose starts are polynomials against the flow's own law, phi_t(phi_u(x)) = phi_(t+u)(x); the normal form of a map of
  * the plane against Henon's closed form, in its own coordinates and in others. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
+#include "unit/check.h"
 
 #include "kernel/descriptor.h"
 #include "validated/jets.h"

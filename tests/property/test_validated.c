@@ -1,17 +1,11 @@
 /* Validated integration against references that share nothing with it: quadruple-precision returns of the map of (5.1), a published
  * period, differences of solutions, closed forms. A start is a ball that holds the reference's rounding. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
+#include "unit/check.h"
 
 #include "kernel/descriptor.h"
 #include "validated/symmetry.h"
 
 #include <stdio.h>
-#include <string.h>
 
 enum { BITS = 256 };
 

@@ -6,7 +6,7 @@
  * times as much. The motion is the difference of `back` along the other field, over a step h: its own error is h^2 and
  * eps/h, so that h = eps^(1/3); 1000 times h^2 bounds it, third derivatives being some hundreds at points of order one away
  * from poles. */
-#include "../unit/check.h"
+#include "unit/check.h"
 
 #include "base/random.h"
 #include "registry.h"

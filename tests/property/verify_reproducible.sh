@@ -1,12 +1,7 @@
 #!/usr/bin/env bash
 # `jellett verify` proves and verifies every model that is built in; the same seed gives the same bytes, another seed other
 # points; every section is there, and the totals are those of its parts.
-set -uo pipefail
-awk() { LC_ALL=C command awk "$@"; } # numbers have points in any locale
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-status=0
-fail() { echo "$*"; status=1; }
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
 
 models=$(jellett models | awk -F: '/^[a-z_0-9]+:/ { print $1 }')
 [ -n "$models" ] || fail "no models built in"

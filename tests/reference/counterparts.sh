@@ -1,13 +1,9 @@
 #!/usr/bin/env bash
 # Closed forms of the spherical top serve for a table of one's own by a proved reduction, in whatever order its states
 # stand; else the record is named that is missing, or the claim that fails.
-set -euo pipefail
-awk() { LC_ALL=C command awk "$@"; } # numbers have points in any locale
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
+set -e
 models=$JLT_SOURCE_DIR/codegen/models
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-status=0
-fail() { echo "$*"; status=1; }
 rows() { grep -v '^#' "$1" | tail -n +2; }
 
 # same A B BOUND: the numbers of the rows, one after another

@@ -1,12 +1,8 @@
 #!/usr/bin/env bash
 # Every orbit ends by a name and a time, in its own row, whatever the method: at rest, at a pole, where its coordinates end, or by a
 # failure of the method; and every field is a number or empty.
-set -euo pipefail
-awk() { LC_ALL=C command awk "$@"; } # numbers have points in any locale
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-status=0
-fail() { echo "$*"; status=1; }
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
+set -e
 
 # run STATUS ARGUMENTS...: jellett's table in $scratch/out, its words in $scratch/err; fields that are neither numbers nor names
 # fail.

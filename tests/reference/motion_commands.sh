@@ -1,13 +1,9 @@
 #!/usr/bin/env bash
 # simulate, rod, portrait, run and plan as typed: the quadruple-precision orbits within 1e-11 at --tol 1e-13, ends at poles,
 # comparisons of tiers, quadratures against integration, scenes with every mistake at its line.
-set -euo pipefail
-awk() { LC_ALL=C command awk "$@"; } # numbers have points in any locale
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
+set -e
 cd "$JLT_SOURCE_DIR"
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-status=0
-fail() { echo "$*"; status=1; }
 
 # expect STATUS TEXT COMMAND...: the exit status, and TEXT somewhere in what is said on standard error.
 expect() {

@@ -1,15 +1,8 @@
 #!/usr/bin/env bash
 # Many orbits of `jellett section`, as typed: rows against quadruple precision and against those of one orbit at a time, fates,
 # threads, rows that wait in the temporary file, projection, refusals, and what an interrupt leaves.
-set -uo pipefail
-awk() { LC_ALL=C command awk "$@"; } # numbers have points in any locale
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch"
-export TMPDIR=$scratch XDG_CACHE_HOME=$scratch/cache
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
 data=$JLT_SOURCE_DIR/tests/reference/data
-status=0
-fail() { echo "$*"; status=1; }
 section() { # FILE OPTION...: rows without comments
     local file=$1
     shift

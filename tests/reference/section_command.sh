@@ -1,14 +1,8 @@
 #!/usr/bin/env bash
 # The commands of the dynamics, as typed: rows against quadruple precision, headers that repeat the run, exit statuses,
 # pictures, and what an interrupt leaves.
-set -uo pipefail
-awk() { LC_ALL=C command awk "$@"; } # numbers have points in any locale
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch"
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
 data=$JLT_SOURCE_DIR/tests/reference/data
-status=0
-fail() { echo "$*"; status=1; }
 expect() { # STATUS COMMAND...
     local want=$1
     shift

@@ -2,13 +2,7 @@
 # Orbits of a sweep go in lanes side by side, whichever point they are of, and so do those of a study. Their rows are those of each
 # point by itself, for every instruction set, number of threads and order of the sweep, and whatever becomes of the process that
 # computes them.
-set -uo pipefail
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch"
-export TMPDIR=$scratch XDG_CACHE_HOME=$scratch/cache
-status=0
-fail() { echo "$*"; status=1; }
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
 rows() { # FILE COMMAND...: rows without comments
     local file=$1
     shift

@@ -1,17 +1,10 @@
 /* Reports of `jellett eigen` against eigenvalues computed with 160 digits by other software (data/eigen.csv). */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
+#include "unit/check.h"
 
 #include <jansson.h>
-#include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 enum { N = 5, FIELDS = 4 + 2 * N };
 

@@ -3,15 +3,10 @@
 #include "dynamics/periodic.h"
 #include "witness/top_section.h"
 
-#include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdint.h>
+#include "unit/check.h"
+
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
-
-#include <cmocka.h>
 
 static FILE *open_data(const char *name)
 {

@@ -1,14 +1,8 @@
 /* Every tier gives the same motion as the tiers above it, and all of them the quadruple-precision reference. */
-#include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
+#include "unit/check.h"
+
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
-
-#include <cmocka.h>
 
 #include "kernel/descriptor.h"
 #include "kernel/observed.h"

@@ -1,12 +1,8 @@
 #!/usr/bin/env bash
 # -o FILE.npy has what -o FILE.csv has, of every command that writes rows: the same names, doubles bit for bit, texts, and the
 # comments behind the array; in a form that NumPy reads. An interrupt and a full disk leave an array of the rows so far.
-set -uo pipefail
-scratch=$(mktemp -d)
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
 trap 'kill $(jobs -p) 2>/dev/null; wait; rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
-status=0
-fail() { echo "$*"; status=1; }
 
 # The array read by what its format says, and by NumPy where there is one.
 cat > read.py << 'END'

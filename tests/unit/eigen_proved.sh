@@ -1,13 +1,7 @@
 #!/usr/bin/env bash
 # What `jellett eigen` proves of an equilibrium of one's own table, and what it says not to be settled. Each table is made so that
 # one reason alone can serve. Oracle: eigenvalues by hand, beside each.
-set -uo pipefail
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-export XDG_CACHE_HOME=$scratch/cache
-cd "$scratch"
-status=0
-fail() { echo "$*"; status=1; }
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
 says() { # TEXT ARGUMENT...: this line, blanks pressed together
     local text=$1
     shift

@@ -12,7 +12,7 @@
 #include "read/model.h"
 
 #include <stdlib.h>
-#include <string.h>
+#include "unit/check.h"
 
 enum { POINTS = 4, STATES_MAX = 8, PARAMS_MAX = 8, OUTPUTS_MAX = 80 };
 

@@ -1,17 +1,13 @@
 #!/usr/bin/env bash
 # The examples are short, build against an installed tree as pkg-config says, and compute what the programs do by their own ways, or
 # what theory says; in C++ likewise.
-set -euo pipefail
-awk() { LC_ALL=C command awk "$@"; } # numbers have points in any locale
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
+set -e
 cmake --install "$JLT_BINARY_DIR" --prefix "$scratch/tree" > "$scratch/log" || { cat "$scratch/log"; exit 1; }
 pc=$(find "$scratch/tree" -name jellett.pc)
 library=$(dirname "$(find "$scratch/tree" -name 'libjellett.so')")
 export PKG_CONFIG_LIBDIR=${pc%/*} PKG_CONFIG_PATH= LD_LIBRARY_PATH=$library
 export PATH=$scratch/tree/bin:$PATH
-status=0
-fail() { echo "$*"; status=1; }
 
 sanitize=()
 if nm "$JLT_BINARY_DIR/libjellett.a" 2>/dev/null | grep __asan_init > /dev/null; then sanitize=(-fsanitize=address,undefined); fi

@@ -1,11 +1,7 @@
 #!/usr/bin/env bash
 # The exit statuses of ttc and jellett are the documented ones, results go to standard output, and every failure says what
 # is wrong on standard error.
-set -uo pipefail
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-status=0
-fail() { echo "$*"; status=1; }
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
 
 expect() { # STATUS COMMAND...
     local want=$1 code

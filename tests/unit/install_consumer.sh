@@ -1,14 +1,11 @@
 #!/usr/bin/env bash
 # An installed tree serves: a small program builds against it and runs, found by pkg-config and by CMake, with the shared
 # library and with the static one, also after the tree was moved.
-set -euo pipefail
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
+set -e
 cmake --install "$JLT_BINARY_DIR" --prefix "$scratch/before" > "$scratch/log" || { cat "$scratch/log"; exit 1; }
 mv "$scratch/before" "$scratch/tree"
 tree=$scratch/tree
-status=0
-fail() { echo "$*"; status=1; }
 
 for path in bin/ttc bin/jellett libexec/jellett/jellett-bench share/man/man1/ttc.1 share/man/man1/jellett.1 \
     share/jellett/generated/kernel_abi.h share/jellett/models/spherical_top.tt include/jellett/core/status.h \

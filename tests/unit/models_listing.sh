@@ -1,12 +1,7 @@
 #!/usr/bin/env bash
 # What `jellett models` lists is what the tables and generated/counts.tsv say, in JSON and in print, of all models or of one.
-set -uo pipefail
-export LC_ALL=C # the numbers that awk reads and writes here have points
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
 cd "$JLT_SOURCE_DIR" || exit 1
-status=0
-fail() { echo "$*"; status=1; }
 
 jellett models --json > "$scratch/listed"
 # Columns of counts.tsv but for the sums and what `ttc` alone says of kernels.

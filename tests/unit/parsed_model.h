@@ -2,14 +2,10 @@
 #ifndef TEST_PARSED_MODEL_H
 #define TEST_PARSED_MODEL_H
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "unit/check.h"
+
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "read/model.h"
 #include "show/print.h"

@@ -1,14 +1,9 @@
 #!/usr/bin/env bash
 # Options of pictures: every command that draws honours all of them, and the script that is kept draws the same picture; texts are
 # texts, of which gnuplot does nothing; what cannot be is refused, by name, before anything is written.
-set -uo pipefail
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
 gnuplot --version > /dev/null 2>&1 || exit 77
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
 export LC_ALL=C.UTF-8 XDG_CACHE_HOME=$scratch/.cache
-status=0
-fail() { echo "$*"; status=1; }
 
 # Scripts say what was asked for, and gnuplot draws the same from them.
 look=(--size=8x6cm '--font=DejaVu Sans,7' --xrange=0.1:0.9 --yrange=0.2:0.7 '--title=A title' --style=grey,nokey,points=7,lines=9)

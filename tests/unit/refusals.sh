@@ -106,6 +106,25 @@ XDG_CACHE_HOME=$scratch/.cache refuse 3 "many has more records .valid. than can 
 printf 'model still\nstate x\neq x = -x\n' > .still.tt
 XDG_CACHE_HOME=$scratch/.cache refuse 3 "still has no parameter 'c'; it has none\$" \
     jellett simulate ./.still.tt --start x=1 --set c=1 --times 1
+# Certificates, boxes, shards.
+saddle=(jellett certify cycle --start eta=0,gamma3=-0.6135)
+refuse 3 "neither a parameter nor a level 'Q' here" "${saddle[@]}" --spread Q=0.1
+refuse 3 "the radius of a3 is a number > 0" "${saddle[@]}" --spread a3=0
+refuse 2 "counts crossings one way, up or down" "${saddle[@]}" --direction both
+refuse 2 "'foo' is no kind of certificate: write cycle, elliptic" jellett certify foo
+refuse 2 "say what to certify: cycle, elliptic" jellett certify
+refuse 2 "say near which orbit: --start" jellett certify cycle
+refuse 3 "give every state of spherical_top; v_nu has no value" jellett certify pole --start gamma3=0.2
+refuse 3 "--family, one of spin, spin_weightless, precession" jellett certify equilibria --box gamma3=0.1:0.5
+refuse 2 "'2' is not from 0 to 1" jellett transfer --boxes 10x10 --noise 2
+refuse 2 "--noise: no value" jellett transfer --boxes 10x10 --noise ""
+refuse 2 "leave out --eigenvalues 0" jellett transfer --boxes 10x10 --eigenvalues 0 --plot folder/p.svg
+refuse 3 "2 have states; eigenvalues are of 3 boxes or more" jellett transfer --boxes eta=0:1e-3:2,gamma3=-0.9:-0.899:1
+refuse 3 "nothing stays in them, for no box leads back to itself" jellett transfer --boxes eta=0:1e-3:4,gamma3=-0.9:-0.899:4
+refuse 2 "'4/3': shards are counted from 1 to 3" jellett sweep none --shard 4/3
+refuse 2 "'x' is no shard \(write I/N" jellett sweep none --shard x
+refuse 3 "p1 is an angle by --modulo, for which a level has many solutions" \
+    jellett section toda --section q1=0 --solve p1=1 --modulo p1=1 --level H=1 --start q2=0
 data=$JLT_SOURCE_DIR/tests/reference/data
 refuse 2 "jacobian knows no --method" jellett bench jacobian --method gauss
 refuse 2 "slope knows no --form" jellett bench slope --reference "$data/slopes_regular_51.csv" --form five

@@ -1,11 +1,7 @@
 #!/usr/bin/env bash
 # tools/regenerate writes what changed alone: nothing where nothing did, the files of one table where it did, everything where
 # a written file is not what it was. What it writes is what an undisturbed run gives, and --check sees any other content.
-set -uo pipefail
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-status=0
-fail() { echo "$*"; status=1; }
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
 
 mkdir -p "$scratch/tree/codegen/models"
 cp -r "$JLT_SOURCE_DIR/tools" "$scratch/tree/"

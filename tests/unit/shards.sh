@@ -2,14 +2,9 @@
 # A study gives the same bytes by 1, 3 and 7 shards, in CSV, NumPy and SQLite, and after crashes; its rows are those that the
 # command itself prints, also for each value of what it runs over. A shard's file is one process's, and of one study; what its
 # engine says in the environment tells a process which shard is its own.
-set -uo pipefail
-awk() { LC_ALL=C command awk "$@"; } # numbers have points in any locale
-scratch=$(mktemp -d)
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
 trap 'kill $(jobs -p) 2>/dev/null; wait; rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
 unset OMPI_COMM_WORLD_RANK PMI_RANK PMIX_RANK SLURM_PROCID SLURM_ARRAY_TASK_ID PARALLEL_SEQ
-status=0
-fail() { echo "$*"; status=1; }
 expect() { # STATUS TEXT COMMAND...
     local want=$1 text=$2 code
     shift 2

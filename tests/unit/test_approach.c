@@ -1,11 +1,5 @@
 /* How an orbit decays onto an equilibrium, on linear fields whose rates and way left are known by hand. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
-
-#include <math.h>
+#include "unit/check.h"
 
 #include "integrate/approach.h"
 

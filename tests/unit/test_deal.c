@@ -1,11 +1,5 @@
 /* Every piece of a study is of one shard, and costs that are uneven are shared. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
-
-#include <math.h>
+#include "unit/check.h"
 
 #include "shards/deal.h"
 

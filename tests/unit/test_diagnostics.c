@@ -1,13 +1,9 @@
 /* Every mistake a table can hold, with the one line that must be said about it. HEAD stands for a table that is right, so
  * that the mistake is alone; its lines are counted in the places. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "unit/check.h"
+
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "read/model.h"
 #include "base/source.h"

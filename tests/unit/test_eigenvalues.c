@@ -1,10 +1,5 @@
 /* Characteristic polynomials, closed forms and deflation on matrices whose eigenvalues are known. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
+#include "unit/check.h"
 
 #include "analysis/charpoly.h"
 #include "analysis/deflation.h"
@@ -19,8 +14,6 @@
 #include <gsl/gsl_errno.h>
 
 #include <float.h>
-#include <math.h>
-#include <string.h>
 
 /* Oracle: integer arithmetic, exact here. The companion matrix of a polynomial gives it back. */
 static void faddeev_leverrier_returns_the_polynomial_of_a_companion_matrix(void **unused)

@@ -1,9 +1,6 @@
 /* The expression graph on expressions written out: one node for one value, limits, errors. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "unit/check.h"
+
 #include <stdlib.h>
 
 #include "expression/graph_node.h"

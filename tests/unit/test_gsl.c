@@ -1,9 +1,5 @@
 /* GSL's own handler ends the program on an error. Whichever of our functions calls GSL first has switched it off before. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "unit/check.h"
 
 #include <gsl/gsl_errno.h>
 

@@ -1,10 +1,5 @@
 /* Core and kernel layers: seeded numbers, the floating-point guard, and evaluation that lets no wrong number pass. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
+#include "unit/check.h"
 
 #include "core/guard.h"
 #include "core/memory.h"
@@ -14,10 +9,7 @@
 #include "kernel/kernel.h"
 #include "kernel/units.h"
 
-#include <float.h>
-#include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 /* Oracle: xoshiro256++ from the state 1, 2, 3, 4, as published with its reference implementation. */
 static void random_bits_are_the_published_ones(void **unused)

@@ -1,5 +1,5 @@
 /* Numbers have points whatever locale the program that calls the library has set, and that locale stays. */
-#include "check.h"
+#include "unit/check.h"
 
 #include <float.h>
 #include <locale.h>

@@ -1,6 +1,6 @@
 /* An array of NumPy from a table's text, however that is cut, and whatever its columns turn out to be. Oracle: the bytes that the
  * format says, written down here. */
-#include "check.h"
+#include "unit/check.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,18 +1,11 @@
 /* Exact numbers: what is typed is rounded once, correctly, and what is no number is refused. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
+#include "unit/check.h"
 
 #include "core/random.h"
 #include "ext/number.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 static jlt_status parse(double *value, const char *text)
 {

@@ -1,12 +1,7 @@
 /* What the optimizer does to the longest chain of operations, for an integration waits for each of its calls. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdlib.h>
-#include <string.h>
+#include "unit/check.h"
 
-#include <cmocka.h>
+#include <stdlib.h>
 
 #include "base/diagnostic.h"
 #include "kernels/kernels.h"
@@ -37,8 +32,7 @@ static unsigned divisions_after_roots(const ttc_program *program)
     assert_non_null(is_after);
     for (size_t k = 0; k < n; k++) {
         const ttc_instruction *i = ttc_program_at(program, (ttc_value)k);
-        const ttc_value operands[] = { i->a, i->b, i->c };
-        for (unsigned j = 0; j < ttc_op_arity(i->op); j++) is_after[k] |= is_after[operands[j]];
+        for (unsigned j = 0; j < ttc_op_arity(i->op); j++) is_after[k] |= is_after[i->operands[j]];
         count += i->op == TTC_OP_DIVIDE && is_after[k];
         is_after[k] |= i->op == TTC_OP_ROOT;
     }

@@ -1,13 +1,8 @@
 /* What each pass of the optimizer promises. Whatever it does, the values stay what the terms say: both are evaluated in exact
  * ratios, at points where roots are rational, and must be equal. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdlib.h>
-#include <string.h>
+#include "unit/check.h"
 
-#include <cmocka.h>
+#include <stdlib.h>
 
 #include "optimize/optimize.h"
 #include "unit/exact_program.h"

@@ -1,12 +1,8 @@
 /* Each rule of the grammar, by what the model then holds; expressions by the text of their node. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "unit/check.h"
+
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "base/sha256.h"
 #include "parsed_model.h"

@@ -1,14 +1,7 @@
 /* `prepare` fills the block that the descriptor announces: every entry, and nothing beyond. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
+#include "unit/check.h"
 
 #include "kernel/descriptor.h"
-
-#include <string.h>
 
 enum { ROOM = 4096, PARAMETERS = 64 };
 

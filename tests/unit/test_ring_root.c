@@ -1,5 +1,5 @@
 /* Which products of variables a ring takes for squares, whatever the number of its variables. */
-#include "check.h"
+#include "unit/check.h"
 
 #include "algebra/ratio.h"
 

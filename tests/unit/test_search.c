@@ -1,16 +1,10 @@
 /* Real points that meet conditions: found and checked, or excluded, and never one that is not there. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
+#include "unit/check.h"
 
 #include "algebra/search.h"
 
 #include <signal.h>
 #include <stdlib.h>
-#include <string.h>
 #include <sys/time.h>
 
 /* A table whose `let` records q0, q1, ... are the expressions of a test. */

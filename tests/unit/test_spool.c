@@ -1,5 +1,5 @@
 /* The spool gives back what was put in, sequence by sequence, whatever the order of writing, with few records in memory. */
-#include "check.h"
+#include "unit/check.h"
 
 #include <fcntl.h>
 #include <stdlib.h>

@@ -1,15 +1,8 @@
 /* What the library tells of kernels that rest on claims without a proof: descriptors made up here, as those that are built in have
  * proofs. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
+#include "unit/check.h"
 
 #include "kernel/descriptor.h"
-
-#include <string.h>
 
 static const jlt_descriptor proved, general, chart, timed;
 static const jlt_descriptor *const proved_family[] = { &proved, NULL };

@@ -2,7 +2,7 @@
 #ifndef JLT_TESTS_TRANSFER_LINE_H
 #define JLT_TESTS_TRANSFER_LINE_H
 
-#include "../unit/check.h"
+#include "unit/check.h"
 
 #include "analysis/transfer_finding.h"
 

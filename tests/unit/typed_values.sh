@@ -1,11 +1,7 @@
 #!/usr/bin/env bash
 # Values are what was typed: a name given twice, a number in another base, a spacing that cannot be are refused by name; what a
 # sweep runs over prints as the decimal that it is, and headers do not claim a value for it.
-set -uo pipefail
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-status=0
-fail() { echo "$*"; status=1; }
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
 
 with_status() { # STATUS TEXT COMMAND...
     local wanted=$1 text=$2 code

@@ -2,12 +2,9 @@
 # src/jellett.h serves C11, C++17 and C++20 under strict warnings, with gcc and, where it is installed, clang: it compiles, twice
 # over; all languages and compilers agree on the layout of structures; and the functions are C's in C++ too. It includes no header
 # of commands and none of outside libraries.
-set -euo pipefail
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
+set -e
 cd "$JLT_SOURCE_DIR"
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-status=0
-fail() { echo "$*"; status=1; }
 
 cat > "$scratch/use.c" <<'C'
 #include "jellett.h"
