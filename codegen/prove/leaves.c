@@ -120,7 +120,6 @@ static void visit(cover *c, const ttc_subcase *b)
         }
         bool is_here = is_in_subcase(task, b), has_points = is_here && look_for_point(c, b);
         const bool is_known = !is_here || is_no_component(task, b) || (has_points && task->has_point);
-        c->skipped += !is_known || task->ring->has_sign_of_quotient;
         if (has_points) {
             place_leaf(task, b);
             ttc_subcase_check_foundations(task);
@@ -132,6 +131,7 @@ static void visit(cover *c, const ttc_subcase *b)
             else if (task->ring->status != TTC_RING_OK || task->domain.failed)
                 ttc_task_unsettle(task, "%s", task->domain.failed ? "out of memory" : ttc_ring_status_text(task->ring->status));
         }
+        c->skipped += !is_known || task->ring->has_sign_of_quotient; /* also of a root that the prover alone uses */
         if (is_here && !has_points && !c->is_partial) c->is_partial = ttc_divided_by_zero(task, b, &c->undefined_at);
         if (before == TTC_UNSETTLED && task->status != TTC_REFUTED) {
             free(task->remainder);

@@ -58,6 +58,9 @@ static void a_map_is_affine_and_keeps_intervals(void **state)
     expect(table, "symmetry", "out", TTC_REFUTED, "interval");
     expect(table, "symmetry", "other", TTC_REFUTED, "interval");
     expect(table, "symmetry", "mirror", TTC_PROVED, NULL);
+    const char *two_to_one = "model punctured\nstate x\nstate y\ndomain apart : x^2 + y^2 > 0\neq x = 0\neq y = 0\n"
+                             "symmetry square : x -> x^2 - y^2, y -> 2*x*y\n";
+    expect(two_to_one, "symmetry", "square", TTC_UNSETTLED, "not affine"); /* its determinant is 4 (x^2 + y^2) */
 }
 
 /* r(Sx), e(Sx) and c(Sx) are other functions than r, e, c: taking them for the same would prove the wrong ones. */
