@@ -280,12 +280,24 @@ static void fill(jlt_course *self, jlt_course_row *row, jlt_end end, double t)
     restore(self, row, t);
 }
 
-/* Continue in the next larger tier that serves from here. DOMAIN: there is none. */
+/* Open a leg in the tier of a candidate from x at t, told in the table's units. DOMAIN: the tier does not serve there. */
+static jlt_status open_served(jlt_course *self, unsigned candidate, const double *told, const double *x, double t)
+{
+    jlt_candidate *next = &self->plan.candidates[candidate];
+    bool serves = jlt_plan_serves(&next->tier, next, &self->question, told);
+    jlt_status st = JLT_OK;
+
+    if (serves) st = jlt_course_units_serve(&serves, &next->tier, self->told_params, told, &self->units);
+    if (st == JLT_OK) st = serves ? open_leg(self, candidate, x, t) : JLT_ERR_DOMAIN;
+    return st == JLT_ERR_UNSUPPORTED ? JLT_ERR_DOMAIN : st; /* this tier does not serve in the course's units */
+}
+
+/* Continue in the next larger tier that serves here: from the start of the orbit, where it serves there too. Where the
+ * coordinates of the last tier end, the state has lost digits: half of them if a rate is a root. DOMAIN: there is none. */
 static jlt_status change_tier(jlt_course *self)
 {
     double here[JLT_PLAN_STATES_MAX];
     jlt_status st = JLT_ERR_DOMAIN;
-    bool serves;
 
     if (self->plan.forced || self->change_count == CHANGES_MAX) return st;
     jlt_units_restore(here, self->x, self->question.model->states, self->states, &self->units);
@@ -293,9 +305,8 @@ static jlt_status change_tier(jlt_course *self)
         const unsigned from = self->taken;
         if (!jlt_plan_serves(&self->plan.candidates[i].tier, &self->plan.candidates[i], &self->question, here)) continue;
         if (self->options.project && jlt_descriptor_doubted_integral(self->plan.candidates[i].descriptor) != NULL) continue;
-        st = jlt_course_units_serve(&serves, &self->plan.candidates[i].tier, self->told_params, here, &self->units);
-        if (st == JLT_OK) st = serves ? open_leg(self, i, self->x, self->t) : JLT_ERR_DOMAIN;
-        if (st == JLT_ERR_UNSUPPORTED) st = JLT_ERR_DOMAIN; /* this tier does not serve in the course's units */
+        st = open_served(self, i, self->told_start, self->start, 0);
+        if (st == JLT_ERR_DOMAIN) st = open_served(self, i, here, self->x, self->t);
         if (st != JLT_OK) continue;
         change *c = &self->changes[self->change_count++];
         *c = (change){ .t = ldexp(self->t, self->units.time), .from = from, .to = i };

@@ -102,4 +102,37 @@ awk -F, '/^#/ { next } /^t/ { for (i = 1; i <= NF; i++) at[$i] = i; next }
          { rows++; if ($1 < 2.05 ? $at["phi"] == "" || $at["twice"] == "" : $at["phi"] $at["twice"] != "") bad = 1 }
          END { exit !(!bad && rows == 5 && at["phi"] && at["twice"]) }' out ||
              fail "a later tier is told of as if it went on: $(cat out)"
+
+# Where a tier of one state ends, at a turning point, its velocity is the root of rounding: the larger tier does not begin there.
+cat > spring.tt <<'T'
+model spring
+param a > 0
+param b
+default a = 2, b = 3
+state x
+state v
+eq x = v
+eq v = - a*x - b*x^3
+integral E = v^2/2 + a*x^2/2 + b*x^4/4
+tier both "place and velocity"
+reduction out : by place.tt with x = x, h = E, w = a where v > 0
+T
+cat > place.tt <<'T'
+model place
+param w > 0
+param b
+param h
+default w = 2, b = 3, h = 1
+state x
+let q = 2*h - w*x^2 - b*x^4/2
+domain inside : q > 0
+root v = sqrt(q)
+eq x = v
+tier one "place alone"
+embedding spring : into spring.tt with x = x, v = v, a = w
+T
+run 0 simulate ./spring.tt --start x=0,v=1 --times 0.5,1,4
+grep -q 'from t = 0.92872535.* on the tier both in place of one' err || fail "the change of tier: $(cat err)"
+grep -v '^#' out | tail -1 | awk -F, '{ d = $2 - 0.27716620375722104; exit !(d < 1e-13 && d > -1e-13) }' \
+    || fail "after a turning point: $(tail -1 out)" # Taylor's method, 30 digits; and A sn(t/A)
 exit $status
