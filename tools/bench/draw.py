@@ -173,7 +173,7 @@ set label 1 'reference, as doubles' at {ROUNDING}, graph 0.02 rotate by 90 font 
 
 BEST = [  # what is shown of a program, its name and the place of it, mark, dash, colour: in grey, marks, dashes and names tell them apart
     (batched, "jellett, many orbits at once", (1e-7, 3.2e6), 7, "solid", "#0072B2", 4),
-    (scalar, "jellett, one at a time", (1.6e-5, 2.7e5), 5, "solid", "#0072B2", 4),
+    (scalar, "jellett, one at a time", (2e-9, 1.15e5), 5, "solid", "#0072B2", 4),
     (lambda row: row["program"] == "heyoka", "heyoka, 8 at once", (1e-10, 4.3e5), 9, "'-'", "#D55E00", 2),
     (lambda row: row["program"] == "odeint", "Boost.odeint (▼) and GSL (◆)", (6e-5, 5.5e4), 11, "'-.'", "#009E73", 2),
     (lambda row: row["program"] == "gsl", "", (1, 1), 13, "'.'", "#AA4499", 2),
