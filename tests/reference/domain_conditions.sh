@@ -253,4 +253,13 @@ for method in $methods; do
     jellett simulate ./lost.tt --start x=0,y=1 --times 2 --method "$method" > rows.csv 2> err
     says "a loss of third order by $method" 'high is lost at t = 1 ('
 done
+# A dip about a zero of high order, cos t < 1/5 and cos t < 3/10 from arccos on: no polynomial of degree 12 shows it on a long step.
+printf 'model slit\nstate x\nstate y\neq x = y\neq y = -x\ndomain apart : x^16 - (1/5)^16 > 0\n' > slit.tt
+sed 's/^domain/valid/; s/: .*/: x^20 - (3\/10)^20 > 0/' slit.tt > narrow.tt
+for method in $methods; do
+    jellett simulate ./slit.tt --start x=1,y=0 --times 2.5 --method "$method" > rows.csv 2> err
+    ends "a slit by $method" rows.csv 1 1.3694384060045657 1e-11
+    jellett simulate ./narrow.tt --start x=1,y=0 --times 2.5 --method "$method" > rows.csv 2> err
+    says "a narrow slit by $method" 'apart is lost at t = 1.266103673 ('
+done
 exit $status
