@@ -167,14 +167,6 @@ static bool holds_between(jlt_stepper *stepper, const jlt_event *event, double w
     return stays_above_nodes(w) || stands_still(stepper, event, w0, w1);
 }
 
-jlt_status jlt_loss_first(double *theta, jlt_stepper *stepper, const jlt_event *event)
-{
-    const double w0 = jlt_locate_value(event, stepper->x_start), w1 = jlt_locate_value(event, stepper->x);
-
-    if (!(w0 > 0) || !(w1 > 0) || holds_between(stepper, event, w0, w1)) return JLT_OK;
-    return jlt_loss_zero(theta, stepper, event, 1);
-}
-
 /* By ternary search, after an interval that holds the minimum is found by doubling. */
 jlt_event_least jlt_loss_least(const jlt_stepper *stepper, const jlt_event *event, double theta)
 {
@@ -188,4 +180,19 @@ jlt_event_least jlt_loss_least(const jlt_stepper *stepper, const jlt_event *even
         width *= 2.0 / 3;
     }
     return (jlt_event_least){ value_at(stepper, event, low), jlt_smaller(low, 1) };
+}
+
+jlt_status jlt_loss_first(double *theta, jlt_stepper *stepper, const jlt_event *event)
+{
+    const double w0 = jlt_locate_value(event, stepper->x_start), w1 = jlt_locate_value(event, stepper->x);
+    double first = INFINITY;
+
+    if (!(w0 > 0) || !(w1 > 0) || holds_between(stepper, event, w0, w1)) return JLT_OK;
+    JLT_PASS(jlt_loss_zero(&first, stepper, event, 1));
+    if (first <= 1 && value_at(stepper, event, first) > 0) { /* of the polynomial alone, maybe */
+        const double before = jlt_larger(first - 0.5 / SAMPLES, 0);
+        if (jlt_loss_least(stepper, event, before).value > 0) return JLT_OK;
+    }
+    *theta = jlt_smaller(first, *theta);
+    return JLT_OK;
 }

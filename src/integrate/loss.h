@@ -15,7 +15,8 @@ JLT_CHECKED jlt_status jlt_loss_zero(double *theta, jlt_stepper *stepper, const 
 /** As jlt_loss_zero, for the function of an event that is positive at both ends of the step. In/out: *theta, replaced by the first
  *  theta at which the function is not positive, if that is smaller. Errors: as jlt_stepper_dense.
  *  Cost: four values of the function, and six more where it varies by more than the least of them; by methods without nodes
- *  (method.h) two of values and slopes; and where that does not tell, jlt_stepper_dense and 30 of values. */
+ *  (method.h) two of values and slopes; and where that does not tell, jlt_stepper_dense and 30 of values; or
+ *  175 if the polynomial has a zero that the function has not. */
 JLT_CHECKED jlt_status jlt_loss_first(double *theta, jlt_stepper *stepper, const jlt_event *event);
 
 /** The least value of such a function from theta on, until it rises again, on the polynomial of the last step; call
