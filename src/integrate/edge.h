@@ -1,8 +1,8 @@
 /** Where an orbit leaves the domain of its field: an end of a state's interval, or a condition that comes to zero.
  *
- *  Both are functions that are positive inside. At the ends of steps they are evaluated. Within a step they are polynomials, all of
- *  whose zeros are isolated as those of events are (event.h), so that an orbit which leaves and comes back within one step is
- *  detected if it is outside by more than jlt_locate_noise, or a condition is negative by more than rounding. */
+ *  Both are functions that are positive inside. At the ends of steps they are evaluated. Within a step they are looked
+ *  at as loss.h says, so that an orbit which leaves and comes back within one step is detected if it is outside by more than
+ *  jlt_locate_noise, or a condition is negative by more than rounding. */
 #ifndef JLT_INTEGRATE_EDGE_H
 #define JLT_INTEGRATE_EDGE_H
 
@@ -11,22 +11,9 @@
 /** Find where in the last step the orbit is outside for the first time, as far as the polynomial tells. Out: *theta, 1 where only
  *  the end of the step is known to be outside, INFINITY when the orbit stays inside.
  *  Cost: that of jlt_stepper_dense where the step comes so near to an end that its variation does not exclude it; of conditions,
- *  four evaluations of their values, and six more where these vary by more than the least of them; by methods without nodes
- *  (method.h) two of values and gradients; and 13 of values where that does not tell. Errors: those of
+ *  that of jlt_loss_first. Errors: those of
  *  jlt_stepper_dense and of partial steps. */
 JLT_CHECKED jlt_status jlt_edge_left(double *theta, jlt_stepper *stepper);
-
-/** Find the first zero within the last step of an event's function that has the sign `side` at its start. In/out: *theta, replaced
- *  by that of the zero if that is smaller. Errors and cost: as jlt_edge_left. */
-JLT_CHECKED jlt_status jlt_edge_first_zero(double *theta, jlt_stepper *stepper, const jlt_event *event, int side);
-
-/** As jlt_edge_left, for the function of an event that is positive at both ends of the step. In/out: *theta, replaced by the first
- *  theta at which the function is not positive, if that is smaller. Errors: as jlt_edge_left. */
-JLT_CHECKED jlt_status jlt_edge_first_loss(double *theta, jlt_stepper *stepper, const jlt_event *event);
-
-/** The least value of such a function from theta on, until it rises again, on the polynomial of the last step; call
- *  jlt_stepper_dense before. Cost: at most 145 values of the function. */
-jlt_event_least jlt_edge_least_after(const jlt_stepper *stepper, const jlt_event *event, double theta);
 
 /** Whether the stepper's point is outside the domain. */
 bool jlt_edge_is_outside(const jlt_stepper *stepper);

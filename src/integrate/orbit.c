@@ -8,6 +8,7 @@
 #include "core/memory.h"
 #include "integrate/edge.h"
 #include "integrate/locate.h"
+#include "integrate/loss.h"
 #include "integrate/pole.h"
 #include "integrate/step_control.h"
 #include "integrate/watch.h"
@@ -110,9 +111,9 @@ const jlt_stepper *jlt_orbit_stepper(const jlt_orbit *self)
 jlt_status jlt_orbit_loss(jlt_orbit *self, double *theta, jlt_event_least *least, const jlt_event *event)
 {
     *theta = INFINITY;
-    const jlt_status st = jlt_edge_first_loss(theta, self->stepper, event);
+    const jlt_status st = jlt_loss_first(theta, self->stepper, event);
     if (st != JLT_OK || !(*theta <= 1)) return st;
-    *least = jlt_edge_least_after(self->stepper, event, *theta);
+    *least = jlt_loss_least(self->stepper, event, *theta);
     if (!(least->value <= 0)) *theta = INFINITY; /* the polynomial of values that are not all finite tells nothing */
     return st;
 }
@@ -123,14 +124,14 @@ jlt_event_least jlt_orbit_least(jlt_orbit *self, const jlt_event *event)
     const jlt_event_least ends = end < start ? (jlt_event_least){ end, 1 } : (jlt_event_least){ start, 0 };
 
     if (jlt_stepper_dense(self->stepper) != JLT_OK) return ends;
-    const jlt_event_least within = jlt_edge_least_after(self->stepper, event, 0);
+    const jlt_event_least within = jlt_loss_least(self->stepper, event, 0);
     return within.value < ends.value ? within : ends;
 }
 
 jlt_status jlt_orbit_zero(jlt_orbit *self, double *theta, const jlt_event *event)
 {
     *theta = INFINITY;
-    return jlt_edge_first_zero(theta, self->stepper, event, 1);
+    return jlt_loss_zero(theta, self->stepper, event, 1);
 }
 
 void jlt_orbit_drift(const jlt_orbit *self, double *drift)

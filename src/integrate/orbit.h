@@ -102,7 +102,7 @@ const jlt_stepper *jlt_orbit_stepper(const jlt_orbit *self); /* the point now, t
 
 /** Find where in the last step the function of an event, positive at both ends of it, first comes to zero. Out: *theta, in [0, 1],
  *  or INFINITY: nowhere; else *least, its least value from there on until it rises again, and jlt_stepper_values may be called.
- *  Errors and cost: those of jlt_edge_first_loss, jlt_edge_least_after (edge.h). */
+ *  Errors and cost: those of jlt_loss_first, jlt_loss_least (loss.h). */
 JLT_CHECKED jlt_status jlt_orbit_loss(jlt_orbit *self, double *theta, jlt_event_least *least, const jlt_event *event);
 
 /** The least value of an event's function in the last step, from its start on until it rises again, and at its end. The step's

@@ -247,10 +247,28 @@ for condition in '(1 - x)^3' '(1 - x)^5' '1/(1 - x)^3' '(1 - x)*(2 - y)'; do
         ends "$condition by $method" rows.csv 1 1 2e-12
     done
 done
+# Of so high an order that the polynomial has zeros of its own: approaches end by their number, 30; and a condition that only fades.
+printf 'model high\nstate x\neq x = 1\ndomain high : 1/(1 - x)^31 > 0\n' > high.tt
+printf 'model fades\nstate x\neq x = 1\ndomain high : 1/(1 + x)^33 > 0\n' > fades.tt
+for method in $methods; do
+    jellett simulate ./high.tt --start x=0 --times 2 --method "$method" > rows.csv 2> err
+    ends "a pole of order 31 by $method" rows.csv 1 1 1e-9
+    jellett simulate ./fades.tt --start x=0 --times 2 --method "$method" --tol 1e-3 > rows.csv 2> err ||
+        fail "what fades ends an orbit by $method: $(cat err)"
+done
 # A 'valid' one is lost at 1, to the ten digits that are said.
-sed 's/^domain/valid/; s/: .* >/: (1 - x)^3 >/' high.tt > lost.tt
+printf 'model lost\nstate x\nstate y\neq x = 1\neq y = -y\nvalid high : (1 - x)^3 > 0\n' > lost.tt
 for method in $methods; do
     jellett simulate ./lost.tt --start x=0,y=1 --times 2 --method "$method" > rows.csv 2> err
     says "a loss of third order by $method" 'high is lost at t = 1 ('
+done
+# A dip about a zero of high order, cos t < 1/5 and cos t < 3/10 from arccos on: no polynomial of degree 12 shows it on a long step.
+printf 'model slit\nstate x\nstate y\neq x = y\neq y = -x\ndomain apart : x^16 - (1/5)^16 > 0\n' > slit.tt
+sed 's/^domain/valid/; s/: .*/: x^20 - (3\/10)^20 > 0/' slit.tt > narrow.tt
+for method in $methods; do
+    jellett simulate ./slit.tt --start x=1,y=0 --times 2.5 --method "$method" > rows.csv 2> err
+    ends "a slit by $method" rows.csv 1 1.3694384060045657 1e-11
+    jellett simulate ./narrow.tt --start x=1,y=0 --times 2.5 --method "$method" > rows.csv 2> err
+    says "a narrow slit by $method" 'apart is lost at t = 1.266103673 ('
 done
 exit $status

@@ -1,0 +1,26 @@
+/** Where within the last step a function of the state comes to zero, or loses its sign and gets it back.
+ *
+ *  At the ends of the step, and where a method has been between, its values are those of the function. Elsewhere it is a polynomial
+ *  through 13 values, all of whose zeros are isolated as those of events are (event.h). Values of the function itself correct both
+ *  where the polynomial is not as sharp: at zeros of higher order and beside poles. */
+#ifndef JLT_INTEGRATE_LOSS_H
+#define JLT_INTEGRATE_LOSS_H
+
+#include "integrate/event.h"
+
+/** Find the first zero within the last step of an event's function that has the sign `side` at its start. In/out: *theta, replaced
+ *  by that of the zero if that is smaller. Errors and cost: as jlt_edge_left (edge.h). */
+JLT_CHECKED jlt_status jlt_loss_zero(double *theta, jlt_stepper *stepper, const jlt_event *event, int side);
+
+/** As jlt_loss_zero, for the function of an event that is positive at both ends of the step. In/out: *theta, replaced by the first
+ *  theta at which the function is not positive, if that is smaller. Errors: as jlt_stepper_dense.
+ *  Cost: four values of the function, and six more where it varies by more than the least of them; by methods without nodes
+ *  (method.h) two of values and slopes; and where that does not tell, jlt_stepper_dense and 30 of values; or
+ *  175 if the polynomial has a zero that the function has not. */
+JLT_CHECKED jlt_status jlt_loss_first(double *theta, jlt_stepper *stepper, const jlt_event *event);
+
+/** The least value of such a function from theta on, until it rises again, on the polynomial of the last step; call
+ *  jlt_stepper_dense before. Cost: at most 145 values of the function. */
+jlt_event_least jlt_loss_least(const jlt_stepper *stepper, const jlt_event *event, double theta);
+
+#endif
