@@ -254,25 +254,23 @@ static void require_minor(ttc_task *task, const ttc_model *target, const leaf_im
     free(moves);
 }
 
-/* Returns true if the leaf is known to be a component of the common zeros of the levels: if it has codimension 1 or less, or if the
- * gradients of the levels on it have its codimension as their rank. */
-static bool is_component(ttc_task *task, size_t codimension)
+/* The rank of the gradients of the levels on the leaf. */
+static size_t rank_of_levels(ttc_task *task)
 {
     const ttc_claim *claim = task->claim;
     const size_t n = task->model->state_count;
     ttc_ratio minor;
-    if (codimension <= 1) return true;
     ttc_ratio *matrix = ttc_task_ratios(task, claim->modulo_count * n);
-    if (matrix == NULL) return false;
+    if (matrix == NULL) return 0;
     ttc_ratio_init(task->ring, &minor);
     for (size_t i = 0; i < claim->modulo_count; i++)
         for (size_t j = 0; j < n; j++)
             ttc_evaluate(task->field, &matrix[i * n + j],
                          ttc_derive_state(task->model, task->model->claims[claim->modulo[i]].expression, j));
-    const bool result = rank_of(task, matrix, claim->modulo_count, n, &minor) == codimension;
+    const size_t rank = rank_of(task, matrix, claim->modulo_count, n, &minor);
     ttc_ratio_clear(task->ring, &minor);
     ttc_task_free(task, matrix, claim->modulo_count * n);
-    return result;
+    return rank;
 }
 
 /* Returns true if a point is found at which the minor, unless NULL, and all square roots by which the levels were solved are
@@ -290,8 +288,9 @@ static bool has_dimension(ttc_task *task, const ttc_ratio *minor)
 }
 
 /* For a reduction, the images of the leaf's states at fixed values of the target's parameters must have the target's dimension; for
- * an embedding, the images must have the leaf's dimension. A leaf whose codimension exceeds the number of levels is no component:
- * its points are limits of points of other leaves, and so are their images. */
+ * an embedding, the images must have the leaf's dimension. A leaf whose codimension exceeds the number of levels is no component.
+ * If the levels' gradients are independent on it, its points are limits of points of other leaves, and so are their images; if not,
+ * real points may be limits of complex ones alone, as those of x = z = 0 are on x^2 y = z^4 where y < 0. */
 static void require_dimension(ttc_task *task, const ttc_model *target, const leaf_image *image)
 {
     const bool onto = task->claim->kind == TTC_CLAIM_REDUCTION;
@@ -301,10 +300,11 @@ static void require_dimension(ttc_task *task, const ttc_model *target, const lea
     const size_t dimension = image->tangent.columns - cut, codimension = task->model->state_count - dimension;
     const size_t fixed = onto ? rank_with(task, image, false, true, NULL, &minor) : cut;
     const size_t found = rank_with(task, image, true, true, NULL, &minor) - fixed, wanted = onto ? target->state_count : dimension;
-    if (!ttc_task_open(task) || codimension > task->claim->modulo_count) goto done;
+    const size_t levels = task->claim->modulo_count;
+    if (!ttc_task_open(task) || (codimension > levels && (found == wanted || rank_of_levels(task) == levels))) goto done;
     if (found != wanted) {
-        /* An embedding is refuted only if the real points of the leaf are known to have the leaf's dimension. */
-        if (is_component(task, codimension) && (onto || has_dimension(task, NULL)))
+        /* Refuted only if the leaf is known to be a component, and an embedding only if its real points have its dimension. */
+        if ((codimension <= 1 || rank_of_levels(task) == codimension) && (onto || has_dimension(task, NULL)))
             ttc_task_refute(task, NULL, "the image has dimension %zu, and %s has %zu%s", found,
                             onto ? target->name : task->model->name, wanted,
                             onto || codimension == 0 ? " states" : " on the level");
