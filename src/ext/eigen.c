@@ -117,59 +117,61 @@ done:
     return st;
 }
 
+typedef struct {
+    gsl_matrix *u, *v; /* (rows or columns, whichever is more; columns) and (columns, columns) */
+    gsl_vector *s;     /* (columns,), from the largest down */
+} decomposition;
+
+static void clear(decomposition *self)
+{
+    gsl_vector_free(self->s);
+    gsl_matrix_free(self->v);
+    gsl_matrix_free(self->u);
+}
+
+/* Decompose a, shape (rows, columns), by its singular values. GSL needs rows >= columns: appended zero rows change neither these
+ * nor the residual of a system, nor its shortest solution. On failure *out holds nothing. */
+static jlt_status decompose(decomposition *out, const double *a, size_t rows, size_t columns)
+{
+    jlt_status st = JLT_ERR_NOMEM;
+
+    jlt_gsl_quiet();
+    *out = (decomposition){ gsl_matrix_calloc(rows > columns ? rows : columns, columns), gsl_matrix_alloc(columns, columns),
+                            gsl_vector_alloc(columns) };
+    if (out->u == NULL || out->v == NULL || out->s == NULL) goto done;
+    memcpy(out->u->data, a, rows * columns * sizeof *a);
+    st = status_of(gsl_linalg_SV_decomp_jacobi(out->u, out->v, out->s));
+done:
+    if (st != JLT_OK) clear(out);
+    return st;
+}
+
 jlt_status jlt_eigen_least_squares(double *z, const double *a, const double *b, size_t rows, size_t columns, double cutoff)
 {
-    /* GSL needs rows >= columns. Appended zero rows change neither the residual nor the shortest solution. */
-    const size_t tall = rows > columns ? rows : columns;
-    jlt_status st = JLT_ERR_NOMEM;
-    gsl_matrix *u = NULL, *v = NULL;
-    gsl_vector *s = NULL;
-    double largest;
+    decomposition of_a;
 
     if (columns == 0) return JLT_OK;
     if (!all_finite(a, rows * columns) || !all_finite(b, rows)) return JLT_ERR_NONFINITE;
-    jlt_gsl_quiet();
-    u = gsl_matrix_calloc(tall, columns);
-    v = gsl_matrix_alloc(columns, columns);
-    s = gsl_vector_alloc(columns);
-    if (u == NULL || v == NULL || s == NULL) goto done;
-    memcpy(u->data, a, rows * columns * sizeof *a);
-    JLT_TRY(status_of(gsl_linalg_SV_decomp_jacobi(u, v, s)));
-    largest = gsl_vector_get(s, 0);
+    JLT_PASS(decompose(&of_a, a, rows, columns));
     for (size_t j = 0; j < columns; j++) z[j] = 0.0;
     for (size_t k = 0; k < columns; k++) {
-        const double singular = gsl_vector_get(s, k);
+        const double singular = gsl_vector_get(of_a.s, k);
         double along = 0.0;
-        if (!(singular > cutoff * largest)) continue;
-        for (size_t i = 0; i < rows; i++) along += gsl_matrix_get(u, i, k) * b[i];
-        for (size_t j = 0; j < columns; j++) z[j] += gsl_matrix_get(v, j, k) * (along / singular);
+        if (!(singular > cutoff * gsl_vector_get(of_a.s, 0))) continue;
+        for (size_t i = 0; i < rows; i++) along += gsl_matrix_get(of_a.u, i, k) * b[i];
+        for (size_t j = 0; j < columns; j++) z[j] += gsl_matrix_get(of_a.v, j, k) * (along / singular);
     }
-    if (!all_finite(z, columns)) st = JLT_ERR_NONFINITE;
-done:
-    gsl_vector_free(s);
-    gsl_matrix_free(v);
-    gsl_matrix_free(u);
-    return st;
+    clear(&of_a);
+    return all_finite(z, columns) ? JLT_OK : JLT_ERR_NONFINITE;
 }
 
 jlt_status jlt_eigen_norm(double *norm, const double *a, size_t n)
 {
-    jlt_status st = JLT_ERR_NOMEM;
-    gsl_matrix *u = NULL, *v = NULL;
-    gsl_vector *s = NULL;
+    decomposition of_a;
 
     if (!all_finite(a, n * n)) return JLT_ERR_NONFINITE;
-    jlt_gsl_quiet();
-    u = gsl_matrix_alloc(n, n);
-    v = gsl_matrix_alloc(n, n);
-    s = gsl_vector_alloc(n);
-    if (u == NULL || v == NULL || s == NULL) goto done;
-    memcpy(u->data, a, n * n * sizeof *a);
-    JLT_TRY(status_of(gsl_linalg_SV_decomp_jacobi(u, v, s)));
-    *norm = gsl_vector_get(s, 0);
-done:
-    gsl_vector_free(s);
-    gsl_matrix_free(v);
-    gsl_matrix_free(u);
-    return st;
+    JLT_PASS(decompose(&of_a, a, n, n));
+    *norm = gsl_vector_get(of_a.s, 0);
+    clear(&of_a);
+    return JLT_OK;
 }
