@@ -12,7 +12,7 @@ fail() { echo "$*"; status=1; }
 cat > small.scene << 'END'
 levels = { G = -0.56; };
 accuracy = { tolerance = 1e-10; };
-compute = ( { what = "fates"; grid = "12x8"; returns = 60; sweep = { a3 = (0.1, 0.7, 9); E = (0.8, 4, 8); }; } );
+compute = ( { what = "fates"; grid = "36x24"; returns = 120; sweep = { a3 = (0.1, 0.7, 9); E = (0.8, 4, 8); }; } );
 END
 jellett sweep small.scene --into=one --shard=1/1 2> log || { cat log; exit 1; }
 for kind in csv npy sqlite; do jellett merge one -o one.$kind; done
@@ -37,7 +37,7 @@ lock = struct.pack("hhqqi4x", fcntl.F_WRLCK, 0, 0, 0, 0)
 print(struct.unpack("hhqqi4x", fcntl.fcntl(open(sys.argv[1], "r+"), fcntl.F_GETLK, lock))[4])
 END
 )
-    kill -9 "$rank" || fail "rank 2 of 4 was not there to be killed"
+    [ "$rank" -gt 1 ] && kill -9 "$rank" || fail "rank 2 of 4 was not there to be killed" # 0: this test and all about it
     wait
     for i in 1 3 4; do grep -q "$i-of-4.shard has its" log ||
         { fail "a rank was killed, and shard $i is not whole:"; cat log; }; done
