@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 enum { DRAWS_A_POINT = 12, WIDE_DRAWS = 6, DRAWS_BEFORE_GIVING_UP = 120, POINTS_THAT_TELL = 16, DIGITS = 18 };
 
@@ -16,6 +17,7 @@ typedef struct {
     ttc_check check;
     size_t held, violated;
     bool wants_witness, has_witness;
+    double begun; /* processor time */
 } trial;
 
 /* "WHAT at NAME = VALUE ..." with all parameters and states, for free(). */
@@ -57,34 +59,44 @@ static ttc_check_outcome try_point(trial *t)
     return TTC_UNDEFINED;
 }
 
-/* Try `count` points; give up after too many draws in a row that decide nothing. */
-static void run(trial *t, size_t count, ttc_challenge_result *result)
+/* Draw until a point decides. Returns false if no draw did. */
+static bool find_point(trial *t, bool special, size_t *barren, ttc_check_outcome *outcome)
 {
-    size_t barren = 0;
-    while (result->tried + result->skipped < count) {
-        ttc_check_outcome outcome = TTC_UNDEFINED;
-        for (int draw = 0; draw < DRAWS_A_POINT && outcome == TTC_UNDEFINED && barren < DRAWS_BEFORE_GIVING_UP; draw++) {
-            ttc_sample_range range = draw < WIDE_DRAWS ? TTC_SAMPLE_WIDE : TTC_SAMPLE_MODERATE;
-            if (!ttc_random_point_draw(&t->point, &t->subject.situation, &t->check.random, range)) {
-                barren = DRAWS_BEFORE_GIVING_UP;
-                break;
-            }
-            outcome = try_point(t);
-            barren = outcome == TTC_UNDEFINED ? barren + 1 : 0;
-        }
-        if (outcome == TTC_UNDEFINED) {
-            result->skipped++;
-            if (barren < DRAWS_BEFORE_GIVING_UP) continue;
-            result->skipped = count - result->tried;
+    *outcome = TTC_UNDEFINED;
+    for (int draw = 0; draw < DRAWS_A_POINT && *outcome == TTC_UNDEFINED && *barren < DRAWS_BEFORE_GIVING_UP; draw++) {
+        const ttc_sample_range range = special ? TTC_SAMPLE_SPECIAL : draw < WIDE_DRAWS ? TTC_SAMPLE_WIDE : TTC_SAMPLE_MODERATE;
+        if (!ttc_random_point_draw(&t->point, &t->subject.situation, &t->check.random, range)) {
+            *barren = DRAWS_BEFORE_GIVING_UP;
             break;
         }
-        result->tried++;
+        *outcome = try_point(t);
+        *barren = *outcome == TTC_UNDEFINED ? *barren + 1 : 0;
+    }
+    return *outcome != TTC_UNDEFINED;
+}
+
+static double processor_seconds(void) { return (double)clock() / CLOCKS_PER_SEC; }
+
+static bool is_late(const trial *t, const ttc_challenge_extent *extent)
+{
+    return extent->seconds > 0 && processor_seconds() - t->begun > extent->seconds;
+}
+
+/* Try so many points; give up after too many draws in a row that decide nothing. Returns how many points decided. */
+static size_t run(trial *t, const ttc_challenge_extent *extent, bool special, ttc_proof_status status)
+{
+    size_t barren = 0, tried = 0;
+    for (size_t i = 0; i < extent->points && barren < DRAWS_BEFORE_GIVING_UP && !is_late(t, extent); i++) {
+        ttc_check_outcome outcome;
+        if (!find_point(t, special, &barren, &outcome)) continue;
+        tried++;
         t->held += outcome == TTC_HOLDS;
         t->violated += outcome == TTC_VIOLATED;
         t->wants_witness = t->wants_witness || t->check.wants_witness;
         if (outcome == TTC_HOLDS) t->has_witness = t->has_witness || t->check.has_witness;
-        if (outcome == TTC_VIOLATED && result->status == TTC_PROVED) break;
+        if (outcome == TTC_VIOLATED && status == TTC_PROVED) break;
     }
+    return tried;
 }
 
 static void contradict(trial *t, ttc_challenge_result *result, const char *what)
@@ -111,18 +123,19 @@ static void judge(trial *t, ttc_challenge_result *result)
     }
 }
 
-/* Returns false when memory is out. */
-static bool challenge_one(const ttc_model *model, ttc_resolver resolver, void *context, size_t points, uint64_t seed,
-                          ttc_challenge_result *result)
+bool ttc_challenge_proof(const ttc_model *model, const ttc_proof *proof, ttc_resolver resolver, void *context,
+                         const ttc_challenge_extent *extent, ttc_challenge_result *result)
 {
-    trial t = { .check = { .model = model } };
+    trial t = { .check = { .model = model }, .begun = processor_seconds() };
     ttc_diagnostics *diagnostics = NULL;
     ttc_model *target = NULL;
     bool ok = false;
+    *result = (ttc_challenge_result){ .kind = proof->kind, .name = proof->name, .place = proof->place, .status = proof->status };
+    if (proof->status != TTC_PROVED && proof->status != TTC_REFUTED) return true;
     if (!ttc_subject_find(&t.subject, model, result->kind, result->name, result->place)) return true;
     t.check.claim = t.subject.claim;
     t.check.index = t.subject.index;
-    t.check.random.state = seed;
+    t.check.random.state = extent->seed;
     t.check.probe = ttc_probe_create(model);
     if (t.check.probe == NULL || !ttc_random_point_init(&t.point, &t.subject.situation)) goto done;
     if (t.subject.claim != NULL && t.subject.claim->target != NULL && resolver != NULL) {
@@ -133,7 +146,12 @@ static bool challenge_one(const ttc_model *model, ttc_resolver resolver, void *c
         t.check.target_probe = target != NULL ? ttc_probe_create(target) : NULL;
         if (target != NULL && t.check.target_probe == NULL) goto done;
     }
-    run(&t, points, result);
+    result->tried = run(&t, extent, false, result->status);
+    if (t.violated == 0 || result->status != TTC_PROVED) {
+        result->skipped = extent->points - result->tried;
+        result->special = run(&t, extent, true, result->status);
+    }
+    result->violated = t.violated > 0;
     judge(&t, result);
     ok = true;
 done:
@@ -145,35 +163,29 @@ done:
     return ok;
 }
 
-bool ttc_challenge(const ttc_model *model, const ttc_proof_report *proofs, ttc_resolver resolver, void *context, size_t points,
-                   uint64_t seed, ttc_challenge_report **report)
+bool ttc_challenge(const ttc_model *model, const ttc_proof_report *proofs, ttc_resolver resolver, void *context,
+                   const ttc_challenge_extent *extent, ttc_challenge_report **report)
 {
     *report = NULL;
     ttc_challenge_report *made = calloc(1, sizeof *made);
     if (made == NULL) return false;
     made->results = calloc(proofs->proof_count + 1, sizeof *made->results);
-    for (size_t i = 0; made->results != NULL && i < proofs->proof_count; i++) {
-        const ttc_proof *proof = &proofs->proofs[i];
+    bool ok = made->results != NULL;
+    for (size_t i = 0; ok && i < proofs->proof_count; i++) {
+        ttc_challenge_extent own = *extent;
         ttc_challenge_result *result = &made->results[made->count];
-        *result = (ttc_challenge_result){ .kind = proof->kind, .name = proof->name, .place = proof->place,
-                                          .status = proof->status };
-        if (proof->status != TTC_PROVED && proof->status != TTC_REFUTED) continue;
-        if (!challenge_one(model, resolver, context, points, seed + UINT64_C(0x100000001b3) * (i + 1), result)) {
-            ttc_challenge_report_destroy(made);
-            return false;
-        }
-        if (result->tried + result->skipped == 0) continue;
+        own.seed += UINT64_C(0x100000001b3) * (i + 1);
+        ok = ttc_challenge_proof(model, &proofs->proofs[i], resolver, context, &own, result);
+        if (!ok || result->tried + result->special + result->skipped == 0) continue;
         made->count++;
         made->tried += result->tried;
+        made->special += result->special;
         made->skipped += result->skipped;
         made->contradictions += result->contradicted;
     }
-    if (made->results == NULL) {
-        free(made);
-        return false;
-    }
-    *report = made;
-    return true;
+    if (ok) *report = made;
+    else ttc_challenge_report_destroy(made);
+    return ok;
 }
 
 void ttc_challenge_report_destroy(ttc_challenge_report *report)

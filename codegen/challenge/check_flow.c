@@ -1,5 +1,8 @@
 /* Checks claims about the flow, at one point. */
 #include "challenge/check.h"
+#include "challenge/series.h"
+
+enum { SERIES_ORDER = 8 };
 
 static void require_rate_zero(ttc_check *check, ttc_id id)
 {
@@ -45,8 +48,20 @@ void ttc_check_integral(ttc_check *check)
     for (size_t k = 0; jet != NULL && k < check->model->state_count; k++) ttc_check_witness(check, jet + 1 + k);
 }
 
-/* The point was solved to lie on the claim's own zero level. */
-void ttc_check_invariant(ttc_check *check) { require_rate_zero(check, check->claim->expression); }
+/* The point lies on the claim's own zero level. Where this is singular, the rate is zero whatever the field: there no coefficient
+ * of its series along the orbit may exclude zero. */
+void ttc_check_invariant(ttc_check *check)
+{
+    arb_srcptr jet = ttc_check_at(check, check->claim->expression);
+    require_rate_zero(check, check->claim->expression);
+    if (jet == NULL || !_arb_vec_is_zero(jet + 1, (long)check->model->state_count)) return;
+    arb_ptr series = _arb_vec_init(SERIES_ORDER + 1);
+    if (ttc_series_along(check->probe, check->model, check->claim->expression, SERIES_ORDER, series))
+        for (long k = 2; k <= SERIES_ORDER; k++) ttc_check_zero(check, series + k, "a coefficient along the orbit of", check->claim->name);
+    else
+        ttc_check_undefined(check);
+    _arb_vec_clear(series, SERIES_ORDER + 1);
+}
 
 void ttc_check_rate_claim(ttc_check *check)
 {

@@ -1,4 +1,4 @@
-/* Finds points on zero levels: Newton's method for as many symbols as levels, then Krawczyk's test that the balls around the
+/* Finds points on zero levels, which the numbers drawn may lie on already: Newton's method for as many symbols as levels, then Krawczyk's test that the balls around the
  * result contain a solution. */
 #include "challenge/random_point.h"
 
@@ -8,7 +8,7 @@
 #include <arb_mat.h>
 #endif
 
-enum { ITERATIONS = 60 };
+enum { ITERATIONS = 60, FEW_BITS = 16 };
 
 typedef struct {
     ttc_probe *probe;
@@ -24,7 +24,7 @@ static bool evaluate(solver *s)
     const size_t spare = 1 + s->situation->model->state_count;
     if (!ttc_random_point_set(s->probe, s->point, s->situation, s->precision, arb_mat_entry(s->x, 0, 0))) return false;
     for (long i = 0; i < s->n; i++) {
-        arb_srcptr jet = ttc_probe_at(s->probe, s->situation->levels[i]);
+        arb_srcptr jet = ttc_probe_at(s->probe, s->point->levels[i]);
         if (jet == NULL) return false;
         arb_set(arb_mat_entry(s->value, i, 0), jet);
         for (long j = 0; j < s->n; j++) arb_set(arb_mat_entry(s->slope, i, j), jet + spare + (size_t)j);
@@ -133,6 +133,42 @@ static bool krawczyk(solver *s)
     return inside;
 }
 
+static bool are_zero(ttc_probe *probe, const ttc_id *levels, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        arb_srcptr value = ttc_probe_at(probe, levels[i]);
+        if (value == NULL || !arb_is_zero(value)) return false;
+    }
+    return true;
+}
+
+/* Whether the numbers, with these pivots, lie on all levels exactly. */
+static bool is_exact(const solver *s, arb_srcptr pivots)
+{
+    return ttc_random_point_set(s->probe, s->point, s->situation, s->precision, pivots)
+           && are_zero(s->probe, s->point->levels, s->point->level_count)
+           && are_zero(s->probe, s->situation->levels, s->situation->level_count);
+}
+
+/* Whether the solution is one of few digits: the nearest of these lies on all levels. */
+static bool is_exact_rounded(const solver *s)
+{
+    arb_ptr rounded = _arb_vec_init(s->n);
+    arf_t nearest;
+    arf_init(nearest);
+    for (long i = 0; i < s->n; i++) {
+        arf_mul_2exp_si(nearest, arb_midref(arb_mat_entry(s->x, i, 0)), FEW_BITS + 1);
+        arf_add_ui(nearest, nearest, 1, s->precision, ARF_RND_NEAR);
+        arf_mul_2exp_si(nearest, nearest, -1);
+        arf_floor(nearest, nearest);
+        arf_mul_2exp_si(arb_midref(rounded + i), nearest, -FEW_BITS);
+    }
+    const bool exact = is_exact(s, rounded);
+    arf_clear(nearest);
+    _arb_vec_clear(rounded, s->n);
+    return exact;
+}
+
 bool ttc_level_meet(ttc_probe *probe, const ttc_random_point *point, const ttc_situation *situation, long precision)
 {
     solver s;
@@ -140,13 +176,14 @@ bool ttc_level_meet(ttc_probe *probe, const ttc_random_point *point, const ttc_s
     s.point = point;
     s.situation = situation;
     s.precision = precision;
-    s.n = (long)situation->level_count;
+    s.n = (long)point->level_count;
+    if (is_exact(&s, NULL)) return true;
     arb_mat_init(s.x, s.n, 1);
     arb_mat_init(s.step, s.n, 1);
     arb_mat_init(s.value, s.n, 1);
     arb_mat_init(s.slope, s.n, s.n);
     arb_mat_init(s.inverse, s.n, s.n);
-    bool met = begin(&s) && newton(&s) && krawczyk(&s);
+    const bool met = begin(&s) && newton(&s) && (is_exact_rounded(&s) || (point->solves_levels && krawczyk(&s)));
     arb_mat_clear(s.inverse);
     arb_mat_clear(s.slope);
     arb_mat_clear(s.value);

@@ -16,6 +16,37 @@ static unsigned char *used_definitions(const ttc_situation *situation)
     return used;
 }
 
+static bool may_vanish(const ttc_model *model, ttc_id id)
+{
+    if (ttc_kind_of(model->graph, id) == TTC_SUM) return true;
+    if (ttc_kind_of(model->graph, id) != TTC_SYMBOL) return false;
+    const ttc_symbol_kind kind = model->symbols[ttc_symbol_of(model->graph, id)].kind;
+    return kind == TTC_COSINE || kind == TTC_SINE;
+}
+
+/* The last node that the table made; the prover adds others, of symbols that the model does not know. */
+static ttc_id last_node(const ttc_model *model)
+{
+    ttc_id last = TTC_NONE;
+    for (size_t i = 0; i < model->symbol_count; i++)
+        if (model->symbols[i].node > last) last = model->symbols[i].node;
+    for (size_t i = 0; i < model->state_count; i++)
+        if (ttc_model_field(model, i) > last) last = ttc_model_field(model, i);
+    for (size_t i = 0; i < model->claim_count; i++) {
+        if (model->claims[i].expression > last) last = model->claims[i].expression;
+        if (model->claims[i].other > last) last = model->claims[i].other;
+    }
+    return last;
+}
+
+static void list_sums(ttc_random_point *point, const ttc_model *model)
+{
+    const ttc_id last = last_node(model);
+    point->sums = malloc((last + 1) * sizeof *point->sums);
+    for (ttc_id id = 1; point->sums != NULL && id <= last; id++)
+        if (may_vanish(model, id)) point->sums[point->sum_count++] = id;
+}
+
 bool ttc_random_point_init(ttc_random_point *point, const ttc_situation *situation)
 {
     size_t count = situation->model->symbol_count;
@@ -23,10 +54,12 @@ bool ttc_random_point_init(ttc_random_point *point, const ttc_situation *situati
     point->numbers = malloc((count + 1) * sizeof *point->numbers);
     point->bound = calloc(count + 1, 1);
     point->used = used_definitions(situation);
-    if (point->numbers == NULL || point->bound == NULL || point->used == NULL) {
+    list_sums(point, situation->model);
+    if (point->numbers == NULL || point->bound == NULL || point->used == NULL || point->sums == NULL) {
         free(point->numbers);
         free(point->bound);
         free(point->used);
+        free(point->sums);
         *point = (ttc_random_point){ 0 };
         return false;
     }
@@ -43,6 +76,7 @@ void ttc_random_point_clear(ttc_random_point *point)
     free(point->numbers);
     free(point->bound);
     free(point->used);
+    free(point->sums);
     *point = (ttc_random_point){ 0 };
 }
 
@@ -76,13 +110,12 @@ static void draw_state(fmpq_t out, const ttc_symbol_entry *entry, ttc_random *ra
 }
 
 /* Free symbols on which the levels depend, states three times out of four. */
-static bool choose_pivots(ttc_random_point *point, const ttc_situation *situation, ttc_random *random)
+static bool choose_pivots(ttc_random_point *point, const ttc_model *model, ttc_random *random)
 {
-    const ttc_model *model = situation->model;
-    unsigned char *support = ttc_model_support(model, situation->levels, situation->level_count);
+    unsigned char *support = ttc_model_support(model, point->levels, point->level_count);
     size_t chosen = 0;
     if (support == NULL) return false;
-    for (unsigned attempt = 0; chosen < situation->level_count && attempt < 200; attempt++) {
+    for (unsigned attempt = 0; chosen < point->level_count && attempt < 200; attempt++) {
         bool state = ttc_random_below(random, 4) != 0 || model->param_count == 0;
         uint32_t symbol = state ? model->states[ttc_random_below(random, model->state_count)]
                                 : model->params[ttc_random_below(random, model->param_count)];
@@ -91,7 +124,7 @@ static bool choose_pivots(ttc_random_point *point, const ttc_situation *situatio
         point->pivots[chosen++] = symbol;
     }
     free(support);
-    return chosen == situation->level_count;
+    return chosen == point->level_count;
 }
 
 /* Copy one number in eight from an earlier symbol of the same kind, so that differences vanish as well. */
@@ -107,6 +140,17 @@ static void repeat_some(ttc_random_point *point, const ttc_model *model, ttc_ran
     }
 }
 
+/* One time in four a sum is solved for beside the levels, and one time in four in place of them. */
+static void choose_levels(ttc_random_point *point, const ttc_situation *situation, ttc_random *random, ttc_sample_range range)
+{
+    const uint64_t choice = range == TTC_SAMPLE_SPECIAL && point->sum_count > 0 ? ttc_random_below(random, 4) : 3;
+    point->solves_levels = choice > 0 || situation->level_count == 0;
+    point->level_count = point->solves_levels ? situation->level_count : 0;
+    for (size_t i = 0; i < point->level_count; i++) point->levels[i] = situation->levels[i];
+    if (choice < 2 && point->level_count < TTC_PROBE_SPARE)
+        point->levels[point->level_count++] = point->sums[ttc_random_below(random, point->sum_count)];
+}
+
 bool ttc_random_point_draw(ttc_random_point *point, const ttc_situation *situation, ttc_random *random, ttc_sample_range range)
 {
     const ttc_model *model = situation->model;
@@ -117,7 +161,8 @@ bool ttc_random_point_draw(ttc_random_point *point, const ttc_situation *situati
         else draw_state(&point->numbers[i], entry, random, range);
     }
     repeat_some(point, model, random);
-    return situation->level_count == 0 || choose_pivots(point, situation, random);
+    choose_levels(point, situation, random, range);
+    return point->level_count == 0 || choose_pivots(point, model, random);
 }
 
 /* jet = low + t (high - low), low + t or high - t. Returns false if an end has no value yet. */
@@ -187,7 +232,7 @@ static bool set_bound(ttc_probe *probe, const ttc_situation *situation, uint32_t
 
 static void set_pivots(ttc_probe *probe, const ttc_random_point *point, const ttc_situation *situation, arb_srcptr pivots)
 {
-    for (size_t i = 0; pivots != NULL && i < situation->level_count; i++) {
+    for (size_t i = 0; pivots != NULL && i < point->level_count; i++) {
         ttc_probe_set(probe, point->pivots[i], pivots + i);
         ttc_probe_seed(probe, point->pivots[i], situation->model->state_count + i);
     }

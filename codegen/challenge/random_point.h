@@ -1,7 +1,9 @@
 /** Random points of a model's domain that meet a claim's conditions, each enclosed in balls of any precision.
  *
  *  A point is a list of rational numbers, one for each free symbol. What `when` and a family bind is evaluated from them; zero
- *  levels are met by solving for as many symbols, with a proof that the balls contain a solution (Krawczyk's test).
+ *  levels are met by solving for as many symbols, with a proof that the balls contain a solution (Krawczyk's test), or exactly, be
+ *  it where they are singular. Special points lie where a proof that holds at most points may fail: at zeros of quantities, and of
+ *  sums that the table forms.
  *  Source: R. Krawczyk, Computing 4, 1969; A. Neumaier, Interval Methods for Systems of Equations, 5.1. */
 #ifndef TTC_RANDOM_POINT_H
 #define TTC_RANDOM_POINT_H
@@ -28,13 +30,19 @@ typedef struct {
     unsigned char *bound;  /* by symbol: 1 if it is not free */
     unsigned char *used;   /* by symbol: 1 if the domain, the field or the claim uses its definition */
     size_t symbol_count;
+    ttc_id *sums;          /* what special points may make zero: sums, and sines and cosines */
+    size_t sum_count;
+    ttc_id levels[TTC_PROBE_SPARE]; /* what is solved for: the levels of the situation, and a sum beside them or in their place */
+    size_t level_count;
+    bool solves_levels;    /* whether those of the situation are among them */
     uint32_t pivots[TTC_PROBE_SPARE]; /* symbols that are solved for, one for each level */
 } ttc_random_point;
 
 bool ttc_random_point_init(ttc_random_point *point, const ttc_situation *situation); /* false when memory is out */
 void ttc_random_point_clear(ttc_random_point *point); /* legal on a zeroed one */
 
-/* Draw numbers for all free symbols. Returns false if the levels depend on too few of them. */
+/* Draw numbers for all free symbols, and half of the times that they are special, a sum that is to vanish. Returns false if the
+ * levels depend on too few symbols. */
 bool ttc_random_point_draw(ttc_random_point *point, const ttc_situation *situation, ttc_random *random, ttc_sample_range range);
 
 typedef enum { TTC_INSIDE, TTC_OUTSIDE, TTC_UNCLEAR } ttc_place_in_domain;
@@ -50,7 +58,8 @@ ttc_place_in_domain ttc_random_point_place(ttc_probe *probe, const ttc_random_po
 bool ttc_random_point_set(ttc_probe *probe, const ttc_random_point *point, const ttc_situation *situation, long precision,
                    arb_srcptr pivots);
 
-/* Solve for the levels; the probe then encloses the solution. Returns false if none was found. */
+/* Solve for the levels; the probe then encloses the solution. Returns false if none was found, or if it is not shown to lie on all
+ * levels of the situation. */
 bool ttc_level_meet(ttc_probe *probe, const ttc_random_point *point, const ttc_situation *situation, long precision);
 
 /** Where the values of a probe lie in the domain of its own model: signs, intervals, records `domain`, radicands, arguments of

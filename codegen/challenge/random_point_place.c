@@ -39,7 +39,7 @@ static bool divisors_are_not_zero(ttc_probe *probe, const ttc_random_point *poin
 ttc_place_in_domain ttc_random_point_place(ttc_probe *probe, const ttc_random_point *point, const ttc_situation *situation,
                                            long precision, char *fault, size_t fault_size)
 {
-    bool set = situation->level_count == 0 ? ttc_random_point_set(probe, point, situation, precision, NULL)
+    bool set = point->level_count == 0 ? ttc_random_point_set(probe, point, situation, precision, NULL)
                                            : ttc_level_meet(probe, point, situation, precision);
     fault[0] = '\0';
     if (!set) return TTC_OUTSIDE;

@@ -20,6 +20,11 @@ static void scale_by_power_of_two(fmpq_t value, long exponent)
 
 void ttc_sample_positive(fmpq_t out, ttc_random *random, ttc_sample_range range)
 {
+    if (range == TTC_SAMPLE_SPECIAL) {
+        fmpq_one(out);
+        scale_by_power_of_two(out, (long)ttc_random_below(random, 3) - 1);
+        return;
+    }
     switch (ttc_random_below(random, range == TTC_SAMPLE_MODERATE ? 4 : 8)) {
     case 0: fmpq_set_si(out, (slong)(1 + ttc_random_below(random, 4)), 1); break;
     case 1:
@@ -37,14 +42,14 @@ void ttc_sample_any(fmpq_t out, ttc_random *random, ttc_sample_range range)
 {
     uint64_t chance = ttc_random_below(random, 16);
     ttc_sample_positive(out, random, range);
-    if (chance == 0) fmpq_zero(out);
+    if (chance == 0 || (range == TTC_SAMPLE_SPECIAL && chance < 9)) fmpq_zero(out);
     else if (chance % 2 == 0) fmpq_neg(out, out);
 }
 
 void ttc_sample_unit(fmpq_t out, ttc_random *random, ttc_sample_range range)
 {
-    uint64_t kind = range == TTC_SAMPLE_MODERATE ? 0 : ttc_random_below(random, 4);
-    uint64_t denominator = 2 + ttc_random_below(random, kind == 0 ? 12 : 1000000);
+    uint64_t kind = range == TTC_SAMPLE_WIDE ? ttc_random_below(random, 4) : 0;
+    uint64_t denominator = range == TTC_SAMPLE_SPECIAL ? 4 : 2 + ttc_random_below(random, kind == 0 ? 12 : 1000000);
     fmpq_set_si(out, (slong)(1 + ttc_random_below(random, denominator - 1)), denominator);
     if (kind < 2) return;
     scale_by_power_of_two(out, -(long)ttc_random_below(random, FAR));

@@ -12,16 +12,17 @@ typedef struct {
 
 uint64_t ttc_random_below(ttc_random *random, uint64_t bound); /* bound > 0 */
 
-/* How far numbers may lie from 1. Moderate numbers are for domains in which wide ones hardly ever lie. */
-typedef enum { TTC_SAMPLE_WIDE, TTC_SAMPLE_MODERATE } ttc_sample_range;
+/* How far numbers may lie from 1. Moderate numbers are for domains in which wide ones hardly ever lie. Special ones are 1/2, 1 and 2,
+ * and half of those that may be zero are. */
+typedef enum { TTC_SAMPLE_WIDE, TTC_SAMPLE_MODERATE, TTC_SAMPLE_SPECIAL } ttc_sample_range;
 
 /* Positive. Wide ones reach beyond 2^-40 and 2^40; half of them are small fractions. */
 void ttc_sample_positive(fmpq_t out, ttc_random *random, ttc_sample_range range);
 
-/* A number of either sign, zero one time in sixteen. */
+/* A number of either sign, zero one time in sixteen, special ones one time in two. */
 void ttc_sample_any(fmpq_t out, ttc_random *random, ttc_sample_range range);
 
-/* Strictly between 0 and 1; wide ones come nearer than 2^-40 to either end. */
+/* Strictly between 0 and 1; wide ones come nearer than 2^-40 to either end, special ones are quarters. */
 void ttc_sample_unit(fmpq_t out, ttc_random *random, ttc_sample_range range);
 
 #endif

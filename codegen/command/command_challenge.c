@@ -9,18 +9,18 @@ static const char *remark(const ttc_challenge_result *result)
 {
     if (result->contradicted) return ", CONTRADICTED";
     if (result->doubtful) return ", no point shows why";
-    return result->tried == 0 ? ", no point found" : "";
+    return result->tried + result->special == 0 ? ", no point found" : "";
 }
 
 static void print_text(const ttc_model *model, const ttc_challenge_report *report)
 {
     for (size_t i = 0; i < report->count; i++) {
         const ttc_challenge_result *result = &report->results[i];
-        printf("challenged %-8s %-11s %s: %zu points, %zu skipped%s\n", ttc_proof_status_name(result->status), result->kind,
-               result->name, result->tried, result->skipped, remark(result));
+        printf("challenged %-8s %-11s %s: %zu points, %zu special, %zu skipped%s\n", ttc_proof_status_name(result->status),
+               result->kind, result->name, result->tried, result->special, result->skipped, remark(result));
     }
-    printf("%s: %zu verdicts challenged at %zu points, %zu skipped: %zu contradicted\n", model->name, report->count,
-           report->tried, report->skipped, report->contradictions);
+    printf("%s: %zu verdicts challenged at %zu points and %zu special ones, %zu skipped: %zu contradicted\n", model->name,
+           report->count, report->tried, report->special, report->skipped, report->contradictions);
 }
 
 static void put_json(json_t *shown, const ttc_challenge_report *report)
@@ -28,15 +28,17 @@ static void put_json(json_t *shown, const ttc_challenge_report *report)
     json_t *results = json_array();
     for (size_t i = 0; i < report->count; i++) {
         const ttc_challenge_result *result = &report->results[i];
-        json_array_append_new(results, json_pack("{s:s, s:s, s:I, s:I, s:b, s:b, s:s?}", "name", result->name, "kind",
-                                                 result->kind, "tried", (json_int_t)result->tried, "skipped",
-                                                 (json_int_t)result->skipped, "contradicted", (int)result->contradicted,
-                                                 "doubtful", (int)result->doubtful, "point", result->text));
+        json_array_append_new(results, json_pack("{s:s, s:s, s:I, s:I, s:I, s:b, s:b, s:s?}", "name", result->name, "kind",
+                                                 result->kind, "tried", (json_int_t)result->tried, "special",
+                                                 (json_int_t)result->special, "skipped", (json_int_t)result->skipped,
+                                                 "contradicted", (int)result->contradicted, "doubtful",
+                                                 (int)result->doubtful, "point", result->text));
     }
     json_object_set_new(shown, "challenge",
-                        json_pack("{s:o, s:{s:I, s:I, s:I, s:I}}", "claims", results, "totals", "claims",
-                                  (json_int_t)report->count, "tried", (json_int_t)report->tried, "skipped",
-                                  (json_int_t)report->skipped, "contradicted", (json_int_t)report->contradictions));
+                        json_pack("{s:o, s:{s:I, s:I, s:I, s:I, s:I}}", "claims", results, "totals", "claims",
+                                  (json_int_t)report->count, "tried", (json_int_t)report->tried, "special",
+                                  (json_int_t)report->special, "skipped", (json_int_t)report->skipped, "contradicted",
+                                  (json_int_t)report->contradictions));
 }
 
 static void complain(const ttc_model *model, const ttc_challenge_report *report)
@@ -53,7 +55,8 @@ static void complain(const ttc_model *model, const ttc_challenge_report *report)
 int ttc_command_challenge(const ttc_model *model, const ttc_proof_report *proofs, const ttc_options *options, json_t *shown)
 {
     ttc_challenge_report *report = NULL;
-    if (!ttc_challenge(model, proofs, ttc_resolve_beside, NULL, options->challenge, options->seed, &report)) {
+    const ttc_challenge_extent extent = { .points = options->challenge, .seed = options->seed };
+    if (!ttc_challenge(model, proofs, ttc_resolve_beside, NULL, &extent, &report)) {
         fprintf(stderr, "ttc: out of memory while challenging %s\n", model->file);
         return TTC_EXIT_MEMORY;
     }

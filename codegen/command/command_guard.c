@@ -4,6 +4,8 @@
  * a bound. */
 #include "command/command_guard.h"
 
+#include "challenge/challenge.h"
+
 #include <errno.h>
 #include <fcntl.h>
 #include <math.h>
@@ -19,6 +21,7 @@
 #include <unistd.h>
 
 enum { MEMORY_MIB = 1536, PATIENCE = 30, WORDS_SIZE = 200 };
+enum { WITNESS_POINTS = 24, WITNESS_SECONDS = 1, WITNESS_SIZE = 1 << 20 };
 
 #ifdef JLT_SANITIZED
 enum { ADDRESS_SPACE_IS_BOUNDED = 0 };
@@ -30,6 +33,7 @@ enum { ADDRESS_SPACE_IS_BOUNDED = 1 };
 typedef struct {
     size_t index;
     ttc_proof_status status;
+    ttc_proof_ending ending;
     bool has_smooth_density, relies_on_solver;
     double seconds;
     size_t lengths[3];
@@ -75,6 +79,7 @@ static bool send_proof(int descriptor, size_t index, const ttc_proof *proof)
     memset(&m, 0, sizeof m);
     m.index = index;
     m.status = proof->status;
+    m.ending = proof->ending;
     m.has_smooth_density = proof->has_smooth_density;
     m.relies_on_solver = proof->relies_on_solver;
     m.seconds = proof->seconds;
@@ -137,7 +142,7 @@ static read_result receive_proof(int descriptor, ttc_proof_run *run, bool *settl
         for (int i = 0; i < 3; i++) free(texts[i]);
         return result;
     }
-    ttc_proof verdict = { .status = m.status, .remainder = texts[0], .point = texts[1], .note = texts[2],
+    ttc_proof verdict = { .status = m.status, .ending = m.ending, .remainder = texts[0], .point = texts[1], .note = texts[2],
                           .has_smooth_density = m.has_smooth_density, .relies_on_solver = m.relies_on_solver,
                           .seconds = m.seconds };
     ttc_proof_run_accept(run, m.index, &verdict);
@@ -269,6 +274,33 @@ static bool employ(ttc_proof_run *run, bool *settled, int claim_seconds, double 
     return ok;
 }
 
+/* What a witness looks at. */
+typedef struct {
+    const ttc_model *model;
+    ttc_resolver resolver;
+    void *context;
+} witness_context;
+
+/* Points at which a proved claim fails, an error of the prover. None is looked for where the expressions are so large that this would
+ * pass the worker's bounds. */
+static char *challenge(void *context, const ttc_proof *proof)
+{
+    const witness_context *c = context;
+    const ttc_challenge_extent extent = { .points = WITNESS_POINTS, .seed = 1, .seconds = WITNESS_SECONDS };
+    ttc_challenge_result result;
+    char *text = NULL;
+    size_t size;
+    if (ttc_graph_size(c->model->graph) * (c->model->state_count + 1) > WITNESS_SIZE) return NULL;
+    if (!ttc_challenge_proof(c->model, proof, c->resolver, c->context, &extent, &result)) return NULL;
+    FILE *stream = result.violated ? open_memstream(&text, &size) : NULL;
+    if (stream != NULL) {
+        fprintf(stream, "a point contradicts its proof, which is an error of this program: %s", result.text != NULL ? result.text : "");
+        if (fclose(stream) != 0) text = NULL;
+    }
+    free(result.text);
+    return text;
+}
+
 ttc_proof_report *ttc_prove_guarded(const ttc_model *model, int claim_seconds, ttc_resolver resolver, void *context)
 {
     return ttc_prove_some_guarded(model, claim_seconds, NULL, NULL, resolver, context);
@@ -282,6 +314,8 @@ ttc_proof_report *ttc_prove_some_guarded(const ttc_model *model, int claim_secon
     size_t count = run == NULL ? 0 : ttc_proof_run_count(run);
     bool *settled = calloc(count + 1, sizeof *settled), ok = run != NULL && settled != NULL;
     double seconds = table_seconds(claim_seconds);
+    witness_context c = { model, resolver, context };
+    if (ok) ttc_proof_run_set_witness(run, challenge, &c);
     for (size_t i = 0; ok && wanted != NULL && i < count; i++) settled[i] = !wanted(wanted_context, ttc_proof_run_proof(run, i));
     while (ok && first_open(settled, count) < count) {
         if (seconds <= 0) give_up(run, settled, claim_seconds, TTC_ENDED_LATE, 0, "");

@@ -60,6 +60,8 @@ struct ttc_proof_run {
     ttc_proof *proofs; /* by claim; derived ones last */
     bool *begun;
     size_t count;
+    ttc_proof_witness witness; /* or NULL */
+    void *witness_context;
 };
 
 static void clear_proof(ttc_proof *proof)
@@ -141,6 +143,18 @@ static ttc_proof_status verdict_of(void *context, uint32_t claim)
     return run->proofs[claim].status;
 }
 
+static void hear_witness(ttc_proof_run *run, ttc_proof *proof)
+{
+    if (run->witness == NULL || proof->status != TTC_PROVED) return;
+    char *contradiction = run->witness(run->witness_context, proof);
+    if (contradiction == NULL) return;
+    free(proof->remainder);
+    proof->remainder = contradiction;
+    proof->status = TTC_UNSETTLED;
+    proof->ending = TTC_ENDED_BY_FAULT;
+    proof->has_smooth_density = false;
+}
+
 static void prove_task(ttc_proof_run *run, size_t index, ttc_task *task, const char *name, const char *kind, ttc_prover prove)
 {
     ttc_proof *proof = &run->proofs[index];
@@ -160,7 +174,14 @@ static void prove_task(ttc_proof_run *run, size_t index, ttc_task *task, const c
     proof->note = task->note;
     proof->has_smooth_density = task->status == TTC_PROVED && task->has_smooth_density;
     proof->relies_on_solver = task->relies_on_solver && task->status != TTC_REFUTED; /* a refuting point is verified */
+    hear_witness(run, proof);
     proof->seconds = seconds() - start;
+}
+
+void ttc_proof_run_set_witness(ttc_proof_run *run, ttc_proof_witness witness, void *context)
+{
+    run->witness = witness;
+    run->witness_context = context;
 }
 
 void ttc_proof_run_prove(ttc_proof_run *run, size_t index)

@@ -48,6 +48,35 @@ static void hang(void)
 
 static void doze(void) { sleep(SHORT + 1); }
 
+/* Another table each time that one is asked for: the witness reads one that contradicts what is proved of the first. */
+static ttc_model *resolve_otherwise(void *context, const ttc_model *model, const char *target, ttc_diagnostics *diagnostics)
+{
+    static const char *const tables[] = { "model a\nstate x\neq x = -x\n", "model a\nstate x\neq x = x\n" };
+    const char *text = tables[*(int *)context];
+    (void)model;
+    *(int *)context = 1;
+    return ttc_model_parse(text, strlen(text), target, diagnostics);
+}
+
+static void a_proof_that_a_point_contradicts_is_none(void **unused)
+{
+    static const char doubted[] = "model guarded\nstate x\neq x = -x\nreduction a : onto a.tt with x = x\nrate d : x = -x\n";
+    int asked = 0;
+    ttc_diagnostics *diagnostics = ttc_diagnostics_create();
+    ttc_model *model = ttc_model_parse(doubted, strlen(doubted), "guarded.tt", diagnostics);
+    (void)unused;
+    assert_non_null(model);
+    ttc_proof_report *report = ttc_prove_guarded(model, TTC_GUARD_SECONDS, resolve_otherwise, &asked);
+    assert_non_null(report);
+    assert_int_equal(report->proofs[0].status, TTC_UNSETTLED);
+    assert_int_equal(report->proofs[0].ending, TTC_ENDED_BY_FAULT);
+    assert_non_null(strstr(report->proofs[0].remainder, "a point contradicts its proof"));
+    assert_int_equal(report->proofs[1].status, TTC_PROVED);
+    ttc_proof_report_destroy(report);
+    ttc_model_destroy(model);
+    ttc_diagnostics_destroy(diagnostics);
+}
+
 static void late_claims_leave_time_for_others(void **unused)
 {
     static const char late[] = "model guarded\nstate x\neq x = -x\nreduction a : onto a.tt with x = x\n"
@@ -158,6 +187,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_fault_is_no_bound),
+        cmocka_unit_test(a_proof_that_a_point_contradicts_is_none),
         cmocka_unit_test(memory_is_bounded),
         cmocka_unit_test(time_is_bounded),
         cmocka_unit_test(late_claims_leave_time_for_others),

@@ -88,11 +88,12 @@ static void compare(uint64_t seed, const made_table *made, const ttc_proof_repor
 static void challenge(uint64_t seed, const ttc_model *model, made_table *made, const ttc_proof_report *report, tally *sum)
 {
     ttc_challenge_report *challenged = NULL;
-    if (!ttc_challenge(model, report, resolve, made, POINTS, seed, &challenged)) {
+    const ttc_challenge_extent extent = { .points = POINTS, .seed = seed };
+    if (!ttc_challenge(model, report, resolve, made, &extent, &challenged)) {
         sum->failures++;
         return;
     }
-    sum->points = challenged->tried;
+    sum->points = challenged->tried + challenged->special;
     sum->contradictions = challenged->contradictions;
     sum->failures += challenged->contradictions;
     for (size_t i = 0; i < challenged->count; i++)

@@ -33,6 +33,18 @@ static const char false_claims[] =
     "reversor z -> -z\ntime t : s\ntime u : 1/2 + z - p^2\nvariant v : k = a\nvariant w : k = -1\n"
     "observe o = z/(r^2 - 1 - p)\nvalid ok : 1/((r^2 - 1 - p)*z) > 0\n";
 
+/* Every claim is false, at points alone that generic ones are not: where a level is singular, by its rate or by a later derivative
+ * along the orbit; where several states are zero; where a sum is. */
+static const char *const rarely_false[] = {
+    "model line\nstate x\nstate y\nstate z\ndomain beside : y^2 > 0\nroot r = sqrt(y^2)\neq x = 0\neq y = 0\neq z = 1 - y/r\n"
+    "invariant sheet = x^2*y - z^4\n",
+    "model line\nstate x\nstate y\nstate z\nstate s\ndomain beside : y^2 > 0\nroot r = sqrt(y^2)\neq x = 0\neq y = 0\neq z = 0\n"
+    "eq s = 1 - y/r\ninvariant left = s modulo sheet\ninvariant sheet = x^2*y - z^4\n",
+    "model handle\nstate x\nstate y\nstate z\nstate s\neq x = 0\neq y = 0\neq z = 0\neq s = 0\n"
+    "invariant circle = (x + 2*y - 3)^2 + z^2\nequal zero : s = 0 modulo circle\n",
+    "model origin\nstate x\nstate y\nstate z\neq x = 0\neq y = 0\neq z = 0\npositive square : x^2 + y^2 + z^2\n",
+};
+
 /* The family is one of equilibria, and the trace is zero on it. */
 static const char no_trace[] =
     "model turn\nstate x\nstate y\neq x = y\neq y = -x\nequilibria rest : x = 0, y = 0\nobstructs rest\n";
@@ -51,7 +63,8 @@ static ttc_challenge_report *challenge_as(const char *text, ttc_proof_status sta
     ttc_challenge_report *challenged = NULL;
     ttc_proof_report *report = prove(text, &model);
     for (size_t i = 0; i < report->proof_count; i++) report->proofs[i].status = status;
-    assert_true(ttc_challenge(model, report, ttc_resolve_beside, NULL, POINTS, 0, &challenged));
+    const ttc_challenge_extent extent = { .points = POINTS };
+    assert_true(ttc_challenge(model, report, ttc_resolve_beside, NULL, &extent, &challenged));
     for (size_t i = 0; i < challenged->count; i++) challenged->results[i].name = NULL; /* the report's, which goes */
     ttc_proof_report_destroy(report);
     ttc_model_destroy(model);
@@ -73,6 +86,19 @@ static void false_claims_called_proved_are_contradicted(void **state)
         if (!report->results[i].contradicted) print(&report->results[i]);
     assert_int_equal(report->contradictions, report->count);
     ttc_challenge_report_destroy(report);
+}
+
+static void claims_that_are_false_at_special_points_are_contradicted(void **state)
+{
+    (void)state;
+    for (size_t k = 0; k < sizeof rarely_false / sizeof *rarely_false; k++) {
+        size_t contradicted = 0;
+        ttc_challenge_report *report = challenge_as(rarely_false[k], TTC_PROVED);
+        for (size_t i = 0; i < report->count; i++) contradicted += report->results[i].contradicted && report->results[i].special > 0;
+        for (size_t i = 0; i < report->count && contradicted != 1; i++) print(&report->results[i]);
+        assert_int_equal(contradicted, 1);
+        ttc_challenge_report_destroy(report);
+    }
 }
 
 static void an_obstruction_without_a_trace_is_contradicted(void **state)
@@ -174,6 +200,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(false_claims_called_proved_are_contradicted),
+        cmocka_unit_test(claims_that_are_false_at_special_points_are_contradicted),
         cmocka_unit_test(an_obstruction_without_a_trace_is_contradicted),
         cmocka_unit_test(true_claims_called_proved_stand),
         cmocka_unit_test(true_identities_called_refuted_are_contradicted),
