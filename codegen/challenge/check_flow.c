@@ -57,7 +57,8 @@ void ttc_check_invariant(ttc_check *check)
     if (jet == NULL || !_arb_vec_is_zero(jet + 1, (long)check->model->state_count)) return;
     arb_ptr series = _arb_vec_init(SERIES_ORDER + 1);
     if (ttc_series_along(check->probe, check->model, check->claim->expression, SERIES_ORDER, series))
-        for (long k = 2; k <= SERIES_ORDER; k++) ttc_check_zero(check, series + k, "a coefficient along the orbit of", check->claim->name);
+        for (long k = 2; k <= SERIES_ORDER; k++)
+            ttc_check_zero(check, series + k, "a coefficient along the orbit of", check->claim->name);
     else
         ttc_check_undefined(check);
     _arb_vec_clear(series, SERIES_ORDER + 1);

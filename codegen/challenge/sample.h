@@ -12,8 +12,8 @@ typedef struct {
 
 uint64_t ttc_random_below(ttc_random *random, uint64_t bound); /* bound > 0 */
 
-/* How far numbers may lie from 1. Moderate numbers are for domains in which wide ones hardly ever lie. Special ones are 1/2, 1 and 2,
- * and half of those that may be zero are. */
+/* How far numbers may lie from 1. Moderate numbers are for domains in which wide ones hardly ever lie. Special ones are 1/2, 1 and
+ * 2, and half of those that may be zero are. */
 typedef enum { TTC_SAMPLE_WIDE, TTC_SAMPLE_MODERATE, TTC_SAMPLE_SPECIAL } ttc_sample_range;
 
 /* Positive. Wide ones reach beyond 2^-40 and 2^40; half of them are small fractions. */

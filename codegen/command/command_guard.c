@@ -281,8 +281,8 @@ typedef struct {
     void *context;
 } witness_context;
 
-/* Points at which a proved claim fails, an error of the prover. None is looked for where the expressions are so large that this would
- * pass the worker's bounds. */
+/* Looks for points at which a proved claim fails, which is an error of the prover. Expressions so large that this would pass the
+ * worker's bounds are left alone. */
 static char *challenge(void *context, const ttc_proof *proof)
 {
     const witness_context *c = context;
@@ -294,7 +294,8 @@ static char *challenge(void *context, const ttc_proof *proof)
     if (!ttc_challenge_proof(c->model, proof, c->resolver, c->context, &extent, &result)) return NULL;
     FILE *stream = result.violated ? open_memstream(&text, &size) : NULL;
     if (stream != NULL) {
-        fprintf(stream, "a point contradicts its proof, which is an error of this program: %s", result.text != NULL ? result.text : "");
+        fprintf(stream, "a point contradicts its proof, which is an error of this program: %s",
+                result.text != NULL ? result.text : "");
         if (fclose(stream) != 0) text = NULL;
     }
     free(result.text);

@@ -28,7 +28,8 @@ typedef enum { TTC_PROVED, TTC_REFUTED, TTC_UNSETTLED } ttc_proof_status;
 const char *ttc_proof_status_name(ttc_proof_status status); /* "proved", "refuted", "not settled" */
 
 /* How the search for a proof ended: by a verdict; at a bound on time or memory, see command/command_guard.h; or by a fault of
- * the prover: a crash of its process, or a proof that a second witness contradicts. All but the first leave the claim not settled. */
+ * the prover: a crash of its process, or a proof that a second witness contradicts. All but the first leave the claim not
+ * settled. */
 typedef enum { TTC_ENDED_BY_VERDICT, TTC_ENDED_LATE, TTC_ENDED_OUT_OF_MEMORY, TTC_ENDED_BY_FAULT } ttc_proof_ending;
 
 typedef struct {
@@ -77,8 +78,8 @@ size_t ttc_proof_run_count(const ttc_proof_run *run); /* the table's claims in t
 const ttc_proof *ttc_proof_run_proof(const ttc_proof_run *run, size_t index);
 /* Prove a claim, unless that was done before. */
 void ttc_proof_run_prove(ttc_proof_run *run, size_t index);
-/* Called with each claim that is proved, as soon as it is: returns how this is contradicted, for free(), or NULL. A contradicted claim
- * is not settled, for a fault of the prover. */
+/* Called with each claim that is proved, as soon as it is: returns how this is contradicted, for free(), or NULL. A contradicted
+ * claim is not settled, for a fault of the prover. */
 typedef char *(*ttc_proof_witness)(void *context, const ttc_proof *proof);
 void ttc_proof_run_set_witness(ttc_proof_run *run, ttc_proof_witness witness, void *context);
 /* Set a verdict that was reached elsewhere: status, texts and flags of `verdict`, whose texts the run then owns. */

@@ -94,7 +94,8 @@ static void claims_that_are_false_at_special_points_are_contradicted(void **stat
     for (size_t k = 0; k < sizeof rarely_false / sizeof *rarely_false; k++) {
         size_t contradicted = 0;
         ttc_challenge_report *report = challenge_as(rarely_false[k], TTC_PROVED);
-        for (size_t i = 0; i < report->count; i++) contradicted += report->results[i].contradicted && report->results[i].special > 0;
+        for (size_t i = 0; i < report->count; i++)
+            contradicted += report->results[i].contradicted && report->results[i].special > 0;
         for (size_t i = 0; i < report->count && contradicted != 1; i++) print(&report->results[i]);
         assert_int_equal(contradicted, 1);
         ttc_challenge_report_destroy(report);
