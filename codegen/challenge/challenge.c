@@ -135,6 +135,7 @@ bool ttc_challenge_proof(const ttc_model *model, const ttc_proof *proof, ttc_res
     if (!ttc_subject_find(&t.subject, model, result->kind, result->name, result->place)) return true;
     t.check.claim = t.subject.claim;
     t.check.index = t.subject.index;
+    t.check.has_smooth_density = proof->has_smooth_density;
     t.check.random.state = extent->seed;
     t.check.probe = ttc_probe_create(model);
     if (t.check.probe == NULL || !ttc_random_point_init(&t.point, &t.subject.situation)) goto done;

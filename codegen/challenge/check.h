@@ -18,6 +18,7 @@ typedef struct {
     const ttc_model *model, *target; /* target: the table that the claim leads to */
     const ttc_claim *claim;          /* NULL for a derived claim */
     uint32_t index;                  /* of a derived claim's record, see ttc_subject */
+    bool has_smooth_density;         /* as the proof says */
     ttc_probe *probe, *target_probe;
     ttc_random random;               /* for lambda */
     ttc_check_outcome outcome;

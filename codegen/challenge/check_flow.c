@@ -88,6 +88,7 @@ void ttc_check_measure(ttc_check *check)
             if (speed != NULL) arb_addmul(divergence, density, speed + 1 + k, ttc_probe_precision(check->probe));
         }
         ttc_check_zero(check, divergence, "div(rho f) of", check->claim->name);
+        if (check->has_smooth_density) ttc_check_positive(check, density, "said to be positive, not so:", check->claim->name);
         ttc_check_witness(check, density);
     }
     arb_clear(divergence);

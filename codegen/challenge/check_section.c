@@ -1,8 +1,10 @@
-/* Checks a section and its coordinates at one state of the section: the way back leads to a point of the chart, whose lift lies in
- * the section, the domain and the levels, and leads back to it; and the lift is the state itself where both cross in the same
- * direction. */
+/* Checks a section and its coordinates at one state of the section, and at one point of its chart. The way back from the state leads to
+ * a point of the chart. The lift of either point lies in the section, the domain and the levels, and leads back to the point; the
+ * lift of the first is the state itself where both cross in the same direction. */
 #include "challenge/check.h"
 #include "prove/section_chart.h"
+
+enum { CHART_DRAWS = 12 };
 
 typedef struct {
     ttc_check *check;
@@ -18,13 +20,19 @@ static const ttc_section *section_of(const ttc_check *check)
     return NULL;
 }
 
+/* The value of a parameter of the chart. */
+static arb_srcptr param_of(const section_check *s, const char *name)
+{
+    return ttc_probe_value(s->check->target_probe, ttc_param_of(s->check->target, name));
+}
+
 /* Set s->lifted to the lift of the chart's point. Returns false if that has no value. */
 static bool set_lifted(section_check *s)
 {
     const ttc_model *model = s->check->model;
     ttc_probe_begin(s->lifted, s->precision);
     for (size_t i = 0; i < model->param_count; i++)
-        ttc_probe_set(s->lifted, model->params[i], ttc_probe_value(s->check->probe, model->params[i]));
+        ttc_probe_set(s->lifted, model->params[i], param_of(s, model->symbols[model->params[i]].name));
     for (size_t i = 0; i < model->state_count; i++) {
         const ttc_id lift = ttc_chart_lift(s->check->target, model->symbols[model->states[i]].name);
         arb_srcptr value = ttc_probe_at(s->check->target_probe, lift);
@@ -45,9 +53,8 @@ static void check_lift(section_check *s)
                model->symbols[at->symbol].name);
     for (size_t i = 0; i < claim->member_count; i++) {
         const ttc_claim *integral = model->claims + claim->members[i];
-        ttc_check_same(s->check, ttc_probe_at(s->lifted, integral->expression),
-                       ttc_probe_at(s->check->probe, integral->expression),
-                   "off its level by its lift:", integral->name);
+        ttc_check_same(s->check, ttc_probe_at(s->lifted, integral->expression), param_of(s, s->section->image.levels[i]),
+                       "off its level by its lift:", integral->name);
     }
     for (size_t i = 0; i < model->symbol_count; i++) {
         const ttc_id lift = model->symbols[i].kind == TTC_ROOT ? ttc_chart_lift(s->check->target, model->symbols[i].name)
@@ -103,6 +110,20 @@ static int direction(const section_check *s, ttc_probe *probe)
     return rate == NULL ? 0 : arb_is_positive(rate) ? 1 : arb_is_negative(rate) ? -1 : 0;
 }
 
+/* At the chart's point. */
+static void check_chart(section_check *s)
+{
+    char fault[256];
+    if (!set_lifted(s)) {
+        ttc_check_undefined(s->check);
+        return;
+    }
+    if (ttc_domain_locate(s->lifted, s->check->model, NULL, UINT32_MAX, fault, sizeof fault) == TTC_OUTSIDE)
+        ttc_check_violate(s->check, "the lift leaves the domain:", fault);
+    check_lift(s);
+    for (size_t i = 0; i < s->check->target->state_count; i++) check_return(s, i);
+}
+
 static void check_state(section_check *s)
 {
     const ttc_model *model = s->check->model;
@@ -115,16 +136,29 @@ static void check_state(section_check *s)
     const ttc_place_in_domain place = ttc_domain_locate(s->check->target_probe, s->check->target, NULL, UINT32_MAX, fault,
                                                         sizeof fault);
     if (place == TTC_OUTSIDE) ttc_check_violate(s->check, "a crossing outside of the coordinates:", fault);
-    else if (place == TTC_UNCLEAR || !set_lifted(s)) ttc_check_undefined(s->check);
+    else if (place == TTC_UNCLEAR) ttc_check_undefined(s->check);
     if (s->check->outcome != TTC_HOLDS) return;
-    if (ttc_domain_locate(s->lifted, model, NULL, UINT32_MAX, fault, sizeof fault) == TTC_OUTSIDE)
-        ttc_check_violate(s->check, "the lift leaves the domain:", fault);
-    check_lift(s);
-    for (size_t i = 0; i < s->check->target->state_count; i++) check_return(s, i);
+    check_chart(s);
     for (size_t i = 0; i < model->state_count && direction(s, s->lifted) == crossing; i++)
         ttc_check_same(s->check, ttc_probe_value(s->lifted, model->states[i]),
                        ttc_probe_value(s->check->probe, model->states[i]),
-                   "the lift of where the way back leads is another state in", model->symbols[model->states[i]].name);
+                       "the lift of where the way back leads is another state in", model->symbols[model->states[i]].name);
+}
+
+/* Move to a random point of the chart. Returns false if none is found. */
+static bool draw_point(section_check *s)
+{
+    const ttc_situation situation = { .model = s->check->target, .claim = UINT32_MAX, .own_root = UINT32_MAX };
+    ttc_random_point point;
+    char fault[256];
+    bool found = false;
+    if (!ttc_random_point_init(&point, &situation)) return false;
+    for (int draw = 0; !found && draw < CHART_DRAWS; draw++)
+        found = ttc_random_point_draw(&point, &situation, &s->check->random, draw % 3)
+                && ttc_random_point_place(s->check->target_probe, &point, &situation, s->precision, fault, sizeof fault)
+                       == TTC_INSIDE;
+    ttc_random_point_clear(&point);
+    return found;
 }
 
 void ttc_check_section(ttc_check *check)
@@ -135,5 +169,6 @@ void ttc_check_section(ttc_check *check)
         s.lifted = ttc_probe_create(check->model);
     if (s.lifted == NULL) ttc_check_undefined(check);
     else check_state(&s);
+    if (check->outcome == TTC_HOLDS && draw_point(&s)) check_chart(&s);
     ttc_probe_destroy(s.lifted);
 }

@@ -30,12 +30,14 @@ static ttc_id last_node(const ttc_model *model)
     ttc_id last = TTC_NONE;
     for (size_t i = 0; i < model->symbol_count; i++)
         if (model->symbols[i].node > last) last = model->symbols[i].node;
-    for (size_t i = 0; i < model->state_count; i++)
-        if (ttc_model_field(model, i) > last) last = ttc_model_field(model, i);
+    for (size_t i = 0; i < model->equation_count; i++)
+        if (model->equations[i].sum > last) last = model->equations[i].sum;
     for (size_t i = 0; i < model->claim_count; i++) {
         if (model->claims[i].expression > last) last = model->claims[i].expression;
         if (model->claims[i].other > last) last = model->claims[i].other;
     }
+    for (size_t i = 0; i < model->lift.bindings.count; i++)
+        if (model->lift.bindings.items[i].expression > last) last = model->lift.bindings.items[i].expression;
     return last;
 }
 

@@ -42,6 +42,7 @@ static const char *const rarely_false[] = {
     "eq s = 1 - y/r\ninvariant left = s modulo sheet\ninvariant sheet = x^2*y - z^4\n",
     "model handle\nstate x\nstate y\nstate z\nstate s\neq x = 0\neq y = 0\neq z = 0\neq s = 0\n"
     "invariant circle = (x + 2*y - 3)^2 + z^2\nequal zero : s = 0 modulo circle\n",
+    "model density\nstate x\nstate y\neq x = 0\neq y = 0\nmeasure smooth = x^2 + y^4\n",
     "model origin\nstate x\nstate y\nstate z\neq x = 0\neq y = 0\neq z = 0\npositive square : x^2 + y^2 + z^2\n",
 };
 
@@ -49,11 +50,25 @@ static const char *const rarely_false[] = {
 static const char no_trace[] =
     "model turn\nstate x\nstate y\neq x = y\neq y = -x\nequilibria rest : x = 0, y = 0\nobstructs rest\n";
 
+/* Where P < 0, the lift leads back to -P; no state is at such a point of the chart. */
+static const char crossing[] =
+    "model crossing\nstate q\nstate p\nstate z\ndomain moving : p^2 > 0\nroot r = sqrt(p^2)\neq q = p\neq p = -q\neq z = 0\n"
+    "section up : by chart.tt at q = 0 with P = r, Z = z\n";
+static const char chart[] =
+    "model chart\nstate P\nstate Z\ndomain moving : P^2 > 0\nroot R = sqrt(P^2)\nlift into crossing.tt with q = 0, p = R, z = Z\n";
+
+static ttc_model *resolve(void *context, const ttc_model *model, const char *target, ttc_diagnostics *diagnostics)
+{
+    (void)context;
+    (void)model;
+    return ttc_model_parse(chart, sizeof chart - 1, target, diagnostics);
+}
+
 static ttc_proof_report *prove(const char *text, ttc_model **model)
 {
     ttc_proof_report *report = NULL;
     *model = parse_text(text);
-    assert_true(ttc_prove(*model, ttc_resolve_beside, NULL, TTC_PROVE_ALL, &report));
+    assert_true(ttc_prove(*model, resolve, NULL, TTC_PROVE_ALL, &report));
     return report;
 }
 
@@ -62,9 +77,12 @@ static ttc_challenge_report *challenge_as(const char *text, ttc_proof_status sta
     ttc_model *model;
     ttc_challenge_report *challenged = NULL;
     ttc_proof_report *report = prove(text, &model);
-    for (size_t i = 0; i < report->proof_count; i++) report->proofs[i].status = status;
+    for (size_t i = 0; i < report->proof_count; i++) {
+        report->proofs[i].status = status;
+        report->proofs[i].has_smooth_density |= strcmp(report->proofs[i].name, "smooth") == 0;
+    }
     const ttc_challenge_extent extent = { .points = POINTS };
-    assert_true(ttc_challenge(model, report, ttc_resolve_beside, NULL, &extent, &challenged));
+    assert_true(ttc_challenge(model, report, resolve, NULL, &extent, &challenged));
     for (size_t i = 0; i < challenged->count; i++) challenged->results[i].name = NULL; /* the report's, which goes */
     ttc_proof_report_destroy(report);
     ttc_model_destroy(model);
@@ -100,6 +118,14 @@ static void claims_that_are_false_at_special_points_are_contradicted(void **stat
         assert_int_equal(contradicted, 1);
         ttc_challenge_report_destroy(report);
     }
+}
+
+static void coordinates_that_no_state_has_are_looked_at(void **state)
+{
+    (void)state;
+    ttc_challenge_report *report = challenge_as(crossing, TTC_PROVED);
+    assert_true(report->results[0].contradicted);
+    ttc_challenge_report_destroy(report);
 }
 
 static void an_obstruction_without_a_trace_is_contradicted(void **state)
@@ -202,6 +228,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(false_claims_called_proved_are_contradicted),
         cmocka_unit_test(claims_that_are_false_at_special_points_are_contradicted),
+        cmocka_unit_test(coordinates_that_no_state_has_are_looked_at),
         cmocka_unit_test(an_obstruction_without_a_trace_is_contradicted),
         cmocka_unit_test(true_claims_called_proved_stand),
         cmocka_unit_test(true_identities_called_refuted_are_contradicted),
