@@ -1,6 +1,6 @@
-/* Checks a section and its coordinates at one state of the section, and at one point of its chart. The way back from the state leads
- * to a point of the chart. The lift of either point lies in the section, the domain and the levels, and leads back to the point; that
- * of the first is the state itself where both cross in the same direction. */
+/* Checks a section and its coordinates at one state of the section, and at one point of its chart. The way back from the state
+ * leads to a point of the chart. The lift of either point lies in the section, the domain and the levels, and leads back to the
+ * point; that of the first is the state itself where both cross in the same direction. */
 #include "challenge/check.h"
 #include "prove/section_chart.h"
 

@@ -33,8 +33,8 @@ static const char false_claims[] =
     "reversor z -> -z\ntime t : s\ntime u : 1/2 + z - p^2\nvariant v : k = a\nvariant w : k = -1\n"
     "observe o = z/(r^2 - 1 - p)\nvalid ok : 1/((r^2 - 1 - p)*z) > 0\n";
 
-/* One claim of each is false, at points alone that generic ones hardly ever are: where a level is singular, by its rate or by a later derivative
- * along the orbit; where several states are zero; where a sum is. */
+/* One claim of each is false, at points alone that generic ones hardly ever are: where a level is singular, by its rate or by a
+ * later derivative along the orbit; where several states are zero; where a sum is. */
 static const char *const rarely_false[] = {
     "model line\nstate x\nstate y\nstate z\ndomain beside : y^2 > 0\nroot r = sqrt(y^2)\neq x = 0\neq y = 0\neq z = 1 - y/r\n"
     "invariant sheet = x^2*y - z^4\n",
