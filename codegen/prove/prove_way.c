@@ -44,22 +44,6 @@ static void require_equal(ttc_task *task, ttc_valuation *of_left, ttc_id left, t
     ttc_ratio_clear(task->ring, &difference);
 }
 
-static void require_back_divisors(ttc_task *task, ttc_valuation *valuation, const ttc_model *model, uint32_t owner,
-                                  const ttc_id *ids, size_t count, const char *where)
-{
-    unsigned char *used = ttc_model_support(model, ids, count);
-    if (used == NULL) ttc_task_unsettle(task, "out of memory");
-    else ttc_domain_require_divisors(task, valuation, model, TTC_DIVIDES_CLAIM, owner, used, where);
-    free(used);
-}
-
-/* Require that the divisors of an integral or zero level are not zero. */
-static void require_expression_divisors(ttc_task *task, ttc_valuation *valuation, const ttc_model *model, uint32_t claim,
-                                        const char *where)
-{
-    require_back_divisors(task, valuation, model, claim, &model->claims[claim].expression, 1, where);
-}
-
 /* Require that the divisors of a reduction or embedding are not zero. */
 static void require_divisors(ttc_task *task, ttc_valuation *valuation, const ttc_model *model, uint32_t claim,
                              const char *where)
@@ -68,7 +52,7 @@ static void require_divisors(ttc_task *task, ttc_valuation *valuation, const ttc
     ttc_id *ids = calloc(bindings->count + 1, sizeof *ids);
     for (size_t i = 0; ids != NULL && i < bindings->count; i++) ids[i] = bindings->items[i].expression;
     if (ids == NULL) ttc_task_unsettle(task, "out of memory");
-    else require_back_divisors(task, valuation, model, claim, ids, bindings->count, where);
+    else ttc_prove_divisors(task, valuation, model, claim, ids, bindings->count, where);
     free(ids);
 }
 
@@ -204,10 +188,10 @@ static void require_return(ttc_task *task, ttc_valuation *map)
     const ttc_claim *claim = task->outer->claim;
     const ttc_way *way = way_of(task->outer);
     add_where(task, map, way);
-    require_back_divisors(task, map, model, way->claim, claim->entries, claim->entry_count,
+    ttc_prove_divisors(task, map, model, way->claim, claim->entries, claim->entry_count,
                           " in the way back from the embedding");
     for (size_t i = 0; i < way->image.level_count && ttc_task_open(task); i++)
-        require_expression_divisors(task, map, model, claim->members[i], " in a level on the way back from the embedding");
+        ttc_prove_expression_divisors(task, map, model, claim->members[i], " in a level on the way back from the embedding");
     for (size_t i = 0; i < table->state_count && ttc_task_open(task); i++)
         ttc_prove_return(task, map, claim, &way->image, i, true);
     for (size_t i = 0; i < table->param_count && ttc_task_open(task); i++) {
@@ -354,7 +338,7 @@ static void require_reduction(ttc_task *task, ttc_valuation *map, const ttc_clai
                       "the lift does not meet the condition of its reduction on ",
                       table->symbols[back->when.items[i].symbol].name);
     for (size_t i = 0; i < back->modulo_count && ttc_task_open(task); i++) {
-        require_expression_divisors(task, map, table, back->modulo[i], " in a zero level of the reduction of the lift");
+        ttc_prove_expression_divisors(task, map, table, back->modulo[i], " in a zero level of the reduction of the lift");
         require_equal(task, map, table->claims[back->modulo[i]].expression, map, zero, "the lift is off the zero level of ",
                       table->claims[back->modulo[i]].name);
     }
