@@ -21,10 +21,19 @@ static const ttc_way *way_of(const ttc_task *task)
     return task->model->ways + i;
 }
 
+/* Add the conditions of `where`, and that it divides by nothing that is zero, as it is written. */
 static void add_where(ttc_task *task, ttc_valuation *valuation, const ttc_way *way)
 {
+    const ttc_model *model = ttc_valuation_model(valuation);
+    size_t own = 0;
     ttc_ratio value;
     ttc_ratio_init(task->ring, &value);
+    for (size_t i = 0; i < model->divisor_count && ttc_task_open(task); i++) {
+        const ttc_divisor *d = model->divisors + i;
+        if (d->role != TTC_DIVIDES_CLAIM || d->owner != way->claim || own++ < way->where_divisors) continue;
+        ttc_evaluate(valuation, &value, d->divisor);
+        ttc_conditions_add(&task->domain, &value, TTC_IS_NONZERO);
+    }
     for (size_t i = 0; i < way->where.count && ttc_task_open(task); i++) {
         ttc_evaluate(valuation, &value, way->where.items[i].expression);
         ttc_conditions_add(&task->domain, &value, TTC_IS_POSITIVE);

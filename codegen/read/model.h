@@ -176,6 +176,7 @@ typedef struct {
     uint32_t claim;
     ttc_image image;
     ttc_inequalities where; /* the states for which the table may serve */
+    size_t where_divisors; /* of the divisors of its claim, the number that stand before `where` */
 } ttc_way;
 
 /* The name of this table among tables that serve in place of each other. */
