@@ -6,12 +6,10 @@
 static unsigned char *used_definitions(const ttc_situation *situation)
 {
     const ttc_model *model = situation->model;
-    unsigned char *used = ttc_model_uses(model);
+    unsigned char *used = ttc_model_uses_of_domain(model);
     if (used == NULL) return NULL;
     for (size_t i = 0; i < model->use_count; i++)
         if (model->uses[i].role == TTC_DIVIDES_CLAIM && model->uses[i].owner == situation->claim) used[model->uses[i].symbol] = 1;
-    for (size_t i = 0; i < model->symbol_count; i++)
-        if (model->symbols[i].kind == TTC_ROOT || model->symbols[i].kind == TTC_LOG) used[i] = 1;
     ttc_model_close_uses(model, used);
     return used;
 }

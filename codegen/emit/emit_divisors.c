@@ -1,6 +1,7 @@
-/* Writes the divisors of the equations as the table has them, before anything cancels; they are nonzero in the domain. A kernel in
- * which a divisor cancels shows nothing of its zeros, so starts are checked against these values. Also the divisors of integrals
- * and densities in parameters alone, and parameters with which they vanish: where these do, no kernel can be prepared. */
+/* Writes the divisors of the equations, roots and logarithms as the table has them, before anything cancels; they are nonzero in
+ * the domain. A kernel in which a divisor cancels shows nothing of its zeros, so starts are checked against these values. Also the
+ * divisors of integrals and densities in parameters alone, and parameters with which they vanish: where these do, no kernel can be
+ * prepared. */
 #include "emit/emit.h"
 
 #include <stdlib.h>
@@ -9,7 +10,7 @@
 #include "show/print.h"
 
 typedef struct {
-    const ttc_claim *claim; /* the claim that divides by it; NULL: the equations do */
+    const ttc_claim *claim; /* the claim that divides by it; NULL: the domain excludes its zeros */
     ttc_id written;         /* as the table writes it */
     ttc_id outputs[2];      /* in the field's symbols, and `squares` of it */
 } factor;
@@ -69,7 +70,7 @@ static void add_factor(factor_list *list, const ttc_claim *claim, ttc_id written
 static bool find_factors(factor_list *list)
 {
     const ttc_model *model = list->field->model;
-    unsigned char *used = ttc_model_uses(model);
+    unsigned char *used = ttc_model_uses_of_domain(model);
     list->failed = used == NULL;
     for (size_t i = 0; !list->failed && i < model->divisor_count; i++) {
         const ttc_divisor *d = model->divisors + i;

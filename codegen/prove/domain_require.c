@@ -46,7 +46,7 @@ void ttc_domain_require_image(ttc_task *task, ttc_valuation *map, const ttc_mode
         ttc_signs_require(task, map, model->regions[i].expression, TTC_IS_POSITIVE, "the domain record %s is broken%s",
                           model->regions[i].name, where);
     }
-    unsigned char *used = ttc_model_uses(model);
+    unsigned char *used = ttc_model_uses_of_domain(model);
     if (used == NULL) ttc_ring_fail(task->ring, TTC_RING_NO_MEMORY);
     else ttc_domain_require_divisors(task, map, model, TTC_DIVIDES_FIELD, 0, used, where);
     free(used);

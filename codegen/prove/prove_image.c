@@ -1,4 +1,7 @@
+#include "prove/domain.h"
 #include "prove/prove_image.h"
+
+#include <stdlib.h>
 
 void ttc_prove_take_off(ttc_task *task, ttc_ratio *out, ttc_valuation *valuation, ttc_id id)
 {
@@ -148,4 +151,19 @@ void ttc_prove_return(ttc_task *task, ttc_valuation *map, const ttc_claim *claim
         ttc_task_require_zero(task, &r[0], "where the way back leads - %s", entry->name);
     }
     ttc_task_free(task, r, 2);
+}
+
+void ttc_prove_divisors(ttc_task *task, ttc_valuation *valuation, const ttc_model *model, uint32_t owner, const ttc_id *ids,
+                        size_t count, const char *where)
+{
+    unsigned char *used = ttc_model_support(model, ids, count);
+    if (used == NULL) ttc_task_unsettle(task, "out of memory");
+    else ttc_domain_require_divisors(task, valuation, model, TTC_DIVIDES_CLAIM, owner, used, where);
+    free(used);
+}
+
+void ttc_prove_expression_divisors(ttc_task *task, ttc_valuation *valuation, const ttc_model *model, uint32_t claim,
+                                   const char *where)
+{
+    ttc_prove_divisors(task, valuation, model, claim, &model->claims[claim].expression, 1, where);
 }

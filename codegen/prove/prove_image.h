@@ -21,4 +21,11 @@ void ttc_prove_bind_image(ttc_task *task, ttc_valuation *map, const ttc_claim *c
 void ttc_prove_return(ttc_task *task, ttc_valuation *map, const ttc_claim *claim, const ttc_image *image, size_t state,
                       bool where_angles);
 
+/* Require that no divisor of expressions of claim number `owner`, shape (count,), is zero, nor one of definitions that they use;
+ * of the claim's own expression, that of an integral or a zero level. where: added to messages. */
+void ttc_prove_divisors(ttc_task *task, ttc_valuation *valuation, const ttc_model *model, uint32_t owner, const ttc_id *ids,
+                        size_t count, const char *where);
+void ttc_prove_expression_divisors(ttc_task *task, ttc_valuation *valuation, const ttc_model *model, uint32_t claim,
+                                   const char *where);
+
 #endif

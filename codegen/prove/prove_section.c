@@ -47,10 +47,9 @@ static void prove_lift(ttc_task *task)
     const ttc_section *section = section_of(task->outer);
     ttc_valuation *map = ttc_valuation_map(model, task->field);
     unsigned char *used = ttc_domain_support(task, TTC_DOMAIN_WHOLE);
-    unsigned char *back = ttc_model_support(model, claim->entries, claim->entry_count);
     ttc_ratio value;
     ttc_ratio_init(task->ring, &value);
-    if (map == NULL || used == NULL || back == NULL) {
+    if (map == NULL || used == NULL) {
         ttc_task_unsettle(task, "out of memory");
         goto done;
     }
@@ -61,7 +60,7 @@ static void prove_lift(ttc_task *task)
     for (size_t i = 0; i < model->symbol_count && ttc_task_open(task); i++)
         if (model->symbols[i].kind == TTC_ROOT && ttc_valuation_is_bound(map, (uint32_t)i))
             ttc_domain_require_root(task, map, model->symbols + i);
-    ttc_domain_require_divisors(task, map, model, TTC_DIVIDES_CLAIM, section->claim, back, " in the way back from the lift");
+    ttc_prove_divisors(task, map, model, section->claim, claim->entries, claim->entry_count, " in the way back from the lift");
     if (ttc_task_open(task)) {
         const ttc_binding *at = claim->when.items;
         ttc_evaluate(map, &value, model->symbols[at->symbol].node);
@@ -69,6 +68,7 @@ static void prove_lift(ttc_task *task)
         ttc_task_require_zero(task, &value, "%s of the lift - its value on the section", model->symbols[at->symbol].name);
     }
     for (size_t i = 0; i < section->image.level_count && ttc_task_open(task); i++) {
+        ttc_prove_expression_divisors(task, map, model, claim->members[i], " in a level of the lift");
         ttc_evaluate(map, &value, model->claims[claim->members[i]].expression);
         ttc_prove_take_off(task, &value, task->field, chart->symbols[symbol_of(chart, section->image.levels[i])].node);
         ttc_task_require_zero(task, &value, "%s of the lift - its level %s", model->claims[claim->members[i]].name,
@@ -79,7 +79,6 @@ static void prove_lift(ttc_task *task)
     ttc_task_leave_map(task);
 done:
     ttc_ratio_clear(task->ring, &value);
-    free(back);
     free(used);
     ttc_valuation_destroy(map);
 }

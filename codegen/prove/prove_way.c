@@ -21,10 +21,19 @@ static const ttc_way *way_of(const ttc_task *task)
     return task->model->ways + i;
 }
 
+/* Add the conditions of `where`, and that it divides by nothing that is zero, as it is written. */
 static void add_where(ttc_task *task, ttc_valuation *valuation, const ttc_way *way)
 {
+    const ttc_model *model = ttc_valuation_model(valuation);
+    size_t own = 0;
     ttc_ratio value;
     ttc_ratio_init(task->ring, &value);
+    for (size_t i = 0; i < model->divisor_count && ttc_task_open(task); i++) {
+        const ttc_divisor *d = model->divisors + i;
+        if (d->role != TTC_DIVIDES_CLAIM || d->owner != way->claim || own++ < way->where_divisors) continue;
+        ttc_evaluate(valuation, &value, d->divisor);
+        ttc_conditions_add(&task->domain, &value, TTC_IS_NONZERO);
+    }
     for (size_t i = 0; i < way->where.count && ttc_task_open(task); i++) {
         ttc_evaluate(valuation, &value, way->where.items[i].expression);
         ttc_conditions_add(&task->domain, &value, TTC_IS_POSITIVE);
@@ -44,22 +53,6 @@ static void require_equal(ttc_task *task, ttc_valuation *of_left, ttc_id left, t
     ttc_ratio_clear(task->ring, &difference);
 }
 
-static void require_back_divisors(ttc_task *task, ttc_valuation *valuation, const ttc_model *model, uint32_t owner,
-                                  const ttc_id *ids, size_t count, const char *where)
-{
-    unsigned char *used = ttc_model_support(model, ids, count);
-    if (used == NULL) ttc_task_unsettle(task, "out of memory");
-    else ttc_domain_require_divisors(task, valuation, model, TTC_DIVIDES_CLAIM, owner, used, where);
-    free(used);
-}
-
-/* Require that the divisors of an integral or zero level are not zero. */
-static void require_expression_divisors(ttc_task *task, ttc_valuation *valuation, const ttc_model *model, uint32_t claim,
-                                        const char *where)
-{
-    require_back_divisors(task, valuation, model, claim, &model->claims[claim].expression, 1, where);
-}
-
 /* Require that the divisors of a reduction or embedding are not zero. */
 static void require_divisors(ttc_task *task, ttc_valuation *valuation, const ttc_model *model, uint32_t claim,
                              const char *where)
@@ -68,7 +61,7 @@ static void require_divisors(ttc_task *task, ttc_valuation *valuation, const ttc
     ttc_id *ids = calloc(bindings->count + 1, sizeof *ids);
     for (size_t i = 0; ids != NULL && i < bindings->count; i++) ids[i] = bindings->items[i].expression;
     if (ids == NULL) ttc_task_unsettle(task, "out of memory");
-    else require_back_divisors(task, valuation, model, claim, ids, bindings->count, where);
+    else ttc_prove_divisors(task, valuation, model, claim, ids, bindings->count, where);
     free(ids);
 }
 
@@ -204,10 +197,10 @@ static void require_return(ttc_task *task, ttc_valuation *map)
     const ttc_claim *claim = task->outer->claim;
     const ttc_way *way = way_of(task->outer);
     add_where(task, map, way);
-    require_back_divisors(task, map, model, way->claim, claim->entries, claim->entry_count,
+    ttc_prove_divisors(task, map, model, way->claim, claim->entries, claim->entry_count,
                           " in the way back from the embedding");
     for (size_t i = 0; i < way->image.level_count && ttc_task_open(task); i++)
-        require_expression_divisors(task, map, model, claim->members[i], " in a level on the way back from the embedding");
+        ttc_prove_expression_divisors(task, map, model, claim->members[i], " in a level on the way back from the embedding");
     for (size_t i = 0; i < table->state_count && ttc_task_open(task); i++)
         ttc_prove_return(task, map, claim, &way->image, i, true);
     for (size_t i = 0; i < table->param_count && ttc_task_open(task); i++) {
@@ -354,7 +347,7 @@ static void require_reduction(ttc_task *task, ttc_valuation *map, const ttc_clai
                       "the lift does not meet the condition of its reduction on ",
                       table->symbols[back->when.items[i].symbol].name);
     for (size_t i = 0; i < back->modulo_count && ttc_task_open(task); i++) {
-        require_expression_divisors(task, map, table, back->modulo[i], " in a zero level of the reduction of the lift");
+        ttc_prove_expression_divisors(task, map, table, back->modulo[i], " in a zero level of the reduction of the lift");
         require_equal(task, map, table->claims[back->modulo[i]].expression, map, zero, "the lift is off the zero level of ",
                       table->claims[back->modulo[i]].name);
     }

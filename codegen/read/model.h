@@ -176,6 +176,7 @@ typedef struct {
     uint32_t claim;
     ttc_image image;
     ttc_inequalities where; /* the states for which the table may serve */
+    size_t where_divisors; /* of the divisors of its claim, the number that stand before `where` */
 } ttc_way;
 
 /* The name of this table among tables that serve in place of each other. */
@@ -337,6 +338,8 @@ unsigned char *ttc_model_support(const ttc_model *model, const ttc_id *ids, size
 /* Find all symbols with a definition that equations, intervals and domain records name, and recursively those that their
  * definitions name, as written. Returns flags 1 or 0, shape (symbol_count,), for the caller to free; NULL when memory is out. */
 unsigned char *ttc_model_uses(const ttc_model *model);
+/* The same with all roots and logarithms, of positive quantities on the domain whether or not anything uses them. */
+unsigned char *ttc_model_uses_of_domain(const ttc_model *model);
 /* Returns true if claim number `claim` is an integral or density without conditions that divides by `divisor`, itself or in a
  * definition. Kernels of such a claim share their values prepared from parameters with all other kernels of the model. */
 bool ttc_model_prepares(const ttc_model *model, uint32_t claim, const ttc_divisor *divisor);

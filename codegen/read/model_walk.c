@@ -136,6 +136,16 @@ unsigned char *ttc_model_uses(const ttc_model *model)
     return used;
 }
 
+unsigned char *ttc_model_uses_of_domain(const ttc_model *model)
+{
+    unsigned char *used = ttc_model_uses(model);
+    if (used == NULL) return NULL;
+    for (size_t i = 0; i < model->symbol_count; i++)
+        if (model->symbols[i].kind == TTC_ROOT || model->symbols[i].kind == TTC_LOG) used[i] = 1;
+    ttc_model_close_uses(model, used);
+    return used;
+}
+
 bool ttc_model_prepares(const ttc_model *model, uint32_t claim, const ttc_divisor *divisor)
 {
     const ttc_claim *of = model->claims + claim;

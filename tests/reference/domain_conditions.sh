@@ -62,6 +62,12 @@ divides small 'r - w + x'
 refuses "--start: outside the domain of small: a division needs -w + r + x != 0, and it is 0 here" \
     simulate ./small.tt --set w=0.3 --start x=0,y=1 --times 1
 jellett simulate ./small.tt --set w=1e-150 --start x=1e-155,y=0 --times 1 > rows.csv 2> err || fail "small numbers: $(cat err)"
+# Nor is what roots and logarithms divide by, whether or not anything uses them.
+for unused in 'root r = sqrt(1/x^2)' 'log l = log(1/x^2)'; do
+    printf 'model unused\nstate x\nstate y\n%s\neq x = y\neq y = - x\n' "$unused" > unused.tt
+    refuses "--start: outside the domain of unused: a division needs x != 0, and it is 0 here" \
+        simulate ./unused.tt --start x=0,y=1 --times 1
+done
 printf 'model zero\nstate x\nlet d = 0\neq x = x/d\n' > zero.tt
 refuses "the equations divide by what is zero everywhere" simulate ./zero.tt --start x=1 --times 1
 # Nor is what integrals and densities divide by, where it is made of parameters: what is prepared of these is shared.
