@@ -173,7 +173,7 @@ static jlt_status compare_eigen(jlt_verify_family *f, jlt_deflation *eigen, cons
     }
     for (size_t i = 0; i < n * n; i++) errors[i] = jlt_oracle_error(jacobian[i], &s->jacobian[i]);
     JLT_PASS(jlt_deflation_compute(eigen, jacobian, errors, n, gradients, gradient_errors, count));
-    f->gsl_worst = fmax(f->gsl_worst, eigen->plain_difference);
+    f->lapack_worst = fmax(f->lapack_worst, eigen->plain_difference);
     if (!isnan(eigen->arpack_difference)) {
         f->arpack_worst = fmax(f->arpack_worst, eigen->arpack_difference);
         f->arpack_used++;
