@@ -267,6 +267,7 @@ static void look_at_table(ttc_task *task, const ttc_model *table, uint32_t back)
         ttc_task_unsettle(task, "out of memory");
     } else {
         ttc_task_run(&inner, prove_embedded);
+        if (inner.status == TTC_REFUTED) task->note = ttc_way_untold(task->model, task->claim, table, table->claims + back);
         ttc_task_adopt(task, &inner);
     }
     free(levels);

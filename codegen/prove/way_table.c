@@ -1,5 +1,7 @@
 #include "prove/way_table.h"
 
+#include "base/text.h"
+
 #include <string.h>
 
 ttc_id ttc_given_for(const ttc_claim *claim, const char *name)
@@ -78,6 +80,20 @@ static bool roots_fit(const fitting *f, const ttc_claim *back)
                                   model->times[i].name, back->name, f->file);
         }
     return true;
+}
+
+char *ttc_way_untold(const ttc_model *model, const ttc_claim *way, const ttc_model *table, const ttc_claim *back)
+{
+    ttc_text names = { 0 };
+    for (size_t i = 0; i < model->param_count; i++) {
+        const char *name = model->symbols[model->params[i]].name;
+        bool is_told = ttc_param_of(table, name) != UINT32_MAX || ttc_given_for(back, name) != TTC_NONE;
+        for (size_t k = 0; k < way->when.count; k++) is_told |= way->when.items[k].symbol == model->params[i];
+        if (!is_told) ttc_text_format(&names, "%s%s", names.length > 0 ? ", " : "", name);
+    }
+    if (names.length > 0) ttc_text_format(&names, " may have any value: the embedding %s of %s gives none", back->name,
+                                          way->target);
+    return names.bytes;
 }
 
 bool ttc_way_fits(const ttc_model *model, const ttc_way *way, const ttc_model *table, uint32_t *back, char *reason, size_t size)

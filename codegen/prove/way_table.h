@@ -19,4 +19,8 @@ bool ttc_way_fits(const ttc_model *model, const ttc_way *way, const ttc_model *t
 /* The expression that a reduction or embedding gives for a name of its target, or TTC_NONE. */
 ttc_id ttc_given_for(const ttc_claim *claim, const char *name);
 
+/* Says which parameters of the model may have any value in the table, as neither a condition of the way, nor a name of the table,
+ * nor the claim back tells them; NULL: none, or memory is out. Freed by the caller. */
+char *ttc_way_untold(const ttc_model *model, const ttc_claim *way, const ttc_model *table, const ttc_claim *back);
+
 #endif

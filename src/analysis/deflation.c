@@ -109,7 +109,7 @@ static size_t take_isolated(double *re, double *im, double *error, coupled *acti
     return taken;
 }
 
-/* Eigenvalues of a coupled block of three rows or more, by GSL. The error bound is the smaller of a first-order bound, if an
+/* Eigenvalues of a coupled block of three rows or more, by LAPACK. The error bound is the smaller of a first-order bound, if an
  * eigenvalue is simple, and Elsner's (L. Elsner, Linear Algebra Appl. 71, 1985). */
 static jlt_status solve_large(double *re, double *im, double *error, const double *block, const double *block_error,
                               size_t n)
@@ -129,7 +129,7 @@ static jlt_status solve_large(double *re, double *im, double *error, const doubl
     return JLT_OK;
 }
 
-/* Eigenvalues of B with error bounds: those on a triangular part's diagonal as they are, a pair in closed form, more by GSL. */
+/* Eigenvalues of B with error bounds: those on a triangular part's diagonal as they are, a pair in closed form, more by LAPACK. */
 static jlt_status solve_block(double *re, double *im, double *error, const jlt_deflation_problem *p, const jlt_deflation_choice *c)
 {
     const size_t rest = p->n - p->rank;
@@ -164,7 +164,7 @@ static double farthest(const double *re, const double *im, size_t count, const d
     return worst;
 }
 
-/* Compare with eigenvalues by GSL, with and without deflation, and by ARPACK. */
+/* Compare with eigenvalues by LAPACK, with and without deflation, and by ARPACK. */
 static jlt_status cross_check(jlt_deflation *result, const jlt_deflation_problem *p, const jlt_deflation_choice *c)
 {
     const size_t n = p->n, rest = n - p->rank;
@@ -178,7 +178,7 @@ static jlt_status cross_check(jlt_deflation *result, const jlt_deflation_problem
         nonzero += re[i] != 0.0 || im[i] != 0.0;
     }
     JLT_PASS(jlt_eigen_values(other_re, other_im, c->block, rest));
-    result->gsl_difference = farthest(re + p->rank, im + p->rank, rest, other_re, other_im, rest) / size;
+    result->lapack_difference = farthest(re + p->rank, im + p->rank, rest, other_re, other_im, rest) / size;
     JLT_PASS(jlt_eigen_values(other_re, other_im, p->a, n));
     result->plain_difference = fmax(farthest(re, im, n, other_re, other_im, n),
                                     farthest(other_re, other_im, n, re, im, n)) / size;
@@ -263,7 +263,7 @@ static jlt_status compute(jlt_deflation *result, const double *a, const double *
         r.defective_zero = least > n - zeros;
         r.doubtful_zero = r.doubtful_zero || (most > n - zeros && !r.defective_zero);
     }
-    r.gsl_difference = r.plain_difference = r.arpack_difference = NAN;
+    r.lapack_difference = r.plain_difference = r.arpack_difference = NAN;
     r.arpack_note = "";
     if (checked) JLT_PASS(cross_check(&r, &p, &best));
     for (size_t i = 0; i < n; i++) {

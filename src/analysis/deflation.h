@@ -30,8 +30,8 @@ typedef struct {
     size_t n, /* size of A */
         kept; /* n less the number of zeros attributed to integrals */
     double defect;      /* largest |W A| / (|W| |A|), entry by entry; about 2^-53 for exact integrals */
-    double gsl_difference;    /* largest distance from an eigenvalue of B to the nearest of GSL's for B, over A's Frobenius norm */
-    double plain_difference;  /* the same between all eigenvalues and GSL's for A without deflation, in both directions */
+    double lapack_difference; /* largest distance from an eigenvalue of B to LAPACK's nearest for B, over A's Frobenius norm */
+    double plain_difference;  /* the same between all eigenvalues and LAPACK's for A without deflation, in both directions */
     double arpack_difference; /* the same from ARPACK's largest eigenvalues of A to these; NaN if ARPACK cannot be used */
     const char *arpack_note;  /* why ARPACK cannot be used; "" if it was */
     int defective_zero; /* the eigenvalue zero, beyond the attributed ones, is defective: linear growth */
@@ -45,9 +45,9 @@ typedef struct {
  *       gradients, shape (count, n), of which those that depend on earlier ones are ignored; gradient_error, shape (count, n),
  *       bound on their errors, or NULL: 8 units roundoff of each entry. 1 <= n and count <= JLT_DEFLATION_SIZE_MAX.
  *  Errors: ARG, n or count; NONFINITE, an entry, or one that over- or underflows when it is scaled; NO_CONVERGENCE, rounding
- *  errors spoil every choice of pivots, or GSL's iteration fails; NOMEM.
+ *  errors spoil every choice of pivots, or LAPACK's iteration fails; NOMEM.
  *  Eigenvalues on the diagonal of a triangular part of B are taken as they are; a coupled block of two rows is solved in closed
- *  form, a larger one by GSL.
+ *  form, a larger one by LAPACK.
  *  Cost: choose(n, k) eliminations of k rows. Not reentrant: it calls ARPACK. */
 JLT_CHECKED jlt_status jlt_deflation_compute(jlt_deflation *result, const double *a, const double *error, size_t n,
                                              const double *gradients, const double *gradient_error, size_t count);

@@ -215,7 +215,7 @@ static jlt_status formulas(jlt_linearization *r, const jlt_descriptor *general, 
 static void leave_open(jlt_deflation *eigen, size_t n)
 {
     *eigen = (jlt_deflation){ .n = n, .kept = n, .doubtful_zero = 1, .arpack_note = "no eigenvalues to compare with" };
-    eigen->gsl_difference = eigen->plain_difference = eigen->arpack_difference = NAN;
+    eigen->lapack_difference = eigen->plain_difference = eigen->arpack_difference = NAN;
     for (size_t i = 0; i < n; i++) eigen->values[i] = (jlt_eigenvalue){ NAN, NAN, NAN, INFINITY, -1 };
 }
 

@@ -27,7 +27,7 @@ typedef struct {
     size_t samples, refused; /* refused: samples at which a kernel reported an error, such as an overflow or underflow */
     jlt_verify_check checks[JLT_VERIFY_CHECKS_MAX];
     size_t check_count;
-    double gsl_worst, arpack_worst; /* largest difference to other routes, relative to the matrix; not judged */
+    double lapack_worst, arpack_worst; /* largest difference to other routes, relative to the matrix; not judged */
     size_t arpack_used;
 } jlt_verify_family;
 

@@ -55,8 +55,8 @@ static void write_family(FILE *stream, const jlt_verify_family *f)
     if (f->samples == f->refused) fprintf(stream, "    nothing could be compared: FAILS\n");
     fprintf(stream,
             "    eigenvalues by other routes, largest difference relative to the matrix (measured, not judged: they lose half\n"
-            "    the digits where zero is defective): GSL without deflation %.2g, ARPACK %.2g at %zu kernels\n",
-            f->gsl_worst, f->arpack_worst, f->arpack_used);
+            "    the digits where zero is defective): LAPACK without deflation %.2g, ARPACK %.2g at %zu kernels\n",
+            f->lapack_worst, f->arpack_worst, f->arpack_used);
 }
 
 static void write_certificate(FILE *stream, const jlt_verify_certificate *c)
@@ -165,7 +165,7 @@ static json_t *family_json(const jlt_verify_family *f)
     }
     return json_pack("{s:s,s:s,s:I,s:I,s:o,s:o,s:o}", "family", f->family->name, "when", f->family->condition, "samples",
                      (json_int_t)f->samples, "refused", (json_int_t)f->refused, "checks", checks,
-                     "gsl_undeflated_difference", jlt_json_number(f->gsl_worst), "arpack_difference",
+                     "lapack_undeflated_difference", jlt_json_number(f->lapack_worst), "arpack_difference",
                      jlt_json_number(f->arpack_used > 0 ? f->arpack_worst : NAN));
 }
 

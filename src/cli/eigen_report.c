@@ -167,8 +167,8 @@ void jlt_eigen_write_text(FILE *stream, const jlt_eigen_row *row)
     if (r->eigen.defective_zero && r->verdict == JLT_UNSTABLE)
         fputs("  zero is defective: perturbations grow at least linearly in time\n", stream);
     fputs("  other routes in doubles, relative to the matrix: ", stream);
-    if (!isnan(r->eigen.gsl_difference))
-        fprintf(stream, "GSL on the deflated block %.2g, GSL on the whole %.2g, ", r->eigen.gsl_difference,
+    if (!isnan(r->eigen.lapack_difference))
+        fprintf(stream, "LAPACK on the deflated block %.2g, LAPACK on the whole %.2g, ", r->eigen.lapack_difference,
                 r->eigen.plain_difference);
     fputs("ARPACK ", stream);
     if (isnan(r->eigen.arpack_difference)) fprintf(stream, "not used (%s)\n", r->eigen.arpack_note);
@@ -259,8 +259,8 @@ static json_t *row_json(const jlt_eigen_row *row)
     json_object_set_new(o, "precision_bits", json_integer(r->precision));
     json_object_set_new(o, "defective_zero", json_boolean(r->eigen.defective_zero));
     json_object_set_new(o, "left_null_defect", jlt_json_number(r->eigen.defect));
-    json_object_set_new(o, "gsl_difference", jlt_json_number(r->eigen.gsl_difference));
-    json_object_set_new(o, "gsl_undeflated_difference", jlt_json_number(r->eigen.plain_difference));
+    json_object_set_new(o, "lapack_difference", jlt_json_number(r->eigen.lapack_difference));
+    json_object_set_new(o, "lapack_undeflated_difference", jlt_json_number(r->eigen.plain_difference));
     json_object_set_new(o, "arpack_difference", jlt_json_number(r->eigen.arpack_difference));
     json_object_set_new(o, "arpack_note", json_string(r->eigen.arpack_note));
     json_object_set_new(o, "verdict", json_string(jlt_linearization_verdict(r->verdict)));

@@ -229,6 +229,6 @@ jlt_exit jlt_planned_refuse(const jlt_plan *plan, const jlt_question *question, 
     if (question->tier == NULL && question->more) return refuse_more(plan, asked);
     if (question->tier == NULL) return refuse_all(plan, asked);
     jlt_plan_refusal(refusal, sizeof refusal, &plan->candidates[plan->chosen]);
-    return jlt_command_fail(JLT_EXIT_INPUT, "the tier %s cannot answer: %s: leave this tier out, or change --set or --start",
-                            question->tier, refusal);
+    return jlt_command_fail(JLT_EXIT_INPUT, "the tier %s cannot answer: %s: leave this tier out%s", question->tier, refusal,
+                            plan->candidates[plan->chosen].broken != NULL ? "" : ", or change --set or --start");
 }

@@ -244,7 +244,7 @@ static jlt_status open_system(surface_system *self, const jlt_flow *options)
     JLT_PASS(jlt_chart_section_init(&self->rows, self->surface.table, section, values));
     descriptor = jlt_descriptor_choose(self->surface.table, self->surface.table->time, NULL, values);
     JLT_PASS(jlt_system_bind(&self->base, descriptor, values, &(jlt_units){ 0 }, options));
-    if (descriptor->scales && !jlt_surface_units_named(section)) {
+    if (!jlt_surface_units_named(section)) {
         const jlt_units units = jlt_surface_units_of(&self->rows);
         JLT_PASS(jlt_system_count_in(&self->base, &units));
     }

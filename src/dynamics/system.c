@@ -264,6 +264,7 @@ jlt_status jlt_system_count_in(jlt_system *self, const jlt_units *units)
     JLT_OWNED(jlt_instance) *instance = NULL;
     jlt_observed *observed = NULL;
 
+    if (!d->scales) return JLT_OK;
     JLT_PASS(jlt_instance_create_in(&instance, d, params, units));
     JLT_PASS(jlt_observed_create(&observed, d, params, units));
     if (self->instance != self->told) jlt_instance_destroy(self->instance);

@@ -55,7 +55,8 @@ JLT_CHECKED jlt_status jlt_system_levels(jlt_system *self, const jlt_level *leve
  *  jlt_instance_create. */
 JLT_CHECKED jlt_status jlt_system_count(jlt_system *self, const double *sizes);
 
-/** Let the flow count in these units; its chart is left to the caller. Errors: as jlt_instance_create. */
+/** Let the flow count in these units, unless its field does not scale; its chart is left to the caller. Errors: as
+ *  jlt_instance_create. */
 JLT_CHECKED jlt_status jlt_system_count_in(jlt_system *self, const jlt_units *units);
 
 /** Set *out to what the system's field conserves: integrals, in the flow's units; on a plane section also the relations of lifted

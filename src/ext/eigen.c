@@ -3,14 +3,15 @@
 #include "core/memory.h"
 #include "ext/gsl.h"
 
-#include <gsl/gsl_eigen.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_linalg.h>
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_poly.h>
 
+#include <limits.h>
 #include <math.h>
 #include <stdbool.h>
+#include <stdlib.h>
 #include <string.h>
 
 static jlt_status status_of(int gsl)
@@ -46,34 +47,27 @@ void jlt_eigen_sort(double *re, double *im, double *error, size_t n)
         }
 }
 
+/* LAPACK has no header for C. The last two arguments are the lengths of the two words. */
+extern void dgeev_(const char *left, const char *right, const int *n, double *a, const int *lda, double *re, double *im,
+                   double *left_vectors, const int *ldvl, double *right_vectors, const int *ldvr, double *work, const int *lwork,
+                   int *info, size_t left_length, size_t right_length);
+
 jlt_status jlt_eigen_values(double *re, double *im, const double *a, size_t n)
 {
-    jlt_status st = JLT_ERR_NOMEM;
-    gsl_matrix *work = NULL;
-    gsl_vector_complex *values = NULL;
-    gsl_eigen_nonsymm_workspace *space = NULL;
-
     if (n == 0) return JLT_OK;
+    if (n > INT_MAX / 3) return JLT_ERR_ARG;
     if (!all_finite(a, n * n)) return JLT_ERR_NONFINITE;
-    jlt_gsl_quiet();
-    work = gsl_matrix_alloc(n, n);
-    values = gsl_vector_complex_alloc(n);
-    space = gsl_eigen_nonsymm_alloc(n);
-    if (work == NULL || values == NULL || space == NULL) goto done;
-    memcpy(work->data, a, n * n * sizeof *a);
-    gsl_eigen_nonsymm_params(0, 1, space);
-    JLT_TRY(status_of(gsl_eigen_nonsymm(work, values, space)));
-    for (size_t i = 0; i < n; i++) {
-        re[i] = GSL_REAL(gsl_vector_complex_get(values, i));
-        im[i] = GSL_IMAG(gsl_vector_complex_get(values, i));
-    }
+    const int size = (int)n, length = 3 * size, one = 1;
+    JLT_FREED double *held = malloc(n * n * sizeof *held), *work = malloc(3 * n * sizeof *work);
+    double no_vectors = 0.0;
+    int info;
+
+    if (held == NULL || work == NULL) return JLT_ERR_NOMEM;
+    memcpy(held, a, n * n * sizeof *a); /* LAPACK reads the transpose, whose eigenvalues are the same */
+    dgeev_("N", "N", &size, held, &size, re, im, &no_vectors, &one, &no_vectors, &one, work, &length, &info, 1, 1);
+    if (info != 0) return JLT_ERR_NO_CONVERGENCE;
     jlt_eigen_sort(re, im, NULL, n);
-    if (!all_finite(re, n) || !all_finite(im, n)) st = JLT_ERR_NONFINITE;
-done:
-    gsl_eigen_nonsymm_free(space);
-    gsl_vector_complex_free(values);
-    gsl_matrix_free(work);
-    return st;
+    return all_finite(re, n) && all_finite(im, n) ? JLT_OK : JLT_ERR_NONFINITE;
 }
 
 jlt_status jlt_eigen_balance(double *size, const double *a, size_t n)

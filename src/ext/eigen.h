@@ -1,4 +1,4 @@
-/** Eigenvalues, norms and least squares of small dense real matrices, by GSL. Matrices are row-major and remain unchanged. */
+/** Eigenvalues, by LAPACK, norms and least squares, by GSL, of small dense real matrices, row-major, which remain unchanged. */
 #ifndef JLT_EXT_EIGEN_H
 #define JLT_EXT_EIGEN_H
 
@@ -6,10 +6,11 @@
 
 #include <stddef.h>
 
-/** Eigenvalues of a real n x n matrix, balanced, by the Francis QR algorithm.
+/** Eigenvalues of a real n x n matrix, balanced, by the Francis QR algorithm. Reentrant.
  *  Out: re, im, shape (n,), in ascending order of (re, im). In: a, shape (n, n), finite.
- *  Errors: NONFINITE, NO_CONVERGENCE, NOMEM. Accuracy: normwise backward stable; an eigenvalue with a Jordan block of size k keeps
- *  1/k of the digits. Cost: 10 n^3. Source: Golub, Van Loan, Matrix Computations, 7.5. */
+ *  Errors: ARG, n; NONFINITE, NO_CONVERGENCE, NOMEM; re and im are then undefined. Accuracy: normwise backward stable; an
+ *  eigenvalue with a Jordan block of size k keeps 1/k of the digits. Cost: 10 n^3. Source: Golub, Van Loan, Matrix
+ *  Computations, 7.5. */
 JLT_CHECKED jlt_status jlt_eigen_values(double *re, double *im, const double *a, size_t n);
 
 /** Roots of a polynomial of degree n, by the QR algorithm on its balanced companion matrix.

@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+bool jlt_units_is_table(const jlt_units *units) { return units->mass == 0 && units->length == 0 && units->time == 0; }
+
 static int exponent_of(const jlt_units *units, const char *name, size_t length)
 {
     if (length == 2 && strncmp(name, "kg", 2) == 0) return units->mass;

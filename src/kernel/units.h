@@ -8,10 +8,15 @@
 
 #include "kernel_abi.h"
 
+#include <stdbool.h>
+
 /** The units are 2^mass kg, 2^length m and 2^time s. All zero: kg, m and s. */
 typedef struct {
     int mass, length, time;
 } jlt_units;
+
+/** Whether these are the table's own units, in which nothing is scaled. */
+bool jlt_units_is_table(const jlt_units *units);
 
 /** The exponent e such that a compound unit formed from these units is 2^e times that from kg, m and s. `unit` reads "kg*m^2/s^2",
  *  "kg m^2", "1/(m*s^2)", "rad/s", "1" or "". Any other name, such as rad, counts as 1. */

@@ -11,9 +11,6 @@ static bool agree(const double *told, const double *counted, const jlt_quantity 
     return memcmp(restored, told, count * sizeof *told) == 0;
 }
 
-/* Whether these are the table's own units, in which nothing is scaled. */
-static bool is_of_table(const jlt_units *units) { return units->mass == 0 && units->length == 0 && units->time == 0; }
-
 jlt_status jlt_course_units_serve(bool *serves, const jlt_tier *tier, const double *params, const double *x, const jlt_units *units)
 {
     const jlt_descriptor *model = tier->asked;
@@ -37,7 +34,7 @@ jlt_status jlt_course_units_serve(bool *serves, const jlt_tier *tier, const doub
         if (memcmp(told.instance->params, view.instance->params, kernel->param_count * sizeof *told.instance->params) == 0
             && agree(y[0], y[1], kernel->states, kernel->state_count, units)
             && agree(back[0], back[1], model->states, model->state_count, units))
-            *serves = kernel->scales || is_of_table(units);
+            *serves = kernel->scales || jlt_units_is_table(units);
     }
     return st == JLT_ERR_UNSUPPORTED ? JLT_OK : st;
 }
@@ -45,7 +42,7 @@ jlt_status jlt_course_units_serve(bool *serves, const jlt_tier *tier, const doub
 jlt_status jlt_course_units(jlt_units *out, const jlt_plan *plan, const jlt_question *question)
 {
     const jlt_tier *tier = &plan->candidates[plan->chosen].tier;
-    bool scales = question->model->scales;
+    bool scales = question->model->scales && plan->reduced->scales;
     jlt_units units;
 
     *out = (jlt_units){ 0 };

@@ -72,6 +72,7 @@ jlt_status jlt_drift_whole_open(jlt_drift_whole *out, const jlt_system *system, 
     out->level = ldexp(out->level, -jlt_units_exponent(&system->units, field->states[out->column].unit));
     jlt_units_count(out->start, out->start, field->states, field->state_count, &system->units);
     field = jlt_descriptor_choose(field, field->time, NULL, params);
+    if (!field->scales && !jlt_units_is_table(&system->units)) return JLT_ERR_UNSUPPORTED;
     JLT_TRY(jlt_instance_create(&out->told, field, params));
     JLT_TRY(jlt_instance_create_in(&out->instance, field, params, &system->units));
     JLT_TRY(jlt_field_of(&out->field, out->instance));

@@ -27,7 +27,9 @@ const jlt_descriptor *jlt_given_table(const json_t *given, const jlt_descriptor 
     }
     if (own == NULL) jlt_refuse(problem, "no table %s with SHA-256 %s is known here (name its file by --model)", name, digest);
     else
-        jlt_refuse(problem, "it speaks of %s with SHA-256 %s, and --model names %s with %s", name, digest, own->model, own->sha256);
+        jlt_refuse(problem, "it speaks of %s with SHA-256 %s, and --model names %s with %s (%s)", name, digest, own->model,
+                   own->sha256, strcmp(own->model, name) == 0 ? "another version of that table"
+                                                                   : "name the file of the table that it speaks of");
     return NULL;
 }
 

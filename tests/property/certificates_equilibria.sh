@@ -89,8 +89,10 @@ change precession 'g["family"] = "hovering"' digest
 expect 3 "$scratch/precession.json" "no family of equilibria 'hovering'"
 change hash 'g["table"]["sha256"] = "0" * 64' digest
 expect 3 "$scratch/hash.json" 'it speaks of spherical_top with SHA-256 000' second
+change edited 'g["table"] = {"name": "ledge", "sha256": "0" * 64}' digest
+expect 3 "$scratch/edited.json" '(another version of that table)' second
 change table 'g["table"]["name"] = "spherical_top_level"' digest
-expect 3 "$scratch/table.json" 'it speaks of spherical_top_level with SHA-256' second
+expect 3 "$scratch/table.json" '(name the file of the table that it speaks of)' second
 change number 'g["box"]["m"]["low"] = "nan"' digest
 expect 3 "$scratch/number.json" 'box: parameter m: no number' second
 change pole 'g["box"]["gamma3"]["high"] = "1"' digest

@@ -95,4 +95,51 @@ for L in 1000 3e5; do
             fail "section, L = $L: $(tail -1 out), not $own"
     done
 done
+
+# A variant that sets a quantity with a unit to a number holds in the table's units alone: motions, returns and drifts are those of
+# the same table without units.
+cat > quartic.tt <<'T'
+model quartic
+param a > 0 [m^-2*s^-2]
+default a = 1
+state x [m]
+state y [m]
+state px [m/s]
+state py [m/s]
+eq x = px
+eq y = py
+eq px = - a*x^3
+eq py = - 2*a*y^3
+variant one : a = 1
+integral H = (px^2 + py^2)/2 + a*x^4/4 + a*y^4/2
+integral part = px^2/2 + x^4/4 when a = 1
+section up : by quartic_up.tt at x = 0 with y = y, py = py, H = H
+T
+cat > quartic_up.tt <<'T'
+model quartic_up
+param a > 0 [m^-2*s^-2]
+param H [m^2/s^2]
+default a = 1, H = 50
+state y [m]
+state py [m/s]
+let square = 2*H - py^2 - a*y^4
+domain reached : square > 0
+root px = sqrt(square)
+lift into quartic.tt with x = 0, y = y, px = px, py = py
+T
+sed 's/ \[.*\]//; s/quartic/bare/' quartic.tt > bare.tt
+sed 's/ \[.*\]//; s/quartic/bare/' quartic_up.tt > bare_up.tt
+ttc prove quartic.tt bare.tt > proofs || fail "claims: $(cat proofs)"
+for command in 'simulate TABLE --start x=1,y=3,px=10,py=20 --times 1,5' 'section TABLE --start y=1.9,py=0 --returns 2' \
+    'section TABLE --grid y=1:1.9:2,py=0:1:2 --returns 1' 'fates TABLE --grid y=1:1.9:2,py=0:1:2 --returns 2'; do
+    run 0 ${command/TABLE/./bare.tt}
+    tail -1 out | cut -d, -f1-6 > bare
+    run 0 ${command/TABLE/./quartic.tt}
+    tail -1 out | cut -d, -f1-6 | awk -F, -v OFS=, '
+        NR == FNR { for (i = 1; i <= NF; i++) bare[i] = $i; next }
+        { for (i = 1; i <= NF; i++) if ($i != bare[i] && ($i - bare[i])^2 > 1e-20*(1 + $i^2)) exit 1 }' bare - ||
+        fail "${command/TABLE/quartic}: $(tail -1 out), not $(cat bare)"
+done
+run 0 simulate ./quartic.tt --start x=1,y=3,px=10,py=20 --times 1,5
+tail -1 out | awk -F, '{ exit !($6 < 1e-11 && $7 < 1e-11) }' || fail "drifts: $(tail -1 out)"
 exit $status

@@ -109,3 +109,19 @@ done
 
 # A family of one point is certified at it once.
 grep -c 'rest at x = 7$' "$scratch/said" | grep -qx 1 || { echo "one point, again:"; grep 'rest at' "$scratch/said"; exit 1; }
+
+# Where parameters are of extreme sizes a field may vary over a length that is tiny beside 1, as over b sqrt(c)/a^2 here: a complex
+# step must be far below it.
+cat > "$scratch/steep.tt" << 'END'
+model steep
+param a > 0
+param b > 0
+param c > 0
+state x
+state y
+eq x = y
+eq y = -x/(c + (a^2*x/b)^2)
+equilibria rest : x = 0, y = 0
+trace rest = 0
+END
+jellett verify --seed=2 "$scratch/steep.tt" > "$scratch/said" || { cat "$scratch/said"; exit 1; }

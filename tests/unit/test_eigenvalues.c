@@ -334,14 +334,37 @@ static void nearly_dependent_gradients_do_not_spoil_what_stands_in_the_matrix(vo
     assert_true(d.values[4].im == -d.values[3].im);
 }
 
+/* An oscillator in a rotating frame, x'' = -q x + k y', y'' = -q y - k x': lambda = +-i (sqrt(k^2/4 + q) +- k/2). In coordinates
+ * scaled by sqrt(q), from 1/2 to 2, the matrix is normal: no error is above twice that of a backward stable algorithm. GSL's QR
+ * misses one in 400 of these by much more, some altogether. */
+static void eigenvalues_of_oscillators_in_a_rotating_frame_keep_their_digits(void **unused)
+{
+    (void)unused;
+    for (int i = 0; i < 100; i++)
+        for (int j = 0; j < 100; j++) {
+            const double q = 0.25 + i * 3.75 / 99, k = 0.1 + j * 9.9 / 99, large = sqrt(k * k / 4 + q) + k / 2, small = q / large;
+            const double a[16] = { 0, 0, 1, 0, 0, 0, 0, 1, -q, 0, 0, k, 0, -q, -k, 0 };
+            const double bound = 2 * (10 * 4 * DBL_EPSILON / 2) * sqrt(2 * (1 + q * q + k * k));
+            double re[4], im[4];
+            int larger = 0;
+            assert_int_equal(jlt_eigen_values(re, im, a, 4), JLT_OK);
+            for (int m = 0; m < 4; m++) {
+                const bool far = fabs(fabs(im[m]) - large) < fabs(fabs(im[m]) - small);
+                larger += far;
+                assert_true(hypot(re[m], fabs(im[m]) - (far ? large : small)) <= bound);
+            }
+            assert_int_equal(larger, 2);
+        }
+}
+
 /* Threads call GSL at once: a handler put back by one would be on under another. */
 static void gsl_has_no_handler_between_calls(void **unused)
 {
     static const double a[] = { 1, 2, 3, 4 };
-    double re[2], im[2];
+    double norm;
 
     (void)unused;
-    assert_int_equal(jlt_eigen_values(re, im, a, 2), JLT_OK);
+    assert_int_equal(jlt_eigen_norm(&norm, a, 2), JLT_OK);
     assert_ptr_equal(gsl_set_error_handler_off(), gsl_set_error_handler_off());
 }
 
@@ -361,6 +384,7 @@ int main(void)
         cmocka_unit_test(a_model_of_too_many_states_is_refused),
         cmocka_unit_test(wrong_arguments_of_outside_solvers_are_statuses),
         cmocka_unit_test(quadrature_is_exact_to_its_estimate_and_passes_failures_on),
+        cmocka_unit_test(eigenvalues_of_oscillators_in_a_rotating_frame_keep_their_digits),
         cmocka_unit_test(gsl_has_no_handler_between_calls),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

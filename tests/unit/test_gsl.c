@@ -34,12 +34,6 @@ static void rest(void *context, const double *x, double *f)
     f[0] = 0.0;
 }
 
-static bool eigenvalues(void)
-{
-    double re[2], im[2];
-    return jlt_eigen_values(re, im, (const double[]){ 1, 2, 3, 4 }, 2) == JLT_OK;
-}
-
 static bool roots(void)
 {
     double re[2], im[2];
@@ -71,7 +65,7 @@ static bool integrator(void)
 /* In a process of its own, where nobody has called before. */
 static void every_caller_switches_the_handler_off(void **unused)
 {
-    bool (*const callers[])(void) = { eigenvalues, roots, least_squares, quadrature, integrator };
+    bool (*const callers[])(void) = { roots, least_squares, quadrature, integrator };
 
     (void)unused;
     for (size_t i = 0; i < sizeof callers / sizeof *callers; i++) {

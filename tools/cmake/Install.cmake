@@ -91,7 +91,7 @@ foreach(library ${Flint_libraries} ${OpenMP_C_LIBRARIES})
   string(REGEX REPLACE "^lib" "-l" flag ${stem})
   list(APPEND JLT_PC_LIBRARIES ${flag})
 endforeach()
-foreach(package GSL ARPACK JANSSON LIBCONFIG)
+foreach(package GSL ARPACK LAPACK JANSSON LIBCONFIG)
   list(APPEND JLT_PC_LIBRARIES ${${package}_STATIC_LDFLAGS})
 endforeach()
 # Where the compiler looks by itself differs between machines, and need not be said.

@@ -40,7 +40,7 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libjellett0 (= ${PROJECT_VERSION})")
 # What the static library is linked with.
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS
-  "pkg-config, g++, libgsl-dev, libarpack2-dev, ${flint}, libjansson-dev, libconfig-dev")
+  "pkg-config, g++, libgsl-dev, libarpack2-dev, liblapack-dev, ${flint}, libjansson-dev, libconfig-dev")
 set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "Headers of libjellett0, the static library, kernels in C, examples, and what
 pkg-config and CMake need to find them.")
 include(CPack)
