@@ -1,6 +1,5 @@
 #include "cli/motion_many.h"
 
-#include <string.h>
 
 #include "cli/interrupt.h"
 #include "dynamics/section_flows.h"
