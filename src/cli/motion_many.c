@@ -1,6 +1,5 @@
 #include "cli/motion_many.h"
 
-
 #include "cli/interrupt.h"
 #include "dynamics/section_flows.h"
 #include "integrate/batch_method.h"
