@@ -4,6 +4,8 @@
 
 #include "integrate/locate.h"
 
+static const double told = 0x1p-20; /* part of a condition by which it falls within a step, beyond errors of what is within */
+
 void jlt_section_conditions_turn(jlt_section_conditions *self)
 {
     self->end.value = INFINITY;
@@ -71,7 +73,9 @@ static void look_within(jlt_section_conditions *self, jlt_orbit *orbit, double b
 
     for (; of.one.index < count; of.one.index++) {
         jlt_event_least least;
-        if (!dips(&least, orbit, &event, hold) || least.value + bound >= before) continue;
+        if (!dips(&least, orbit, &event, hold)) continue;
+        if (self->seeks_least && jlt_orbit_value(orbit, &least.value, &event, least.theta) != JLT_OK) continue;
+        if (least.value + bound >= before) continue;
         before = least.value + bound;
         self->dip = (jlt_section_least){ before, of.one.index };
         self->dip_theta = least.theta;
@@ -91,7 +95,7 @@ void jlt_section_conditions_step(jlt_section_conditions *self, jlt_orbit *orbit)
     const jlt_section_least start = self->end;
 
     jlt_section_conditions_end(self);
-    const double bound = self->seeks_least && isfinite(self->so_far.value) ? self->so_far.value : 0;
+    const double least = self->so_far.value, bound = self->seeks_least && least > 0 && isfinite(least) ? least - told * least : 0;
     look_within(self, orbit, bound, isfinite(start.value) && start.value > bound && end.value > bound);
     self->end = end;
 }
