@@ -184,7 +184,7 @@ static jlt_exit read_sweep(jlt_grid_axis *axes, size_t *count, size_t *all, cons
 typedef struct {
     const options *o;
     const jlt_system *base;
-    size_t axes, starts;
+    size_t axes, starts, outside; /* outside: points at which the model's parameters have no meaning */
     jlt_failures failures;
 } share_rows;
 
@@ -198,20 +198,24 @@ static void write_shares(void *context, const jlt_fates_crowd_place *place)
     jlt_fates_table_shares(common->table.file, common->points, self->base, place->values, self->axes, &place->sum);
 }
 
-/* Follow the starts at each of the `all` points of these axes (count,); orbits of several points share a batch. */
+/* Follow the starts at each point of these axes (count,); orbits of several points share a batch. Where there is no state, or the
+ * model has no meaning, there are no starts; the first point of the latter kind is told of. */
 static jlt_exit follow_points(jlt_fates_crowd *crowd, jlt_motion_family *family, const jlt_grid_axis *axes, size_t count,
-                              size_t all)
+                              share_rows *rows)
 {
     jlt_exit code = JLT_EXIT_DONE;
 
-    for (size_t i = 0; code == JLT_EXIT_DONE && i < all && !jlt_motion_interrupted(crowd->motion); i++) {
+    for (size_t i = 0; code == JLT_EXIT_DONE && i < crowd->whole && !jlt_motion_interrupted(crowd->motion); i++) {
         jlt_system *system = NULL;
         double at[JLT_FAMILY_AXES_MAX];
         jlt_grid_point(at, axes, count, i);
         for (size_t k = 0; k < count; k++) *family->entries[k] = at[k];
         const jlt_status st = jlt_motion_family_make(family, &system);
-        if (st != JLT_OK && st != JLT_ERR_EMPTY) code = jlt_motion_family_fail(family, st, "--sweep", axes, count);
-        else code = jlt_fates_crowd_follow(crowd, system, at, count);
+        const bool is_outside = st == JLT_ERR_DOMAIN;
+        if (st != JLT_OK && st != JLT_ERR_EMPTY && (!is_outside || rows->outside == 0))
+            code = jlt_motion_family_fail(family, st, "--sweep", axes, count);
+        rows->outside += is_outside;
+        if (code == JLT_EXIT_DONE || is_outside) code = jlt_fates_crowd_follow(crowd, system, at, count);
     }
     return code == JLT_EXIT_DONE && !jlt_motion_interrupted(crowd->motion) ? jlt_fates_crowd_finish(crowd) : code;
 }
@@ -233,7 +237,7 @@ static jlt_exit sweep(options *o, const jlt_system *base, size_t all)
     jlt_fates_table_share_names(common->table.file, base, axes, rows.axes);
     jlt_progress_start(&progress, "starts");
     crowd.progress = &progress;
-    code = follow_points(&crowd, &family, axes, rows.axes, crowd.whole);
+    code = follow_points(&crowd, &family, axes, rows.axes, &rows);
     jlt_progress_end(&progress);
     if (code == JLT_EXIT_DONE) code = jlt_common_save(common);
     if (code == JLT_EXIT_DONE && jlt_motion_interrupted(&o->motion))
@@ -241,6 +245,9 @@ static jlt_exit sweep(options *o, const jlt_system *base, size_t all)
     if (code == JLT_EXIT_DONE) jlt_fates_crowd_tell(&crowd, rows.starts);
     if (code == JLT_EXIT_DONE && common->plot != NULL) code = draw_sweep(o, base, &axes[0]);
     if (code == JLT_EXIT_DONE) code = jlt_motion_failures(base, &rows.failures, rows.starts);
+    if (code == JLT_EXIT_DONE && rows.outside > 0)
+        return jlt_command_fail(JLT_EXIT_INPUT, "%zu of %zu points are outside the model's domain, and have no starts",
+                                rows.outside, all);
     if (code == JLT_EXIT_DONE && rows.starts == 0 && axes[0].part == 0 && !jlt_motion_interrupted(&o->motion))
         code = jlt_motion_fail(JLT_ERR_EMPTY, base, "--sweep");
     return code;

@@ -70,9 +70,10 @@ static const struct argp parser = {
     "  COORDINATE        each coordinate of the start\n"
     "  exponent          empty if the orbit ends before N returns\n"
     "  t                 time\n\n"
-    "Differences of points are measured in coordinates, counted in units of the problem, powers of two. Other units, other "
-    "coordinates or another order of states measure them differently: exponents of N returns change by a part that falls as "
-    "1/t, and their limits do not.\n\n"
+    "Differences of points are measured in coordinates, counted in units of the problem, powers of two; a coordinate that the "
+    "grid, or a return, runs through by more than 64 of these, or by less than 1/64, counts in its own size, unless the "
+    "derivative of a first return would be more than 64 times as large. Another grid, other units, coordinates or another order "
+    "of states measure them differently: exponents of N returns change by a part that falls as 1/t, and their limits do not.\n\n"
     "Orbits on which a condition of the model breaks are told of at the end; those of a chart and of a sweep are followed once "
     "more for that, and the returns of --skip count.\n\n"
     "With --sweep, a history is its last row. The starts of a chart, and the histories of a sweep, are followed side by side, "
@@ -298,7 +299,12 @@ static jlt_exit open_maps(exponents *self, bool has_method)
     if (st == JLT_OK && (is_chart || (o->motion.common.at_point && !has_method)))
         st = jlt_lyapunov_chart_maps(&self->maps, o, self->system, has_method);
     if (st != JLT_OK) return jlt_motion_fail(st, self->system, "the map");
-    if (is_chart) return jlt_motion_scale(self->system, NULL, self->axes);
+    if (is_chart) {
+        JLT_PASS(jlt_motion_scale(self->system, NULL, self->axes));
+        jlt_motion_grid_point(self->q, self->axes, self->system, jlt_motion_grid_size(self->axes, self->system) / 2);
+        st = jlt_scale_for_tangents(self->system, self->q);
+        return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, self->system, "the map");
+    }
     if (self->maps != NULL && !jlt_map_batch_in_lanes(self->maps)) {
         jlt_map_batch_destroy(self->maps);
         self->maps = NULL;
@@ -306,6 +312,7 @@ static jlt_exit open_maps(exponents *self, bool has_method)
     JLT_PASS(jlt_motion_start(self->q, self->system, o->motion.starts[0]));
     for (unsigned k = 0; k < self->system->flow.chart->dim; k++) extents[k] = fabs(self->q[k]);
     st = jlt_scale_find(self->system, self->q, 1, extents);
+    if (st == JLT_OK) st = jlt_scale_for_tangents(self->system, self->q);
     return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, self->system, "the map");
 }
 

@@ -282,7 +282,7 @@ static jlt_exit search_all(jlt_orbits *list, jlt_map *map, const options *o, jlt
     jlt_progress_end(&progress);
     if (st == JLT_ERR_NO_CONVERGENCE && jlt_motion_interrupted(&o->motion)) {
         fprintf(stderr, "jellett: interrupted; the %zu orbits found so far are saved\n", list->count);
-        st = JLT_OK;
+        return JLT_EXIT_DONE;
     }
     if (st == JLT_OK && list->count == 0 && system->flow.chart->solved_count > 0)
         fputs("jellett: orbits with a return on another branch of --solve are not found\n", stderr);

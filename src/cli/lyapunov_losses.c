@@ -5,7 +5,7 @@
 jlt_status jlt_lyapunov_losses(int *lost, const jlt_system *const *systems, size_t system_count, const double *q,
                                const size_t *system_of, size_t count, size_t returns, bool in_lanes, size_t threads)
 {
-    const jlt_section_batch_options options = { .threads = (unsigned)threads, .watch = JLT_SECTION_BATCH_LOSS, .last_only = true };
+    const jlt_section_batch_options options = { .threads = (unsigned)threads, .watches = true, .last_only = true };
     const jlt_kernel_batch *kernels = in_lanes ? jlt_batch_isa_best(systems[0]->instance->descriptor, 0) : NULL;
     JLT_OWNED(jlt_section_batch) *batch = NULL;
     jlt_return last;

@@ -41,8 +41,8 @@ static const struct argp_option contact_table[] = {
     { "contact", CONTACT, "ignore|report|end", 0,
       "What to do with an orbit where a condition of the model breaks (`valid` in its table; for the spherical top, "
       "contact: the plane would have to pull). ignore (default): follow it, and report at the end how many orbits there "
-      "were. report: also write a column with the condition's least value, found at steps and, where it breaks, within the "
-      "step. end: end the orbit there, as lost_NAME", 11 },
+      "were. report: also write a column with the condition's least value, to a millionth of it. end: end the orbit there, "
+      "as lost_NAME", 11 },
     { 0 },
 };
 
@@ -88,6 +88,7 @@ static error_t parse_contact(int key, char *value, struct argp_state *state)
         argp_error(state, "--contact is ignore, report or end, not '%s'", value);
     o->contact = value;
     o->flow.end_where_invalid = strcmp(value, "end") == 0;
+    o->flow.seeks_least = strcmp(value, "report") == 0;
     return 0;
 }
 

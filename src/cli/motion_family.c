@@ -30,6 +30,7 @@ jlt_exit jlt_motion_family_fail(const jlt_motion_family *self, jlt_status status
 {
     const jlt_region *region;
     double value;
+    size_t index;
     char where[256];
     size_t used = (size_t)snprintf(where, sizeof where, "%s: at", option);
 
@@ -41,6 +42,10 @@ jlt_exit jlt_motion_family_fail(const jlt_motion_family *self, jlt_status status
         return jlt_command_fail(JLT_EXIT_INPUT, "%s, growing %s by its period changes the equations: narrow the range, or add "
                                 "--modulo %s=0", where, self->plane.descriptor->states[self->no_angle].name,
                                 self->plane.descriptor->states[self->no_angle].name);
+    if (status == JLT_ERR_DOMAIN && jlt_descriptor_check_params(self->plane.descriptor, self->plane.params, &index) != JLT_OK)
+        return jlt_command_fail(JLT_EXIT_INPUT, "%s: %s needs %s%s", where, self->plane.descriptor->model,
+                                self->plane.descriptor->params[index].name,
+                                jlt_descriptor_condition(&self->plane.descriptor->params[index]));
     if (status == JLT_ERR_DOMAIN && jlt_region_check(&region, &value, self->plane.descriptor, self->plane.params, NULL) == status)
         return jlt_assign_refuse_region(where, self->plane.descriptor, region, value);
     return jlt_motion_fail(status, NULL, where);

@@ -1,7 +1,5 @@
 #include "cli/motion_many.h"
 
-#include <string.h>
-
 #include "cli/interrupt.h"
 #include "dynamics/section_flows.h"
 #include "integrate/batch_method.h"
@@ -77,7 +75,7 @@ jlt_exit jlt_motion_many_open(jlt_section_batch **batch, jlt_section_batch_optio
 {
     JLT_PASS(options->project ? set_projection(batch_options, options, system) : JLT_EXIT_DONE);
     batch_options->threads = (unsigned)options->threads;
-    batch_options->watch = strcmp(options->contact, "report") == 0 ? JLT_SECTION_BATCH_LEAST : JLT_SECTION_BATCH_LOSS;
+    batch_options->watches = true;
     jlt_interrupt_spare(options->threads);
     const jlt_kernel_batch *kernels = options->in_lanes ? jlt_batch_isa_best(system->instance->descriptor, 0) : NULL;
     const jlt_status st = jlt_section_batch_create(batch, &system->flow, kernels, batch_options);

@@ -6,7 +6,7 @@
 
 #include "core/memory.h"
 
-/* Parameter steps are not halved below this: the branch ends there. */
+/* Parameter steps are not halved below this: the branch ends where that would be needed. */
 static const double smallest_step = 1e-9;
 
 void jlt_manifold_clear(jlt_manifold *self)
@@ -80,6 +80,21 @@ static double turn_at(const stretch *self, size_t k)
     return fabs(atan2(before[0] * after[1] - before[1] * after[0], before[0] * after[0] + before[1] * after[1]));
 }
 
+/* Whether the polygon is too coarse before corner k. */
+static bool is_coarse(const stretch *self, size_t k)
+{
+    const double distance = jlt_chart_distance(self->chart, point_at(self, k + 1), point_at(self, k)), turn = self->options->turn;
+
+    if (self->list[k].status != JLT_OK) return true; /* the branch ends on the way there */
+    if (!(distance > self->options->finest)) return false;
+    return distance > self->options->spacing || turn_at(self, k) > turn || turn_at(self, k + 1) > turn;
+}
+
+static bool is_finest(const stretch *self, size_t k)
+{
+    return self->list[k].sigma - sigma_at(self, k) < smallest_step;
+}
+
 /* Leave the stretch out, and end the branch before it. */
 static void stop(stretch *self, jlt_manifold_end end)
 {
@@ -95,7 +110,15 @@ static void cut(stretch *self, size_t count, jlt_manifold_end end)
     self->count = count;
 }
 
-/* Cut the stretch behind a point that has none, behind the length asked for, and to the number of points asked for. */
+/* Whether orbits with this status end, do not return, or grow without bound in finite time. */
+static bool ends_orbits(jlt_status st)
+{
+    return st == JLT_ERR_DOMAIN || st == JLT_ERR_EMPTY || st == JLT_ERR_BUDGET || st == JLT_ERR_NO_PROGRESS
+           || st == JLT_ERR_NONFINITE;
+}
+
+/* Cut the stretch behind a point that has none, behind the length asked for, before points that no finer step tells apart, and to
+ * the number of points asked for. */
 static jlt_status cut_at_end(stretch *self)
 {
     const size_t room = self->options->points_max - self->curve.count;
@@ -103,10 +126,11 @@ static jlt_status cut_at_end(stretch *self)
 
     for (size_t k = 0; k < self->count; k++) {
         const jlt_status st = self->list[k].status;
-        if (st == JLT_ERR_DOMAIN || st == JLT_ERR_EMPTY || st == JLT_ERR_BUDGET) cut(self, k + 1, JLT_MANIFOLD_POLE);
+        if (ends_orbits(st)) cut(self, k + 1, JLT_MANIFOLD_POLE);
         else if (st != JLT_OK) return st;
         else length += jlt_chart_distance(self->chart, self->list[k].q, point_at(self, k));
         if (length >= self->options->length_max) cut(self, k + 1, JLT_MANIFOLD_LENGTH);
+        if (st == JLT_OK && is_finest(self, k) && is_coarse(self, k)) cut(self, k, JLT_MANIFOLD_BLURRED);
     }
     if (self->count > room) cut(self, room, JLT_MANIFOLD_POINTS);
     return JLT_OK;
@@ -155,17 +179,6 @@ static jlt_status compute(stretch *all, size_t stretches)
     return JLT_OK;
 }
 
-/* Whether a point is to be added before corner k. */
-static bool is_coarse(const stretch *self, size_t k)
-{
-    const double distance = jlt_chart_distance(self->chart, point_at(self, k + 1), point_at(self, k)), turn = self->options->turn;
-
-    if (self->list[k].sigma - sigma_at(self, k) < smallest_step) return false;
-    if (self->list[k].status != JLT_OK) return true; /* the branch ends on the way there */
-    if (!(distance > self->options->finest)) return false;
-    return distance > self->options->spacing || turn_at(self, k) > turn || turn_at(self, k + 1) > turn;
-}
-
 /* Add points halfway where the stretch is coarse. Out: how many. */
 static jlt_status refine(stretch *self, size_t *added)
 {
@@ -174,7 +187,8 @@ static jlt_status refine(stretch *self, size_t *added)
 
     if (finer == NULL) return JLT_ERR_NOMEM;
     for (size_t k = 0; k < self->count; k++) {
-        if (is_coarse(self, k)) finer[n++].sigma = sigma_at(self, k) + (self->list[k].sigma - sigma_at(self, k)) / 2;
+        const double before = sigma_at(self, k);
+        if (!is_finest(self, k) && is_coarse(self, k)) finer[n++].sigma = before + (self->list[k].sigma - before) / 2;
         finer[n++] = self->list[k];
     }
     *added = n - self->count;

@@ -18,7 +18,10 @@ typedef enum {
     JLT_MANIFOLD_POINTS, /* points_max is reached */
     JLT_MANIFOLD_RETURNS, /* JLT_MANIFOLD_RETURNS_A_POINT*points_max returns were made, as where multipliers are near the unit
                              circle */
-    JLT_MANIFOLD_POLE,   /* the branch runs into orbits that end or do not return (DOMAIN, EMPTY, BUDGET of jlt_branch_point) */
+    JLT_MANIFOLD_BLURRED, /* points whose sigma differs by less than 1e-9 lie apart: errors have grown to what the spacing is, as
+                             where the branch follows that of another saddle */
+    JLT_MANIFOLD_POLE,   /* the branch runs into orbits that end, do not return, or grow without bound in finite time (DOMAIN,
+                            EMPTY, BUDGET, NO_PROGRESS, NONFINITE of jlt_branch_point) */
     JLT_MANIFOLD_INTERRUPT
 } jlt_manifold_end;
 

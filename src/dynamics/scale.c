@@ -9,12 +9,11 @@
 enum { SAMPLES = 16 };
 
 static const double pi = 3.14159265358979323846;
+static const double ordinary = 64; /* sizes that differ from 1 by no more than this factor count as 1 */
 
 /* The binary exponent that stands for a size; 0 for those that count as 1, and where nothing is known. */
 static int exponent_of(double size)
 {
-    static const double ordinary = 64;
-
     return !(size > 0) || !isfinite(size) || (size >= 1 / ordinary && size <= ordinary) ? 0 : ilogb(size);
 }
 
@@ -90,6 +89,32 @@ jlt_status jlt_scale_find(jlt_system *system, const double *starts, size_t count
     }
     jlt_map_destroy(map);
     return st;
+}
+
+/* The Frobenius norm of a slope, shape (dim, dim), between coordinates counted in units of these exponents. */
+static double norm(const double *slope, const int *exponent, unsigned dim)
+{
+    double length = 0;
+
+    for (unsigned i = 0; i < dim; i++)
+        for (unsigned j = 0; j < dim; j++) length = hypot(length, ldexp(slope[i * dim + j], exponent[j] - exponent[i]));
+    return length;
+}
+
+jlt_status jlt_scale_for_tangents(jlt_system *system, const double *q)
+{
+    jlt_chart *chart = system->chart_base;
+    int unit[JLT_CHART_DIM_MAX];
+    jlt_map *map;
+    jlt_image image;
+
+    JLT_PASS(jlt_map_create(&map, &system->flow));
+    const jlt_status st = jlt_map_apply(map, &image, q, 1, 1);
+    jlt_map_destroy(map);
+    for (unsigned k = 0; k < chart->dim; k++) unit[k] = chart->period[k] != 0 ? chart->scale[k] : chart->unit[k];
+    if (st == JLT_OK && norm(image.slope, chart->scale, chart->dim) > ordinary * norm(image.slope, unit, chart->dim))
+        memcpy(chart->scale, unit, chart->dim * sizeof *unit);
+    return st == JLT_ERR_NOMEM ? st : JLT_OK;
 }
 
 void jlt_scale_copy(jlt_system *system, const jlt_system *from)

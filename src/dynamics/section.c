@@ -123,6 +123,7 @@ jlt_status jlt_section_create(jlt_section **out, const jlt_flow *flow)
     self->crossings = self->event_count = jlt_chart_events(flow->chart, self->events, flow->direction);
     if (flow->end_where_invalid) JLT_PASS(add_conditions(self, flow->observed));
     self->watched.observed = flow->observed;
+    self->watched.seeks_least = flow->seeks_least;
     self->watched.looks_within = self->event_count == self->crossings;
     jlt_orbit_observe(self->orbit, watch, self);
     *out = self;

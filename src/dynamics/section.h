@@ -22,7 +22,8 @@ typedef struct {
     jlt_invariants kept;              /* after every step the state is put back onto the start's levels of these; zero: none */
     const jlt_observed *observed;     /* tells where the model holds, from states in the field's units; default: everywhere */
     bool end_where_invalid;           /* an orbit ends where a condition of the model breaks; default: it goes on, and rows hold the
-                                         least value met */
+                                         least value met, */
+    bool seeks_least;                 /* within steps as well, to a millionth of it; default: there only where a condition breaks */
     const volatile sig_atomic_t *interrupt;
     struct {
         int state[JLT_CHART_STATES_MAX], time;

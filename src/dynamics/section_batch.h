@@ -17,19 +17,13 @@
 #include "dynamics/section.h"
 #include "integrate/batch.h"
 
-/** What rows say of the model's conditions. */
-typedef enum {
-    JLT_SECTION_BATCH_UNWATCHED, /* nothing */
-    JLT_SECTION_BATCH_LOSS,      /* whether one has been lost: `least` is <= 0 if so, and is that of the first loss */
-    JLT_SECTION_BATCH_LEAST      /* the least value */
-} jlt_section_batch_watch;
-
 typedef struct {
     unsigned threads; /* 0 and 1: the caller's alone */
     const jlt_instance *project; /* the flow's instance: lanes restore its integrals, and the relation of a root, at crossings;
                                     NULL: they do not */
     bool backwards;   /* in time */
-    jlt_section_batch_watch watch;
+    bool watches;     /* the model's conditions: whether one has been lost, `least` is then <= 0 and that of the first loss; if the
+                         flow seeks_least, the least value */
     bool last_only;   /* orbits are read by jlt_section_batch_last alone: no other rows are kept */
     /* Called with the number of returns made since the run began, by all threads; NULL: not called. */
     void (*progress)(void *context, size_t returns);

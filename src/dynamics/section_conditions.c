@@ -4,6 +4,8 @@
 
 #include "integrate/locate.h"
 
+static const double told = 0x1p-20; /* part of a condition by which it falls within a step, beyond errors of what is within */
+
 void jlt_section_conditions_turn(jlt_section_conditions *self)
 {
     self->end.value = INFINITY;
@@ -32,8 +34,21 @@ static jlt_section_least least_at(const jlt_section_conditions *self, const doub
     return out;
 }
 
-/* Where a condition is least within the last step, if it is broken there and rises again before the end. hold: all conditions hold
- * at its ends; else it has to be seen whether this one does. */
+typedef struct {
+    jlt_observed_one one;
+    double bound;
+} above;
+
+/* How far a condition, an `above`, is above its bound. */
+static double above_value(void *context, const double *x)
+{
+    above *self = context;
+
+    return jlt_observed_condition_value(&self->one, x) - self->bound;
+}
+
+/* Where a condition is least within the last step, if it is below the bound there and rises again before the end. hold: all are
+ * above at its ends; else it has to be seen whether this one is. */
 static bool dips(jlt_event_least *least, jlt_orbit *orbit, const jlt_event *event, bool hold)
 {
     const jlt_stepper *stepper = jlt_orbit_stepper(orbit);
@@ -48,19 +63,21 @@ static bool dips(jlt_event_least *least, jlt_orbit *orbit, const jlt_event *even
     return least->value <= 0;
 }
 
-/* Set the dip to the least value of a broken condition within the step, if it is less than what was met before. */
-static void look_within(jlt_section_conditions *self, jlt_orbit *orbit, bool hold)
+/* Set the dip to the least value of a condition that goes below the bound within the step, if that is less than was met before. */
+static void look_within(jlt_section_conditions *self, jlt_orbit *orbit, double bound, bool hold)
 {
     const unsigned count = self->looks_within ? jlt_observed_conditions(self->observed) : 0;
-    jlt_observed_one one = { self->observed, 0 };
-    const jlt_event event = { .value = jlt_observed_condition_value, .context = &one };
+    above of = { .one = { self->observed, 0 }, .bound = bound };
+    const jlt_event event = { .value = above_value, .context = &of };
     double before = self->so_far.value;
 
-    for (; one.index < count; one.index++) {
+    for (; of.one.index < count; of.one.index++) {
         jlt_event_least least;
-        if (!dips(&least, orbit, &event, hold) || least.value >= before) continue;
-        before = least.value;
-        self->dip = (jlt_section_least){ least.value, one.index };
+        if (!dips(&least, orbit, &event, hold)) continue;
+        if (self->seeks_least && jlt_orbit_value(orbit, &least.value, &event, least.theta) != JLT_OK) continue;
+        if (least.value + bound >= before) continue;
+        before = least.value + bound;
+        self->dip = (jlt_section_least){ before, of.one.index };
         self->dip_theta = least.theta;
     }
 }
@@ -75,10 +92,11 @@ void jlt_section_conditions_end(jlt_section_conditions *self)
 void jlt_section_conditions_step(jlt_section_conditions *self, jlt_orbit *orbit)
 {
     const jlt_section_least end = least_at(self, jlt_orbit_stepper(orbit)->x);
-    const bool held = isfinite(self->end.value) && self->end.value > 0;
+    const jlt_section_least start = self->end;
 
     jlt_section_conditions_end(self);
-    look_within(self, orbit, held && end.value > 0);
+    const double least = self->so_far.value, bound = self->seeks_least && least > 0 && isfinite(least) ? least - told * least : 0;
+    look_within(self, orbit, bound, isfinite(start.value) && start.value > bound && end.value > bound);
     self->end = end;
 }
 

@@ -13,9 +13,10 @@ typedef struct {
 
 typedef struct {
     const jlt_observed *observed; /* NULL: there are no conditions */
-    bool looks_within;            /* steps are searched for a condition that holds at both ends, but not in between */
+    bool looks_within;            /* steps are searched for a condition that holds at both ends, but not in between, */
+    bool seeks_least;             /* or for one that is less in between than so far */
     jlt_section_least so_far;     /* before the last step */
-    jlt_section_least end, dip;   /* of the last step: at its end; within it, where a broken condition is least, */
+    jlt_section_least end, dip;   /* of the last step: at its end; within it, where such a condition is least, */
     double dip_theta;             /* at this fraction of it; INFINITY: nowhere */
 } jlt_section_conditions;
 

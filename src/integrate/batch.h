@@ -49,6 +49,7 @@ typedef struct {
     const jlt_kernel_batch *kernels; /* of the instruction set that the map's kernels have */
     unsigned count;                  /* 1 .. JLT_BATCH_CONDITIONS_MAX */
     bool until_lost;                 /* an orbit is watched only until a value is <= 0: what is watched stays as it is there */
+    bool seeks_least;                /* within a step also where one may only be less than before */
 } jlt_batch_watch;
 
 /** The map, and how to compute it. Plain data; what it points to must live as long as it is used. */

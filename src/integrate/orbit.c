@@ -128,6 +128,13 @@ jlt_event_least jlt_orbit_least(jlt_orbit *self, const jlt_event *event)
     return within.value < ends.value ? within : ends;
 }
 
+jlt_status jlt_orbit_value(jlt_orbit *self, double *value, const jlt_event *event, double theta)
+{
+    JLT_PASS(self->stepper->method->partial(self->stepper, theta, self->slope));
+    *value = jlt_locate_value(event, self->slope);
+    return JLT_OK;
+}
+
 jlt_status jlt_orbit_zero(jlt_orbit *self, double *theta, const jlt_event *event)
 {
     *theta = INFINITY;

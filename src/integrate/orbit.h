@@ -109,6 +109,10 @@ JLT_CHECKED jlt_status jlt_orbit_loss(jlt_orbit *self, double *theta, jlt_event_
  *  polynomial costs as in jlt_stepper_dense; if that fails, only the ends count. */
 jlt_event_least jlt_orbit_least(jlt_orbit *self, const jlt_event *event);
 
+/** The value of an event's function at the fraction theta of the last step, by a partial step: without the polynomial's error.
+ *  Errors: the step's. */
+JLT_CHECKED jlt_status jlt_orbit_value(jlt_orbit *self, double *value, const jlt_event *event, double theta);
+
 /** Find the first zero in the last step of the function of an event, positive at its start. Out: *theta, in [0, 1], or INFINITY:
  *  none. Where there is one, jlt_stepper_values may be called. Errors and cost: those of jlt_edge_left, for one condition. */
 JLT_CHECKED jlt_status jlt_orbit_zero(jlt_orbit *self, double *theta, const jlt_event *event);

@@ -36,6 +36,18 @@ void jlt_leg_close(jlt_leg *self)
     *self = (jlt_leg){ .t = 0 };
 }
 
+/* Whether the rate of a state is 0 at this end of its interval, the other states as they are. */
+static bool rests_at(const jlt_leg *self, const jlt_edge_part *end)
+{
+    const jlt_quantity *interval = &self->field.domain.intervals[end->index];
+    double x[JLT_WAY_VALUES_MAX], f[JLT_WAY_VALUES_MAX];
+
+    memcpy(x, jlt_orbit_stepper(self->orbit)->x, self->field.dim * sizeof *x);
+    x[end->index] = end->is_upper ? interval->high : interval->low;
+    self->field.call(x, self->field.p, f);
+    return f[end->index] == 0;
+}
+
 void jlt_leg_end_text(char *text, const jlt_leg *self, unsigned edge)
 {
     const jlt_descriptor *kernel = self->view.instance->descriptor;
@@ -51,8 +63,10 @@ void jlt_leg_end_text(char *text, const jlt_leg *self, unsigned edge)
     if (part.is_condition)
         snprintf(text + used, left, ": %s needs %s", kernel->domains[part.index].name, kernel->domains[part.index].text);
     else
-        snprintf(text + used, left, ": %s is at the end %.10g of its interval", kernel->states[part.index].name,
-                 part.is_upper ? kernel->states[part.index].high : kernel->states[part.index].low);
+        snprintf(text + used, left, ": %s is at the end %.10g of its interval%s", kernel->states[part.index].name,
+                 part.is_upper ? kernel->states[part.index].high : kernel->states[part.index].low,
+                 rests_at(self, &part) ? ", as near as digits tell: it may never come there, as its rate is 0 at that end; to go "
+                                         "on, take the distance from it as the state" : "");
 }
 
 const char *jlt_leg_unbounded(const jlt_leg *self, double t)

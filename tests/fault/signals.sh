@@ -66,6 +66,10 @@ for command in orbits "certify cycle"; do
     expect 143 "" "$command"
     [ "$(head -1 "$scratch/err")" = "jellett: interrupted; nothing is saved" ] || fail "$command: says '$(cat "$scratch/err")'"
 done
+interrupt TERM jellett orbits lorenz --section z=27 --grid x=-20:20:3000,y=-20:20:3000 --near 1e-12 -o t.csv
+expect 143 "t.csv " "orbits of a grid"
+grep -q "the 0 orbits found so far" "$scratch/err" && ! grep -q "no orbit is found" "$scratch/err" ||
+    fail "orbits of a grid: says '$(cat "$scratch/err")'"
 interrupt TERM jellett section --start eta=0.1,gamma3=-0.6 --returns 1000000 --check -o t.csv
 expect 143 "t.csv " "section --check"
 grep -q "DP could not be computed" "$scratch/err" && fail "section --check: says '$(cat "$scratch/err")'"

@@ -194,4 +194,11 @@ for end in 1 -1; do
         grep -q "z is at the end $end of its interval" "$scratch/err" || fail "the end $end, w = $w: $(cat "$scratch/err")"
     done
 done
+# One that is invariant is not told to be reached: x = 1/(1 + exp(-t)) comes as near to 1 as digits tell, and y to its end.
+printf 'model logistic\nstate x in (0, 1)\nstate y in (-1, 1)\neq x = x*(1 - x)\neq y = 1/100\n' > "$scratch/logistic.tt"
+run 4 simulate "$scratch/logistic.tt" --start x=0.5,y=0 --times 1000
+grep -q 'x is at the end 1 of its interval, as near as digits tell: it may never come there' "$scratch/err" ||
+    fail "an invariant end: $(cat "$scratch/err")"
+run 4 simulate "$scratch/logistic.tt" --start x=0.5,y=0.9 --times 1000
+grep -q 'y is at the end 1 of its interval$' "$scratch/err" || fail "an end that is reached: $(cat "$scratch/err")"
 exit $status

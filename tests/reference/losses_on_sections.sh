@@ -113,4 +113,18 @@ for how in "" "--method gauss"; do
     jellett lyapunov --grid 6x5 --returns 3 $how 2> err > out
     [ -n "$of" ] && grep -q "on $of orbits contact is lost" err || fail "a chart, $how: not '$of': $(cat err)"
 done
+
+# The least value of a condition that holds is that of the motion, not of the steps: 1 and 2 - sqrt(5/4), where 2 - sin t and
+# 2 - cos(t)/2 - sin t are least, to a millionth of it, 2^-20.
+printf '%s\n' 'model least' 'state x' 'state v' 'state z' 'state w' 'eq x = v' 'eq v = -x' 'eq z = w' 'eq w = -z/100' \
+    'valid below : 2 - x > 0' 'valid above : 3 + v > 0' > least.tt
+for how in "" "--method gauss" "--method dop853" "--method taylor" "--method rk8pd" "--method rkf45" "--method msadams"; do
+    for contact in "section --returns 2" "fates --returns 2"; do
+        jellett ${contact%% *} ./least.tt --section z=0 --grid x=0:0.5:2,v=1:1:1,w=1:1:1 ${contact#* } --contact report $how > out \
+            2> err || fail "the least value by $how: $(cat err)"
+        awk -F, '/^#/ { next } !name { for (i = 1; i <= NF; i++) if ($i == "valid_min") name = i; next }
+            $0 !~ /^[01],0,0,/ { n++; d = $name - 1; e = $name - 0.8819660112501051; bad += d*d > 0.9e-12 && e*e > 0.7e-12 }
+            END { exit bad || n < 2 }' out || fail "$contact by ${how:-lanes}: the least value is not 1, 0.88196601125: $(cat out)"
+    done
+done
 exit $status

@@ -136,4 +136,13 @@ awk -F, '/^#/ || /^eta/ { next }
     { for (i = near = 1; i <= n; i++) if (($1 - x[i])^2 + ($2 - y[i])^2 < ($1 - x[near])^2 + ($2 - y[near])^2) near = i
       d = $10 - lobe[near]; all++; bad += !(d*d <= ($11 + bar[near])^2) }
     END { exit !(all > 10 && bad == 0) }' tight.csv loose.csv || fail "lobes at 1e-5 are outside their error bars"
+
+# A separatrix from saddle to saddle, v = (1 - x^2)/sqrt(2), is 2.5426 long: beyond it nothing is left but errors, and that is said.
+# The other side goes to infinity, some of it within one return.
+printf '%s\n' 'model pass' 'state x' 'state v' 'state phi' 'eq x = v' 'eq v = x^3 - x' 'eq phi = 1' 'periodic phi = 2*pi' > pass.tt
+jellett manifolds ./pass.tt --section phi=0 --start x=-1,v=0 --length 20 --no-crossings > out 2> err < /dev/null ||
+    { echo "a separatrix between saddles: $(cat err)"; status=1; }
+grep -q 'unstable branch, side +1: .* errors outgrow the spacing' err || { echo "nothing of errors: $(cat err)"; status=1; }
+awk -F, '/^unstable,1,/ { length_of = $4 } /^unstable,-1,/ { other = $4 } END { exit !(length_of < 3 && other > 20) }' out ||
+    { echo "branches between saddles, and to infinity: $(grep '^# .* branch' out)"; status=1; }
 exit $status

@@ -150,4 +150,14 @@ counted() {
 paste -d, <(counted 0) <(counted 1e9) |
     awk -F, '{ if (($3/$1 - 1)^2 > (4000*64e-12)^2 || ($4/$2 - 1)^2 > (4000*64e-12)^2) exit 1 } END { if (NR != 2) exit 1 }' ||
     fail "beside a large state: $(counted 0) and $(counted 1e9)"
+
+# States that hardly move, one of them by less than can be told, move each other as any do: with (b, c) = exp(A t) of A with the
+# eigenvalues -1/9 +- i/10, the norm of DP is exp(-t/9) times the larger singular value of (cos, 10 sin; -sin/10, cos) at t/10.
+printf '%s\n' 'model hardly' 'state b' 'state c' 'state phi' 'angle co si = cos(phi) sin(phi)' 'eq b = -b/9 + c + 1e-10*co' \
+    'eq c = -c/9 - b/100' 'eq phi = 1' 'periodic phi = 2*pi' > hardly.tt
+jellett lyapunov ./hardly.tt --section phi=0 --grid b=0:0:1,c=0:0:1 --returns 8 > out 2> err || fail "a chart: $(cat err)"
+tail -1 out | awk -F, '{ t = $4; S = 2*cos(t/10)^2 + 100.01*sin(t/10)^2; true = log((S + sqrt(S*S - 4))/2)/2/t - 1/9
+    exit !((t - 50.26548245743669)^2 < 1e-18 && ($3 - true)^2 < 1e-18) }' || fail "the exponent of a chart: $(tail -1 out)"
+jellett lyapunov ./hardly.tt --section phi=0 --start b=0,c=0 --returns 4000 > out 2> err || fail "a history: $(cat err)"
+tail -1 out | awk -F, '{ exit !(($3 + 1/9)^2 < 1e-6 && ($4 + 1/9)^2 < 1e-6) }' || fail "exponents: $(tail -1 out): $(cat err)"
 exit $status
