@@ -67,6 +67,40 @@ for direction in up down both; do
         jellett section ./mixed.tt --direction $direction --start q=1,z=0.1 --returns 1
 done
 
+# The slope p = v/u forgets the sign of both velocities at once: lifted points, of u > 0, are crossed upwards. Downwards an orbit of
+# half a turn would seem to be closed. A planar oscillator of frequencies 1 and 2; upwards every orbit is closed after 2 pi.
+cat > slope.tt <<'T'
+model slope
+state x
+state y
+state u
+state v
+eq x = u
+eq y = v
+eq u = - x
+eq v = - 4*y
+integral H = (u^2 + v^2 + x^2 + 4*y^2)/2
+section cut : by slope_cut.tt at x = 0 with y = y, p = v/u, H = H
+T
+cat > slope_cut.tt <<'T'
+model slope_cut
+param H
+default H = 1/2
+state y
+state p
+let square = 2*H - 4*y^2
+domain reached : square > 0
+root speed = sqrt(square)
+root norm = sqrt(1 + p^2)
+lift into slope.tt with x = 0, y = y, u = speed/norm, v = p*speed/norm
+T
+expect 0 '^0,1,6\.28318530717[0-9]*,(0.1|0.0999999999|0.1000000000)[0-9]*,(0.2|0.1999999999|0.2000000000)[0-9]*,alive$' \
+    jellett section ./slope.tt --start y=0.1,p=0.2 --returns 1
+for direction in down both; do
+    expect 3 'crossings in this --direction lie on the other half' \
+        jellett orbits ./slope.tt --direction $direction --start y=0.1,p=0.2 --period 1
+done
+
 # g' = p, p' = -1: orbits run through g = -1 at speed, which is no pole to come to; in the time of s they would come back in time.
 cat > ball.tt <<'T'
 model ball
