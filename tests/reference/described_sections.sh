@@ -40,6 +40,20 @@ grep -v '^#' out | cut -d, -f3-5 | tail -n +2 > described
 expect 0 ',alive$' jellett section ./pendulum.tt --section f=0 --start a=0.1,p=2.5 --returns 9
 grep -v '^#' out | cut -d, -f3-5 | tail -n +2 | cmp - described || fail "an angle is not within half a turn: $(cat described)"
 
+# So is a coordinate that the angle moves evenly, here by half a turn for a whole one, or beside another: within half a period of
+# its own, points that differ by periods are one, and the one closed orbit is listed once.
+sed -e 's/pendulum/halved/; s/- s + cf/- p\/10 &/; s/pendulum_cut/halved_cut/; s/turn = a/turn = 1 - a\/2 + p/' \
+    pendulum.tt > halved.tt
+printf 'model halved_cut\nstate turn\nstate p\nlift into halved.tt with f = 0, a = 2 + 2*p - 2*turn, p = p\n' > halved_cut.tt
+expect 0 ',alive$' jellett section ./halved.tt --start turn=3.45,p=2.5 --returns 9
+grep -v '^#' out | tail -n +2 > described
+expect 0 ',alive$' jellett section ./halved.tt --section f=0 --start a=0.1,p=2.5 --returns 9
+grep -v '^#' out | tail -n +2 | paste -d, described - | awk -F, '
+    { k = ($4 - 1 + $10/2 - $5)/3.141592653589793; if ($4 > 1.5707963267949 || $4 < -1.5707963267949) exit 1
+      if (k - sprintf("%.0f", k) > 1e-9 || sprintf("%.0f", k) - k > 1e-9) exit 1 } END { exit NR != 10 }' ||
+    fail "a coordinate with the period pi: $(cat described)"
+expect 0 '^# 1 orbit' jellett orbits ./halved.tt --grid turn=-1:1.5:6,p=-2:2:5 --period 1
+
 # q = u^2 forgets the sign of u, and x' = -u: lifted points, of u > 0, are crossed downwards.
 cat > folded.tt <<'T'
 model folded
