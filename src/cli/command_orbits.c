@@ -204,10 +204,7 @@ static jlt_exit from_start(jlt_orbits *list, jlt_map *map, const jlt_symmetric_l
     }
     st = jlt_orbits_search(list, map, &search);
     if (st == JLT_ERR_UNSUPPORTED)
-        return jlt_command_fail(JLT_EXIT_INPUT,
-                                "--line: no reversor keeps the points of this line and mirrors one coordinate: write 'reversor "
-                                "STATE -> -STATE' in the table of %s%s", system->instance->descriptor->model,
-                                system->surface == NULL ? ", or --mirror STATE,..." : "");
+        return jlt_motion_no_reversor(system, "--line: no reversor keeps the points of this line and mirrors one coordinate");
     return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, system, "--line");
 }
 
