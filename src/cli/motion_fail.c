@@ -52,6 +52,18 @@ jlt_exit jlt_motion_fail(jlt_status status, const jlt_system *system, const char
     return jlt_command_fail(jlt_command_exit(status), "%s: %s", what, jlt_status_text(status));
 }
 
+/* Whether the table proves a reversor that takes the section to itself, whatever it does to the coordinates. */
+static bool has_reversor(const jlt_system *system)
+{
+    const jlt_descriptor *general = system->instance->descriptor->family[0];
+
+    for (unsigned i = 0; i < general->reversor_count; i++) {
+        const jlt_reversor *reversor = &general->reversors[i];
+        if (reversor->signs[system->flow.chart->column] < 0 && general->claims[reversor->claim].verdict == JLT_PROVED) return true;
+    }
+    return false;
+}
+
 jlt_exit jlt_motion_no_reversor(const jlt_system *system, const char *what)
 {
     const jlt_chart *chart = system->flow.chart;
@@ -62,6 +74,10 @@ jlt_exit jlt_motion_no_reversor(const jlt_system *system, const char *what)
                                 "another --section",
                                 what, d->states[chart->column].name,
                                 ldexp(chart->level, system->flow.units.state[chart->column]));
+    if (chart->reversible) return jlt_command_fail(JLT_EXIT_INPUT, "%s: that of %s keeps other lines", what, d->model);
+    if (system->surface != NULL && has_reversor(system))
+        return jlt_command_fail(JLT_EXIT_INPUT, "%s: that of %s does more to the coordinates of %s than change signs: take another "
+                                "--section", what, d->model, system->surface->section->name);
     return jlt_command_fail(JLT_EXIT_INPUT, "%s: write 'reversor STATE -> -STATE' in the table of %s%s", what, d->model,
                             system->surface == NULL ? ", or --mirror STATE,..." : "");
 }

@@ -198,4 +198,18 @@ for cut in "" "--section cut"; do
     expect 3 'has 65 parameters and levels, and 64 are the limit' jellett section ./many.tt $cut --start u=1,q1=0 --returns 1
 done
 expect 0 ',alive$' jellett section ./many.tt --section x=0 --start u=1,q1=0 --returns 1
+# Coordinates that a reversor turns, and does not mirror: nothing is told of symmetry, nor a record asked for that is there. Where
+# they are mirrored, symmetric orbits are looked for on lines of points that are their own mirror images.
+{ sed 's/small/turned/; s/with y = y, v = v/with y = (3*y + 4*v)\/5, v = (3*v - 4*y)\/5/' small.tt
+  echo 'reversor x -> -x, v -> -v'; } > turned.tt
+sed 's/small/turned/; s/y = y,/y = (3*y - 4*v)\/5,/; s/v = v/v = (3*v + 4*y)\/5/' small_cut.tt > turned_cut.tt
+expect 3 'that of turned does more to the coordinates of cut than change signs' \
+    jellett separation ./turned.tt --grid y=-0.1:0.1:2,v=-0.1:0.1:2
+expect 0 ',,degenerate,' jellett orbits ./turned.tt --start y=0.1,v=0.1 --period 1
+{ cat small.tt; echo 'reversor x -> -x, v -> -v'; } > straight.tt
+sed -i 's/small/straight/g' straight.tt
+sed 's/small/straight/g' small_cut.tt > straight_cut.tt
+expect 3 'with v = 0.1 is not its own mirror image: take 0 in --start' \
+    jellett orbits ./straight.tt --line y=-0.1:0.1:5 --start y=0,v=0.1 --period 1
+expect 3 'that of straight keeps other lines' jellett orbits ./straight.tt --line v=-0.1:0.1:5 --start y=0,v=0 --period 1
 exit $status
