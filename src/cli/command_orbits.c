@@ -89,7 +89,8 @@ static const struct argp parser = {
     "  T                 the time that the whole orbit takes\n"
     "  trace, det        of the derivative DP of the map over one period\n"
     "  mu1_re, mu1_im, mu2_re, mu2_im: its multipliers\n"
-    "  symmetric         whether the orbit is its own mirror image\n"
+    "  symmetric         whether the orbit is its own mirror image; empty where the\n"
+    "                    section has no reversor that changes signs alone\n"
     "  type              centre, saddle, ...\n"
     "  residual          the largest distance by which a return misses the next\n"
     "                    point of the orbit\n\n"
@@ -182,6 +183,23 @@ static jlt_exit read_start(jlt_symmetric_line *line, unsigned char *held, const 
     return JLT_EXIT_DONE;
 }
 
+/* Refuse a line whose points are not their own mirror images. */
+static jlt_exit check_line(const jlt_symmetric_line *line, const jlt_chart *chart)
+{
+    static const double same_point = 1e-7; /* as orbits are compared, dynamics/periodic.h */
+    double off[JLT_CHART_DIM_MAX];
+
+    if (!chart->reversible) return JLT_EXIT_DONE;
+    jlt_chart_mirror(chart, off, line->base);
+    jlt_chart_difference(chart, off, off, line->base);
+    jlt_chart_scaled(chart, off, off);
+    for (unsigned k = 0; k < chart->dim; k++)
+        if (k != line->free && fabs(off[k]) > same_point)
+            return jlt_command_fail(JLT_EXIT_INPUT, "--line: a point with %s = %.10g is not its own mirror image: take 0%s in "
+                                    "--start", chart->names[k], line->base[k], chart->period[k] != 0 ? ", or half a period," : "");
+    return JLT_EXIT_DONE;
+}
+
 /* Newton from one point, or the zeros on one line through it. */
 static jlt_exit from_start(jlt_orbits *list, jlt_map *map, const jlt_symmetric_line *line, const unsigned char *held,
                            const options *o, jlt_system *system)
@@ -201,12 +219,10 @@ static jlt_exit from_start(jlt_orbits *list, jlt_map *map, const jlt_symmetric_l
         if (st == JLT_OK) st = jlt_orbits_add(list, system->flow.chart, &orbit);
         return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_no_orbit(st, system, o->motion.starts[0]);
     }
+    JLT_PASS(check_line(line, system->flow.chart));
     st = jlt_orbits_search(list, map, &search);
     if (st == JLT_ERR_UNSUPPORTED)
-        return jlt_command_fail(JLT_EXIT_INPUT,
-                                "--line: no reversor keeps the points of this line and mirrors one coordinate: write 'reversor "
-                                "STATE -> -STATE' in the table of %s%s", system->instance->descriptor->model,
-                                system->surface == NULL ? ", or --mirror STATE,..." : "");
+        return jlt_motion_no_reversor(system, "--line: no reversor keeps the points of this line and mirrors one coordinate");
     return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, system, "--line");
 }
 

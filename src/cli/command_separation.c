@@ -77,16 +77,8 @@ static jlt_exit read_cells(jlt_grid_axis *axes, jlt_grid_axis *cells, const opti
     if (chart->dim != 2)
         return jlt_command_fail(JLT_EXIT_INPUT, "the comparison needs a section of two coordinates, not of %u%s", chart->dim,
                                 chart->dim > 2 ? ": --level and --solve leave fewer" : "");
-    const char *crossed = system->instance->descriptor->states[chart->column].name;
-    if (!chart->reversible && chart->level != 0)
-        return jlt_command_fail(JLT_EXIT_INPUT,
-                                "the comparison needs a reversor that takes the section to itself, crossed as it is: it changes "
-                                "the sign of %s, so ask for --section %s=0", crossed, crossed);
     if (!chart->reversible)
-        return jlt_command_fail(JLT_EXIT_INPUT,
-                                "the comparison needs a reversor that takes the section to itself, crossed as it is: "
-                                "write 'reversor STATE -> -STATE' in the table of %s%s", system->instance->descriptor->model,
-                                system->surface == NULL ? ", or --mirror STATE,..." : "");
+        return jlt_motion_no_reversor(system, "the comparison needs a reversor that takes the section to itself, crossed as it is");
     JLT_PASS(jlt_motion_axes(axes, system, o->motion.grid, "--grid"));
     return jlt_motion_cells(cells, system, o->cells, "--cells");
 }

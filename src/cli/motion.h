@@ -160,6 +160,9 @@ jlt_exit jlt_motion_refuse(const jlt_surface *surface, const double *values, jlt
 /** Print that Newton's method found no periodic orbit from `start`, and what may help. Returns the exit status for `status`. */
 jlt_exit jlt_motion_no_orbit(jlt_status status, const jlt_system *system, const char *start);
 
+/** Print "WHAT", which names what only a section with a reversor has, and what may help. Returns JLT_EXIT_INPUT. */
+jlt_exit jlt_motion_no_reversor(const jlt_system *system, const char *what);
+
 /** If the method failed on some of the orbits, print on how many, and in how many of these a state grows without bound, and return
  *  JLT_EXIT_NUMERICAL; else return JLT_EXIT_DONE. */
 jlt_exit jlt_motion_failures(const jlt_system *system, const jlt_failures *failures, size_t orbits);

@@ -1,6 +1,8 @@
 /* What users are told where an orbit, a return or a search fails. */
 #include "cli/motion.h"
 
+#include <math.h>
+
 /* Whether the method ended so because it was interrupted. */
 static bool interrupted(jlt_status status, const jlt_system *system)
 {
@@ -48,6 +50,36 @@ jlt_exit jlt_motion_fail(jlt_status status, const jlt_system *system, const char
                                       "--contact report", system->instance->descriptor->model)
                    : jlt_common_no_kernels(system->instance->descriptor, system->flow.method);
     return jlt_command_fail(jlt_command_exit(status), "%s: %s", what, jlt_status_text(status));
+}
+
+/* Whether the table proves a reversor that takes the section to itself, whatever it does to the coordinates. */
+static bool has_reversor(const jlt_system *system)
+{
+    const jlt_descriptor *general = system->instance->descriptor->family[0];
+
+    for (unsigned i = 0; i < general->reversor_count; i++) {
+        const jlt_reversor *reversor = &general->reversors[i];
+        if (reversor->signs[system->flow.chart->column] < 0 && general->claims[reversor->claim].verdict == JLT_PROVED) return true;
+    }
+    return false;
+}
+
+jlt_exit jlt_motion_no_reversor(const jlt_system *system, const char *what)
+{
+    const jlt_chart *chart = system->flow.chart;
+    const jlt_descriptor *d = system->instance->descriptor;
+
+    if (chart->level != 0)
+        return jlt_command_fail(JLT_EXIT_INPUT, "%s, which changes of signs do at STATE = 0 alone, not at %s = %.10g: take "
+                                "another --section, as %s=0",
+                                what, d->states[chart->column].name,
+                                ldexp(chart->level, system->flow.units.state[chart->column]), d->states[chart->column].name);
+    if (chart->reversible) return jlt_command_fail(JLT_EXIT_INPUT, "%s: that of %s keeps other lines", what, d->model);
+    if (system->surface != NULL && has_reversor(system))
+        return jlt_command_fail(JLT_EXIT_INPUT, "%s: that of %s does more to the coordinates of %s than change signs: take another "
+                                "--section", what, d->model, system->surface->section->name);
+    return jlt_command_fail(JLT_EXIT_INPUT, "%s: write 'reversor STATE -> -STATE' in the table of %s%s", what, d->model,
+                            system->surface == NULL ? ", or --mirror STATE,..." : "");
 }
 
 jlt_exit jlt_motion_failures(const jlt_system *system, const jlt_failures *failures, size_t orbits)

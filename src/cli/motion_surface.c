@@ -91,28 +91,34 @@ static jlt_exit refuse_large(const jlt_surface *surface)
 /* How far a value is from 1, on a logarithmic scale; 0 is not far. */
 static double distance_from_one(double value) { return value == 0 ? 0 : fabs(log(fabs(value))); }
 
+/* Refuse a value that breaks the sign of the table's parameter number `entry`. */
+static jlt_exit refuse_sign(const jlt_descriptor *table, size_t entry, double value, const char *where)
+{
+    const jlt_quantity *q = &table->params[entry];
+
+    if (jlt_descriptor_allows(q, value)) return JLT_EXIT_DONE;
+    return jlt_command_fail(JLT_EXIT_INPUT, "%s%s = %.10g: %s needs %s%s", where, q->name, value, table->model, q->name,
+                            jlt_descriptor_condition(q));
+}
+
 jlt_exit jlt_motion_refuse(const jlt_surface *surface, const double *values, jlt_status status, const char *what)
 {
+    double arranged[JLT_CHART_VALUES_MAX] = { 0 };
     char where[256] = "";
 
     if (what != NULL) snprintf(where, sizeof where, "%s: ", what);
     if (status == JLT_ERR_EMPTY) return refuse_empty(surface, values, where);
     if (status == JLT_ERR_UNSUPPORTED) return refuse_large(surface);
-    for (unsigned i = 0; status == JLT_ERR_DOMAIN && i < surface->params; i++) {
-        const jlt_descriptor *table = surface->entries[i] == JLT_SURFACE_COMPUTED ? surface->asked : surface->table;
-        size_t entry = surface->entries[i];
-        if (table == surface->asked && !jlt_descriptor_param(table, surface->names[i], &entry)) continue;
-        const jlt_quantity *q = &table->params[entry];
-        if (!jlt_descriptor_allows(q, values[i]))
-            return jlt_command_fail(JLT_EXIT_INPUT, "%s%s = %.10g: %s needs %s%s", where, q->name, values[i], table->model, q->name,
-                                    jlt_descriptor_condition(q));
-    }
+    jlt_surface_arrange(arranged, surface, values);
+    for (size_t i = 0, entry; status == JLT_ERR_DOMAIN && i < surface->params; i++)
+        if (surface->entries[i] == JLT_SURFACE_COMPUTED && jlt_descriptor_param(surface->asked, surface->names[i], &entry))
+            JLT_PASS(refuse_sign(surface->asked, entry, values[i], where));
+    for (size_t k = 0; status == JLT_ERR_DOMAIN && k < surface->table->param_count; k++)
+        JLT_PASS(refuse_sign(surface->table, k, arranged[k], where));
     if (status == JLT_ERR_ARG)
-        return jlt_command_fail(
-            JLT_EXIT_INPUT,
-            "%sthe section %s covers the half of %s = %.10g that is crossed the other way; crossings in this --direction lie on "
-            "the other half",
-            where, surface->section->name, surface->table->states[surface->section->column].name, surface->section->level);
+        return jlt_command_fail(JLT_EXIT_INPUT, "%sthe section %s covers the half of %s = %.10g that is crossed the other way; "
+                                "crossings in this --direction lie on the other half", where, surface->section->name,
+                                surface->table->states[surface->section->column].name, surface->section->level);
     if ((status == JLT_ERR_DOMAIN || status == JLT_ERR_NONFINITE) && surface->count > 0) {
         unsigned farthest = 0;
         for (unsigned i = 1; i < surface->count; i++)

@@ -21,5 +21,6 @@ void jlt_orbit_columns_write(FILE *file, const jlt_chart *chart, const jlt_perio
         fputc(',', file);
         jlt_csv_values(file, (const double[]){ orbit->re[k], orbit->im[k] }, 2);
     }
-    fprintf(file, ",%s,%s,%.3g", orbit->symmetric ? "yes" : "no", jlt_periodic_type_name(orbit->type), orbit->residual);
+    const char *symmetric = !chart->reversible ? "" : orbit->symmetric ? "yes" : "no";
+    fprintf(file, ",%s,%s,%.3g", symmetric, jlt_periodic_type_name(orbit->type), orbit->residual);
 }

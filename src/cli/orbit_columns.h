@@ -1,5 +1,5 @@
 /** A periodic orbit as columns of a table: period, coordinates, T, trace, det, multipliers, symmetric, type, residual. The
- *  first function writes their names, the second the values of one orbit. */
+ *  first function writes their names, the second the values of one orbit; without a reversor symmetric is empty. */
 #ifndef JLT_CLI_ORBIT_COLUMNS_H
 #define JLT_CLI_ORBIT_COLUMNS_H
 

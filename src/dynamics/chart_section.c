@@ -186,48 +186,71 @@ void jlt_chart_section_probe(const jlt_chart_section *self, double *q, size_t in
     jlt_chart_wrap(&self->base, q);
 }
 
-/* The index of the state to which the coordinate's way back is equal, as far as value and slopes at x tell; base.states: none. */
-static unsigned state_of(const jlt_chart_section *self, unsigned coordinate, const double *x)
-{
-    const unsigned n = self->base.states;
-    double slopes[2 * JLT_CHART_SLOPES_MAX], back[2 * Q];
-    unsigned state = n;
+/* ---- which coordinates are angles ---- */
 
-    self->section->back(x, self->values, back);
-    self->section->back_slopes(x, self->values, slopes);
-    for (unsigned i = 0; i < n; i++) {
-        const double slope = slopes[2 * coordinate * n + i];
-        if (slope == 1 && state == n && back[2 * coordinate] == x[i]) state = i;
-        else if (slope != 0) return n;
-    }
-    return state;
+enum { POINTS = 5 };
+
+static const double same = 1e-9; /* relative to the coordinate, or its period */
+
+static bool is_same(const jlt_chart_section *self, unsigned k, double difference, double q)
+{
+    return fabs(difference) <= same * fmax(fabs(q), self->base.period[k]);
 }
 
-/* A coordinate that is a state (state_of, at one point of the section) takes that state's period. */
+/* How far a period of `state` moves one coordinate, *moved, by POINTS points of the section; 0: it moves none, several, or not
+ * everywhere as far. */
+static double shift_by(const jlt_chart_section *self, unsigned *moved, unsigned state)
+{
+    const double period = self->table->states[state].period;
+    const unsigned angles = 8;
+    const size_t all = jlt_chart_section_probes(self, angles);
+    double shift = 0;
+    unsigned seen = 0;
+
+    for (size_t i = 0; i < all && seen < POINTS; i++) {
+        double q[Q], p[Q], x[JLT_CHART_STATES_MAX], slope[JLT_CHART_SLOPES_MAX];
+        jlt_chart_section_probe(self, q, i, angles);
+        if (lift(&self->base, x, NULL, q) != JLT_OK) continue;
+        lower(&self->base, p, slope, x);
+        x[state] += period;
+        lower(&self->base, p, NULL, x);
+        jlt_chart_difference(&self->base, p, p, q);
+        for (unsigned k = 0; seen == 0 && k < self->base.dim; k++) {
+            if (is_same(self, k, p[k], q[k])) continue;
+            *moved = k;
+            shift = slope[k * self->base.states + state] * period;
+        }
+        if (shift != 0) p[*moved] -= shift;
+        for (unsigned k = 0; k < self->base.dim; k++)
+            if (!is_same(self, k, p[k], fmax(fabs(q[k]), fabs(shift)))) return 0;
+        seen++;
+    }
+    return seen == POINTS ? fabs(shift) : 0;
+}
+
+/* A coordinate that a period of a state moves, and no other, has that shift as its period. */
 static void find_periods(jlt_chart_section *self)
 {
-    const size_t all = jlt_chart_section_probes(self, 8);
+    bool found = true;
 
-    for (size_t i = 0; i < all; i++) {
-        double q[Q], x[JLT_CHART_STATES_MAX];
-        jlt_chart_section_probe(self, q, i, 8);
-        if (lift(&self->base, x, NULL, q) != JLT_OK) continue;
-        for (unsigned k = 0; k < self->base.dim; k++) {
-            const unsigned state = self->section->is_angle[k] ? self->base.states : state_of(self, k, x);
-            if (state < self->plain) self->base.period[k] = self->table->states[state].period;
+    while (found) { /* of two coordinates that a state moves, one may be known by another state */
+        found = false;
+        for (unsigned i = 0; i < self->plain; i++) {
+            unsigned k = 0;
+            const bool is_tried = self->table->states[i].period != 0 && i != self->base.column;
+            const double shift = is_tried ? shift_by(self, &k, i) : 0;
+            if (shift == 0 || self->base.period[k] != 0) continue;
+            self->base.period[k] = shift;
+            found = true;
         }
-        return;
     }
 }
 
 /* ---- what a reversor does ---- */
 
-enum { POINTS = 5 };
-
 /* Whether the reversor does no more than change signs of coordinates, at POINTS points of the section; sets `mirror` to these. */
 static bool changes_signs(jlt_chart_section *self, const signed char *signs)
 {
-    static const double same = 1e-9; /* relative to the coordinate, or its period */
     const unsigned angles = 8;
     const size_t all = jlt_chart_section_probes(self, angles);
     unsigned seen = 0;
@@ -243,8 +266,7 @@ static bool changes_signs(jlt_chart_section *self, const signed char *signs)
         jlt_chart_difference(&self->base, same_way, p, q);
         jlt_chart_difference(&self->base, other_way, p, opposite);
         for (unsigned k = 0; k < self->base.dim; k++) {
-            const double size = same * fmax(fabs(q[k]), self->base.period[k]);
-            const bool same_sign = fabs(same_way[k]) <= size, other_sign = fabs(other_way[k]) <= size;
+            const bool same_sign = is_same(self, k, same_way[k], q[k]), other_sign = is_same(self, k, other_way[k], q[k]);
             const int sign = same_sign ? 1 : -1;
             if (same_sign && other_sign) continue; /* this point does not tell the sign: the coordinate is 0, say */
             if (!(same_sign || other_sign) || self->base.mirror[k] == -sign) return false;

@@ -250,7 +250,7 @@ static jlt_status open_system(surface_system *self, const jlt_flow *options)
     }
     set_chart(self);
     if (jlt_section_points_none(&self->rows)) return JLT_ERR_EMPTY;
-    return jlt_surface_crossing_met(&self->base, &self->rows) ? JLT_OK : JLT_ERR_ARG;
+    return jlt_surface_crossing_met(&self->base, &self->rows);
 }
 
 jlt_status jlt_surface_system(jlt_system **out, const jlt_surface *surface, const double *values, const jlt_flow *options)

@@ -69,15 +69,58 @@ static bool has_other_root(const look *self, unsigned state)
     return found;
 }
 
-bool jlt_surface_crossing_met(const jlt_system *self, const jlt_chart_section *section)
+/* The rate of the section's state at the lift of q; NaN: there is none. */
+static double rate_at(const jlt_system *system, const double *q)
+{
+    const jlt_chart *chart = system->flow.chart;
+    double x[STATES], f[STATES];
+
+    if (chart->lift(chart, x, NULL, q) != JLT_OK) return NAN;
+    system->field.call(x, system->field.p, f);
+    return f[chart->column];
+}
+
+/* Whether an orbit comes back to a state that crosses the section the other way than the lift of its coordinates, another state.
+ * None does where every lift is crossed in the flow's direction. */
+static jlt_status find_stray(bool *found, const jlt_system *system, const jlt_chart_section *section)
+{
+    enum { ORBITS = 4, STEPS = 1000 };
+    static const double same = 1e-9; /* of the rate at the start: less may be rounding */
+    JLT_OWNED(jlt_section) *orbit = NULL;
+    const size_t all = jlt_chart_section_probes(section, ANGLES);
+    jlt_flow flow = system->flow;
+    jlt_return row;
+    unsigned followed = 0;
+
+    flow.max_steps = STEPS;
+    flow.observed = NULL;
+    JLT_PASS(jlt_section_create(&orbit, &flow));
+    *found = false;
+    for (size_t i = 0; i < all && followed < ORBITS && !*found; i++) {
+        double q[JLT_CHART_COORDINATES_MAX];
+        jlt_chart_section_probe(section, q, i, ANGLES);
+        const double rate = rate_at(system, q);
+        if (!(flow.direction == JLT_BOTH ? fabs(rate) > 0 : (int)flow.direction * rate < 0)) continue;
+        followed++;
+        if (jlt_section_start(orbit, &row, q, 1) != JLT_OK) continue;
+        JLT_PASS(jlt_section_next(orbit, &row));
+        *found = row.fate == JLT_FATE_ALIVE && rate_at(system, row.q) * row.direction < -same * fabs(rate);
+    }
+    return JLT_OK;
+}
+
+jlt_status jlt_surface_crossing_met(const jlt_system *self, const jlt_chart_section *section)
 {
     const jlt_descriptor *d = self->instance->descriptor;
     const jlt_chart *chart = self->flow.chart;
     const size_t all = jlt_chart_section_probes(section, ANGLES);
     look here;
     unsigned seen = 0;
+    bool stray;
 
-    if (d->integral_count > INTEGRALS) return true;
+    if (d->integral_count > INTEGRALS) return JLT_OK;
+    JLT_PASS(find_stray(&stray, self, section));
+    if (stray) return JLT_ERR_ARG;
     here.system = self;
     find_fixed(&here);
     for (size_t i = 0; i < all && seen < LOOKS; i++) {
@@ -88,10 +131,10 @@ bool jlt_surface_crossing_met(const jlt_system *self, const jlt_chart_section *s
             d->integral_gradients.call(here.x, self->field.p, here.gradients);
         }
         for (unsigned k = 0; k < section->plain; k++)
-            if (k != chart->column && has_other_root(&here, k)) return false;
+            if (k != chart->column && has_other_root(&here, k)) return JLT_ERR_ARG;
         seen++;
     }
-    return true;
+    return JLT_OK;
 }
 
 bool jlt_surface_crossing_ends_at_poles(const jlt_system *self, const jlt_chart_section *section)

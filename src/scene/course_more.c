@@ -14,8 +14,17 @@ static const jlt_quantity *find(const jlt_quantity *quantities, unsigned count, 
     return NULL;
 }
 
+/* The number of the table's own states, without the roots that a time lifts. */
+static unsigned own_states(const jlt_descriptor *of)
+{
+    const jlt_descriptor *plain = jlt_descriptor_sibling(of, NULL, NULL, NULL);
+
+    return plain != NULL ? plain->state_count : of->state_count;
+}
+
 bool jlt_course_more_is_told(const jlt_descriptor *table, const jlt_descriptor *asked)
 {
+    if (table != NULL && own_states(table) > own_states(asked)) return true;
     for (unsigned i = 0; table != NULL && i < table->observe_count; i++)
         if (find(asked->observes, asked->observe_count, table->observes[i].name) == NULL) return true;
     return false;
@@ -26,14 +35,6 @@ static void collect(jlt_course_more *self, const jlt_quantity *from, unsigned co
 {
     for (unsigned i = 0; i < count; i++)
         if (find(but, but_count, from[i].name) == NULL) self->quantities[self->count++] = from[i];
-}
-
-/* The number of the table's own states, without the roots that a time lifts. */
-static unsigned own_states(const jlt_descriptor *of)
-{
-    const jlt_descriptor *plain = jlt_descriptor_sibling(of, NULL, NULL, NULL);
-
-    return plain != NULL ? plain->state_count : of->state_count;
 }
 
 static jlt_status choose(jlt_course_more *self, const jlt_descriptor *of, const jlt_descriptor *asked)

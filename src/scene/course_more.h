@@ -16,7 +16,7 @@ typedef struct {
     double *seen;             /* room for everything that its table observes; owned */
 } jlt_course_more;
 
-/** Whether a table observes a quantity that the asked one does not. Returns false if table is NULL. */
+/** Whether a table has more states than the asked one, or observes a quantity that that one does not. False if table is NULL. */
 bool jlt_course_more_is_told(const jlt_descriptor *table, const jlt_descriptor *asked);
 
 /** Go on to this leg, which must be open: at the first leg choose the quantities; at a later leg their values become NaN. In/out:

@@ -25,7 +25,11 @@ const jlt_descriptor *jlt_given_table(const json_t *given, const jlt_descriptor 
             && strcmp(d->sha256, digest) == 0)
             return d;
     }
+    unsigned way = 0;
+    while (own != NULL && way < own->way_count && strcmp(own->ways[way].sha256, digest) != 0) way++;
     if (own == NULL) jlt_refuse(problem, "no table %s with SHA-256 %s is known here (name its file by --model)", name, digest);
+    else if (way < own->way_count)
+        jlt_refuse(problem, "it speaks of %s, to which %s leads: name %s by --model", name, own->model, own->ways[way].file);
     else
         jlt_refuse(problem, "it speaks of %s with SHA-256 %s, and --model names %s with %s (%s)", name, digest, own->model,
                    own->sha256, strcmp(own->model, name) == 0 ? "another version of that table"

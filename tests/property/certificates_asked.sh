@@ -114,6 +114,7 @@ T
 printf 'model heights\nparam c > 0\nparam K > 0\ndefault K = 1, c = 5\nstate x\nlift into pol.tt with x = x, p = 0\n' > heights.tt
 expect_text 0 "" jellett certify sink ./computed.tt --set J=4/3 --start x=-2.0086198608748 -o pol.json
 expect_text 0 " with K = 1, c = 2/3. " jellett check -m ./pol.tt pol.json
+expect_text 3 "it speaks of pol, to which computed leads: name pol.tt by --model" jellett check -m ./computed.tt pol.json
 expect_text 0 "" jellett certify sink ./computed.tt --spread c=1e-12 --start x=-2.0086198608748 -o pol.json
 expect_text 0 " with K = 1, c = 1 +- 1/1000000000000. " jellett check -m ./pol.tt pol.json
 sed -i 's/c = J.2$/c = sqrt(J)/; s/J.2.(1/j*(1/; s/^state x/root j = sqrt(J)\n&/' computed.tt

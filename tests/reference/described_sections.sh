@@ -40,6 +40,20 @@ grep -v '^#' out | cut -d, -f3-5 | tail -n +2 > described
 expect 0 ',alive$' jellett section ./pendulum.tt --section f=0 --start a=0.1,p=2.5 --returns 9
 grep -v '^#' out | cut -d, -f3-5 | tail -n +2 | cmp - described || fail "an angle is not within half a turn: $(cat described)"
 
+# So is a coordinate that the angle moves evenly, here by half a turn for a whole one, or beside another: within half a period of
+# its own, points that differ by periods are one, and the one closed orbit is listed once.
+sed -e 's/pendulum/halved/; s/- s + cf/- p\/10 &/; s/pendulum_cut/halved_cut/; s/turn = a/turn = 1 - a\/2 + p/' \
+    pendulum.tt > halved.tt
+printf 'model halved_cut\nstate turn\nstate p\nlift into halved.tt with f = 0, a = 2 + 2*p - 2*turn, p = p\n' > halved_cut.tt
+expect 0 ',alive$' jellett section ./halved.tt --start turn=3.45,p=2.5 --returns 9
+grep -v '^#' out | tail -n +2 > described
+expect 0 ',alive$' jellett section ./halved.tt --section f=0 --start a=0.1,p=2.5 --returns 9
+grep -v '^#' out | tail -n +2 | paste -d, described - | awk -F, '
+    { k = ($4 - 1 + $10/2 - $5)/3.141592653589793; if ($4 > 1.5707963267949 || $4 < -1.5707963267949) exit 1
+      if (k - sprintf("%.0f", k) > 1e-9 || sprintf("%.0f", k) - k > 1e-9) exit 1 } END { exit NR != 10 }' ||
+    fail "a coordinate with the period pi: $(cat described)"
+expect 0 '^# 1 orbit' jellett orbits ./halved.tt --grid turn=-1:1.5:6,p=-2:2:5 --period 1
+
 # q = u^2 forgets the sign of u, and x' = -u: lifted points, of u > 0, are crossed downwards.
 cat > folded.tt <<'T'
 model folded
@@ -65,6 +79,40 @@ sed -e 's/folded/mixed/g' folded_cut.tt > mixed_cut.tt
 for direction in up down both; do
     expect 3 'crossings in this --direction lie on the other half' \
         jellett section ./mixed.tt --direction $direction --start q=1,z=0.1 --returns 1
+done
+
+# The slope p = v/u forgets the sign of both velocities at once: lifted points, of u > 0, are crossed upwards. Downwards an orbit of
+# half a turn would seem to be closed. A planar oscillator of frequencies 1 and 2; upwards every orbit is closed after 2 pi.
+cat > slope.tt <<'T'
+model slope
+state x
+state y
+state u
+state v
+eq x = u
+eq y = v
+eq u = - x
+eq v = - 4*y
+integral H = (u^2 + v^2 + x^2 + 4*y^2)/2
+section cut : by slope_cut.tt at x = 0 with y = y, p = v/u, H = H
+T
+cat > slope_cut.tt <<'T'
+model slope_cut
+param H
+default H = 1/2
+state y
+state p
+let square = 2*H - 4*y^2
+domain reached : square > 0
+root speed = sqrt(square)
+root norm = sqrt(1 + p^2)
+lift into slope.tt with x = 0, y = y, u = speed/norm, v = p*speed/norm
+T
+expect 0 '^0,1,6\.28318530717[0-9]*,(0.1|0.0999999999|0.1000000000)[0-9]*,(0.2|0.1999999999|0.2000000000)[0-9]*,alive$' \
+    jellett section ./slope.tt --start y=0.1,p=0.2 --returns 1
+for direction in down both; do
+    expect 3 'crossings in this --direction lie on the other half' \
+        jellett orbits ./slope.tt --direction $direction --start y=0.1,p=0.2 --period 1
 done
 
 # g' = p, p' = -1: orbits run through g = -1 at speed, which is no pole to come to; in the time of s they would come back in time.
@@ -150,4 +198,18 @@ for cut in "" "--section cut"; do
     expect 3 'has 65 parameters and levels, and 64 are the limit' jellett section ./many.tt $cut --start u=1,q1=0 --returns 1
 done
 expect 0 ',alive$' jellett section ./many.tt --section x=0 --start u=1,q1=0 --returns 1
+# Coordinates that a reversor turns, and does not mirror: nothing is told of symmetry, nor a record asked for that is there. Where
+# they are mirrored, symmetric orbits are looked for on lines of points that are their own mirror images.
+{ sed 's/small/turned/; s/with y = y, v = v/with y = (3*y + 4*v)\/5, v = (3*v - 4*y)\/5/' small.tt
+  echo 'reversor x -> -x, v -> -v'; } > turned.tt
+sed 's/small/turned/; s/y = y,/y = (3*y - 4*v)\/5,/; s/v = v/v = (3*v + 4*y)\/5/' small_cut.tt > turned_cut.tt
+expect 3 'that of turned does more to the coordinates of cut than change signs' \
+    jellett separation ./turned.tt --grid y=-0.1:0.1:2,v=-0.1:0.1:2
+expect 0 ',,degenerate,' jellett orbits ./turned.tt --start y=0.1,v=0.1 --period 1
+{ cat small.tt; echo 'reversor x -> -x, v -> -v'; } > straight.tt
+sed -i 's/small/straight/g' straight.tt
+sed 's/small/straight/g' small_cut.tt > straight_cut.tt
+expect 3 'with v = 0.1 is not its own mirror image: take 0 in --start' \
+    jellett orbits ./straight.tt --line y=-0.1:0.1:5 --start y=0,v=0.1 --period 1
+expect 3 'that of straight keeps other lines' jellett orbits ./straight.tt --line v=-0.1:0.1:5 --start y=0,v=0 --period 1
 exit $status

@@ -60,6 +60,10 @@ echo 'valid near : 4 - x^2 > 0' >> small.tt
 expect 0 '^0,0,0,-3,lost_near$' jellett section ./big.tt --start x=-3 --contact end --returns 1
 expect 0 '^0,1,.*,alive$' jellett section ./big.tt --start x=-1 --contact end --returns 1
 
+# A level that the section's table has as a parameter keeps the sign that it has there.
+expect 3 'K = -1: small needs K > 0' jellett section ./big.tt --level K=-1 --start x=-1 --returns 1
+expect 3 'K = -1: small needs K > 0' jellett section ./big.tt --sweep K=-1:0:2 --start x=-1 --returns 1
+
 # A parameter of which the section's table knows nothing may be set and swept as any other, and moves no orbit.
 sed 's/model big/model more/; s/^state x/param q >= 0\ndefault q = 0\n&/; s/^integral K/observe moved = x + q\n&/' big.tt > more.tt
 expect 0 '^0,1,' jellett section ./more.tt --set q=1 --start x=-1 --returns 1
@@ -110,6 +114,7 @@ expect 0 '^2,0,1,' jellett section ./mapped.tt --sweep J=2:4:2 --start x=-1 --re
 expect 0 '^# K=1$' jellett section ./mapped.tt --sweep J=2:4:2 --start x=-1 --returns 1
 expect 3 "there is no parameter 'c'; there are J" jellett section ./mapped.tt --set c=1 --start x=-1 --returns 1
 expect 3 'J = -1: mapped needs J > 0' jellett section ./mapped.tt --set J=-1 --start x=-1 --returns 1
+expect 3 'K = -1: hard needs K > 0' jellett section ./mapped.tt --level K=-1 --start x=-1 --returns 1
 expect 0 'hard' jellett orbits ./mapped.tt --start x=-1 --period 1
 # c has the exact value J/2 for a theorem too; there is none that says of one orbit of a family that it is the only one.
 expect 4 'could not be refined .* a multiplier is 1 to within .* families' jellett certify sink ./mapped.tt --start x=-1

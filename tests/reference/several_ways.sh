@@ -103,6 +103,14 @@ awk -F, '/^#/ { next } /^t/ { for (i = 1; i <= NF; i++) at[$i] = i; next }
          END { exit !(!bad && rows == 5 && at["phi"] && at["twice"]) }' out ||
              fail "a later tier is told of as if it went on: $(cat out)"
 
+# Its states have columns though it observes nothing.
+sed '/^observe/d; s/model half/model bare/; s/^tier.*/tier bare "a phase"/' half.tt > bare.tt
+sed 's/model swing/model simple/; s/half/bare/g; /^lift whole/d' swing.tt > simple.tt
+sed -i 's/onto_bare : onto swing/onto_bare : onto simple/; s/onto_half : onto swing/onto_bare : onto simple/' bare.tt
+run 0 simulate ./simple.tt --start q=1,p=0 --times 2 --track
+grep -q '^t,q,p,phi,fate$' out && grep -q '^2,.*,2,alive$' out || fail "a larger table that observes nothing: $(cat out)"
+run 3 simulate ./bare.tt --start q=1,p=0,phi=0 --times 2 --track
+
 # Where a tier of one state ends, at a turning point, its velocity is the root of rounding: the larger tier does not begin there.
 cat > spring.tt <<'T'
 model spring
