@@ -154,7 +154,7 @@ static bool draw_point(section_check *s)
     bool found = false;
     if (!ttc_random_point_init(&point, &situation)) return false;
     for (int draw = 0; !found && draw < CHART_DRAWS; draw++)
-        found = ttc_random_point_draw(&point, &situation, &s->check->random, draw % 3)
+        found = ttc_random_point_draw(&point, &situation, &s->check->random, (ttc_sample_range)(draw % 3))
                 && ttc_random_point_place(s->check->target_probe, &point, &situation, s->precision, fault, sizeof fault)
                        == TTC_INSIDE;
     ttc_random_point_clear(&point);
