@@ -34,6 +34,10 @@ void ttc_check_positive(ttc_check *check, const arb_t value, const char *what, c
 /* At some point, one of the values passed here must exclude zero. */
 void ttc_check_witness(ttc_check *check, const arb_t value);
 
+/* Nothing is zero at the probe that a record divides by, see ttc_domain_divides_by_zero. */
+void ttc_check_divides(ttc_check *check, ttc_probe *probe, const ttc_model *model, ttc_divisor_role role, uint32_t owner,
+                       size_t use_count, const char *what, const char *name);
+
 void ttc_check_undefined(ttc_check *check);
 void ttc_check_violate(ttc_check *check, const char *what, const char *name);
 

@@ -43,7 +43,7 @@ static void check_divisor(ttc_check *check, ttc_id divisor, const char *name)
     char fault[256];
     size_t told = 0;
     for (int place = 0; place < PLACES; place++) {
-        const bool inside = ttc_domain_locate(check->probe, model, NULL, UINT32_MAX, fault, sizeof fault) == TTC_INSIDE;
+        const bool inside = ttc_domain_locate_image(check->probe, model, fault, sizeof fault) == TTC_INSIDE;
         arb_srcptr value = inside ? ttc_probe_at(check->probe, divisor) : NULL;
         if (value != NULL && !arb_contains_zero(value)) return;
         told += value != NULL;

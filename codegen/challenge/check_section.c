@@ -110,16 +110,30 @@ static int direction(const section_check *s, ttc_probe *probe)
     return rate == NULL ? 0 : arb_is_positive(rate) ? 1 : arb_is_negative(rate) ? -1 : 0;
 }
 
+/* Nothing is zero, at a probe of the model, that the way back or a level divides by. */
+static void check_divisors(section_check *s, ttc_probe *probe, const char *what)
+{
+    const ttc_model *model = s->check->model;
+    ttc_check_divides(s->check, probe, model, TTC_DIVIDES_CLAIM, s->section->claim, s->section->shown_uses, what,
+                      "the way back");
+    for (size_t i = 0; i < s->check->claim->member_count; i++)
+        ttc_check_divides(s->check, probe, model, TTC_DIVIDES_CLAIM, s->check->claim->members[i], SIZE_MAX, what,
+                          model->claims[s->check->claim->members[i]].name);
+}
+
 /* At the chart's point. */
 static void check_chart(section_check *s)
 {
     char fault[256];
+    ttc_check_divides(s->check, s->check->target_probe, s->check->target, TTC_DIVIDES_LIFT, 0, SIZE_MAX,
+                      "a denominator is zero in", "the lift");
     if (!set_lifted(s)) {
         ttc_check_undefined(s->check);
         return;
     }
-    if (ttc_domain_locate(s->lifted, s->check->model, NULL, UINT32_MAX, fault, sizeof fault) == TTC_OUTSIDE)
+    if (ttc_domain_locate_image(s->lifted, s->check->model, fault, sizeof fault) == TTC_OUTSIDE)
         ttc_check_violate(s->check, "the lift leaves the domain:", fault);
+    check_divisors(s, s->lifted, "a denominator is zero at the lift in");
     check_lift(s);
     for (size_t i = 0; i < s->check->target->state_count; i++) check_return(s, i);
 }
@@ -129,12 +143,12 @@ static void check_state(section_check *s)
     const ttc_model *model = s->check->model;
     char fault[256];
     const int crossing = direction(s, s->check->probe);
+    if (crossing != 0) check_divisors(s, s->check->probe, "a denominator is zero where the section is crossed, in");
     if (crossing == 0 || !ttc_check_set_image(s->check, &s->section->image)) {
         ttc_check_undefined(s->check);
         return;
     }
-    const ttc_place_in_domain place = ttc_domain_locate(s->check->target_probe, s->check->target, NULL, UINT32_MAX, fault,
-                                                        sizeof fault);
+    const ttc_place_in_domain place = ttc_domain_locate_image(s->check->target_probe, s->check->target, fault, sizeof fault);
     if (place == TTC_OUTSIDE) ttc_check_violate(s->check, "a crossing outside of the coordinates:", fault);
     else if (place == TTC_UNCLEAR) ttc_check_undefined(s->check);
     if (s->check->outcome != TTC_HOLDS) return;

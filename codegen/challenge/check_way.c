@@ -60,8 +60,12 @@ static void check_motion(ttc_check *check, const ttc_claim *back)
 static void check_lifted(ttc_check *check, const ttc_way *way, const ttc_claim *back)
 {
     const ttc_model *target = check->target;
+    ttc_check_divides(check, check->target_probe, target, TTC_DIVIDES_CLAIM, (uint32_t)(back - target->claims), SIZE_MAX,
+                      "a denominator is zero at the lift in", back->name);
     for (size_t i = 0; i < back->modulo_count; i++) {
         const ttc_claim *level = target->claims + back->modulo[i];
+        ttc_check_divides(check, check->target_probe, target, TTC_DIVIDES_CLAIM, back->modulo[i], SIZE_MAX,
+                          "a denominator is zero at the lift in", level->name);
         arb_srcptr value = ttc_probe_at(check->target_probe, level->expression);
         if (value == NULL) ttc_check_undefined(check);
         else ttc_check_zero(check, value, "the lift is off the zero level of", level->name);
@@ -85,7 +89,7 @@ void ttc_check_way(ttc_check *check)
         ttc_check_undefined(check);
         return;
     }
-    switch (ttc_domain_locate(check->target_probe, check->target, NULL, UINT32_MAX, text, sizeof text)) {
+    switch (ttc_domain_locate_image(check->target_probe, check->target, text, sizeof text)) {
     case TTC_OUTSIDE: ttc_check_violate(check, "the way leaves the domain:", text); return;
     case TTC_UNCLEAR: ttc_check_undefined(check); return;
     case TTC_INSIDE: break;

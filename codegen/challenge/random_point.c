@@ -2,6 +2,22 @@
 
 #include <stdlib.h>
 
+static bool is_among(const uint32_t *claims, size_t count, uint32_t claim)
+{
+    for (size_t i = 0; i < count; i++)
+        if (claims[i] == claim) return true;
+    return false;
+}
+
+bool ttc_situation_has_claim(const ttc_situation *situation, uint32_t claim)
+{
+    if (situation->claim == UINT32_MAX) return false;
+    const ttc_claim *own = situation->model->claims + situation->claim;
+    return claim == situation->claim || is_among(own->modulo, own->modulo_count, claim)
+           || is_among(own->members, own->member_count, claim)
+           || (ttc_claim_speaks_of_family(own->kind) && own->family == claim);
+}
+
 /* Fills the member `used`. Returns NULL when memory is out. */
 static unsigned char *used_definitions(const ttc_situation *situation)
 {
@@ -9,7 +25,8 @@ static unsigned char *used_definitions(const ttc_situation *situation)
     unsigned char *used = ttc_model_uses_of_domain(model);
     if (used == NULL) return NULL;
     for (size_t i = 0; i < model->use_count; i++)
-        if (model->uses[i].role == TTC_DIVIDES_CLAIM && model->uses[i].owner == situation->claim) used[model->uses[i].symbol] = 1;
+        if (model->uses[i].role == TTC_DIVIDES_CLAIM && ttc_situation_has_claim(situation, model->uses[i].owner))
+            used[model->uses[i].symbol] = 1;
     ttc_model_close_uses(model, used);
     return used;
 }

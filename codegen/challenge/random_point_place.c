@@ -1,13 +1,6 @@
 /* Places a random point: sets its numbers, meets its levels, locates it in the domain. */
 #include "challenge/random_point.h"
 
-/* Divisors in the definition of an angle are listed under one name of the pair. */
-static bool is_used(const ttc_random_point *point, const ttc_model *model, uint32_t symbol)
-{
-    const ttc_symbol_entry *entry = &model->symbols[symbol];
-    return point->used[symbol] || ((entry->kind == TTC_COSINE || entry->kind == TTC_SINE) && point->used[entry->partner]);
-}
-
 /* Factor by factor. The root in question is not zero where its radicand is not; what else needs that root counts as nonzero. */
 static bool is_not_zero(ttc_probe *probe, const ttc_situation *situation, ttc_id id)
 {
@@ -28,9 +21,9 @@ static bool divisors_are_not_zero(ttc_probe *probe, const ttc_random_point *poin
     const ttc_model *model = situation->model;
     for (size_t i = 0; i < model->divisor_count; i++) {
         const ttc_divisor *divisor = &model->divisors[i];
-        bool used = divisor->role == TTC_DIVIDES_FIELD
-                    || (divisor->role == TTC_DIVIDES_SYMBOL && is_used(point, model, divisor->owner))
-                    || (divisor->role == TTC_DIVIDES_CLAIM && divisor->owner == situation->claim);
+        const bool used = divisor->role == TTC_DIVIDES_FIELD
+                          || (divisor->role == TTC_DIVIDES_SYMBOL && point->used[divisor->owner])
+                          || (divisor->role == TTC_DIVIDES_CLAIM && ttc_situation_has_claim(situation, divisor->owner));
         if (used && !is_not_zero(probe, situation, divisor->divisor)) return false;
     }
     return true;

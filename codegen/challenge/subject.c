@@ -40,7 +40,8 @@ static bool use_claim(ttc_subject *subject, const ttc_model *model, uint32_t ind
     const ttc_claim *claim = &model->claims[index];
     ttc_situation *situation = &subject->situation;
     subject->claim = claim;
-    subject->index = situation->claim = index;
+    subject->index = index;
+    if (claim->kind != TTC_CLAIM_SECTION) situation->claim = index; /* a section's way back has a value at every crossing */
     for (size_t i = 0; i < sizeof claim_checkers / sizeof *claim_checkers; i++)
         if (claim_checkers[i].kind == claim->kind) {
             subject->checker = claim_checkers[i].checker;

@@ -34,7 +34,8 @@ static const char false_claims[] =
     "observe o = z/(r^2 - 1 - p)\nvalid ok : 1/((r^2 - 1 - p)*z) > 0\n";
 
 /* One claim of each is false, at points alone that generic ones hardly ever are: where a level is singular, by its rate or by a
- * later derivative along the orbit; where several states are zero; where a sum is. */
+ * later derivative along the orbit; where several states are zero; where a sum is; where something divides by zero that cancels,
+ * or that no equation uses. */
 static const char *const rarely_false[] = {
     "model line\nstate x\nstate y\nstate z\ndomain beside : y^2 > 0\nroot r = sqrt(y^2)\neq x = 0\neq y = 0\neq z = 1 - y/r\n"
     "invariant sheet = x^2*y - z^4\n",
@@ -43,6 +44,18 @@ static const char *const rarely_false[] = {
     "model handle\nstate x\nstate y\nstate z\nstate s\neq x = 0\neq y = 0\neq z = 0\neq s = 0\n"
     "invariant circle = (x + 2*y - 3)^2 + z^2\nequal zero : s = 0 modulo circle\n",
     "model density\nstate x\nstate y\neq x = 0\neq y = 0\nmeasure smooth = x^2 + y^4\n",
+    "model left_out\nstate x\nroot r = sqrt(1/(x - 1)^2)\neq x = 1\nsymmetry wrong : x -> x + 1\n",
+    "model squares\nstate x\neq x = x\nreduction wrong : onto with_root.tt with y = x^2\n",
+    "model squares\nstate x\neq x = x\nembedding wrong : into with_angle.tt with y = x^2\n",
+    "model moved\nstate x\nstate y\nstate z\neq x = y\neq y = 0\neq z = y\nintegral level = y^2/y\n"
+    "section wrong : by of_speed.tt at x = 0 with z = z, V = level\n",
+    "model moved\nstate x\nstate y\nstate z\nlet none = 1/y\neq x = y\neq y = 0\neq z = y\nintegral level = y\n"
+    "section wrong : by of_speed.tt at x = 0 with z = z + 0*none, V = level\n",
+    "model moved\nstate x\nstate y\nstate z\neq x = 1\neq y = 0\neq z = y\nintegral level = y^2/y\n"
+    "section wrong : by of_speed.tt at x = 0 with z = z, V = level\n",
+    "model moved\nstate x\nstate y\nstate z\neq x = 1\neq y = 0\neq z = y\nintegral level = y\n"
+    "section wrong : by undefined.tt at x = 0 with z = z, V = level\n",
+    "model small\nstate x\neq x = x\nlift wrong : into larger.tt with u = x, v = 0\n",
     "model origin\nstate x\nstate y\nstate z\neq x = 0\neq y = 0\neq z = 0\npositive square : x^2 + y^2 + z^2\n",
 };
 
@@ -50,18 +63,33 @@ static const char *const rarely_false[] = {
 static const char no_trace[] =
     "model turn\nstate x\nstate y\neq x = y\neq y = -x\nequilibria rest : x = 0, y = 0\nobstructs rest\n";
 
+/* Tables to which others lead. */
+static const struct {
+    const char *file, *text;
+} targets[] = {
+    { "chart.tt", "model chart\nstate P\nstate Z\ndomain moving : P^2 > 0\nroot R = sqrt(P^2)\n"
+                  "lift into crossing.tt with q = 0, p = R, z = Z\n" },
+    { "of_speed.tt", "model of_speed\nparam V\nstate z\nlift into moved.tt with x = 0, y = V, z = z\n" },
+    { "undefined.tt", "model undefined\nparam V\nstate z\nlet none = 1/z\nlift into moved.tt with x = 0, y = V, z = z + 0*none\n" },
+    { "with_root.tt", "model with_root\nstate y\nroot r = sqrt(1/y)\neq y = 2*y\n" },
+    { "with_angle.tt", "model with_angle\nstate y\nangle c s = cos(1/y) sin(1/y)\neq y = 2*y + 0*c\n" },
+    { "larger.tt", "model larger\nstate u\nstate v\neq u = u\neq v = 0\ninvariant level = v^2/v - v\n"
+                   "reduction back : onto small.tt with x = u modulo level\n" },
+};
+
 /* Where P < 0, the lift leads back to -P; no state is at such a point of the chart. */
 static const char crossing[] =
     "model crossing\nstate q\nstate p\nstate z\ndomain moving : p^2 > 0\nroot r = sqrt(p^2)\neq q = p\neq p = -q\neq z = 0\n"
     "section up : by chart.tt at q = 0 with P = r, Z = z\n";
-static const char chart[] =
-    "model chart\nstate P\nstate Z\ndomain moving : P^2 > 0\nroot R = sqrt(P^2)\nlift into crossing.tt with q = 0, p = R, z = Z\n";
 
 static ttc_model *resolve(void *context, const ttc_model *model, const char *target, ttc_diagnostics *diagnostics)
 {
     (void)context;
     (void)model;
-    return ttc_model_parse(chart, sizeof chart - 1, target, diagnostics);
+    for (size_t i = 0; i < sizeof targets / sizeof *targets; i++)
+        if (strcmp(targets[i].file, target) == 0)
+            return ttc_model_parse(targets[i].text, strlen(targets[i].text), target, diagnostics);
+    return NULL;
 }
 
 static ttc_proof_report *prove(const char *text, ttc_model **model)
