@@ -63,6 +63,17 @@ bool ttc_check_set_image(ttc_check *check, const ttc_image *image);
  * number, or the state and 1. Returns false if one has no value. */
 bool ttc_check_way_to(ttc_check *check, ttc_probe *probe, const ttc_image *image, size_t state, arb_t sine, arb_t cosine);
 
+/* What both tables observe, hold valid or claim as an integral without conditions under one name has one value at a probe of the
+ * model and at the target probe, if it has a value at both. */
+void ttc_check_observations(ttc_check *check, ttc_probe *probe);
+
+/* Move the target probe to a random point of its domain. Returns false if none is found. */
+bool ttc_check_draw_target(ttc_check *check);
+
+/* At a probe of the model, the way leads to the target's i-th state as the target probe has it; for an angle, to the same
+ * direction. where_angles: angles may have no value. */
+void ttc_check_return(ttc_check *check, ttc_probe *probe, const ttc_image *image, size_t state, bool where_angles);
+
 void ttc_check_integral(ttc_check *check);
 void ttc_check_invariant(ttc_check *check);
 void ttc_check_rate_claim(ttc_check *check);

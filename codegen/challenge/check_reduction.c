@@ -147,5 +147,6 @@ void ttc_check_reduction(ttc_check *check)
         ttc_check_violate(check, "the image leaves the domain of the target:", fault);
     check_given_roots(check);
     check_chain_rule(check);
+    ttc_check_observations(check, check->probe);
     check_dimension(check);
 }

@@ -78,7 +78,7 @@ ttc_place_in_domain ttc_domain_locate(ttc_probe *probe, const ttc_model *model, 
 bool ttc_domain_divides_by_zero(ttc_probe *probe, const ttc_model *model, ttc_divisor_role role, uint32_t owner,
                                 size_t use_count);
 
-/* The same as ttc_domain_locate, of the image of a point, which no divisor of the domain keeps outside unless it is exactly zero. */
+/* The same as ttc_domain_locate, of the image of a point, which divisors of the domain keep outside if they are exactly zero. */
 ttc_place_in_domain ttc_domain_locate_image(ttc_probe *probe, const ttc_model *model, char *fault, size_t fault_size);
 
 #endif

@@ -35,7 +35,7 @@ static const char false_claims[] =
 
 /* One claim of each is false, at points alone that generic ones hardly ever are: where a level is singular, by its rate or by a
  * later derivative along the orbit; where several states are zero; where a sum is; where something divides by zero that cancels,
- * or that no equation uses. */
+ * or that no equation uses. Two are false of what both tables watch. */
 static const char *const rarely_false[] = {
     "model line\nstate x\nstate y\nstate z\ndomain beside : y^2 > 0\nroot r = sqrt(y^2)\neq x = 0\neq y = 0\neq z = 1 - y/r\n"
     "invariant sheet = x^2*y - z^4\n",
@@ -55,6 +55,12 @@ static const char *const rarely_false[] = {
     "section wrong : by of_speed.tt at x = 0 with z = z, V = level\n",
     "model moved\nstate x\nstate y\nstate z\neq x = 1\neq y = 0\neq z = y\nintegral level = y\n"
     "section wrong : by undefined.tt at x = 0 with z = z, V = level\n",
+    "model seen_otherwise\nstate x\neq x = x\nobserve seen = x\nreduction wrong : onto watched.tt with y = x\n",
+    "model kept_otherwise\nstate x\neq x = x\nvalid kept : 2*x > 0\nembedding wrong : into watched.tt with y = x\n",
+    "model anywhere\nstate x\nstate y\nstate z\neq x = y\neq y = -x\neq z = 0\nintegral level = z^2/z\n"
+    "reduction wrong : by at_height.tt with q = x, p = y, h = level\n",
+    "model anywhere\nstate x\nstate y\nstate z\ndomain other : z^2 > 0\neq x = y\neq y = -x\neq z = 0\n"
+    "reduction wrong : by at_height.tt with q = x, p = y, h = z\n",
     "model small\nstate x\neq x = x\nlift wrong : into larger.tt with u = x, v = 0\n",
     "model origin\nstate x\nstate y\nstate z\neq x = 0\neq y = 0\neq z = 0\npositive square : x^2 + y^2 + z^2\n",
 };
@@ -73,6 +79,9 @@ static const struct {
     { "undefined.tt", "model undefined\nparam V\nstate z\nlet none = 1/z\nlift into moved.tt with x = 0, y = V, z = z + 0*none\n" },
     { "with_root.tt", "model with_root\nstate y\nroot r = sqrt(1/y)\neq y = 2*y\n" },
     { "with_angle.tt", "model with_angle\nstate y\nangle c s = cos(1/y) sin(1/y)\neq y = 2*y + 0*c\n" },
+    { "watched.tt", "model watched\nstate y\neq y = y\nobserve seen = y^2\nvalid kept : y > 0\n" },
+    { "at_height.tt", "model at_height\nparam h\nstate q\nstate p\neq q = p\neq p = -q\n"
+                      "embedding up : into anywhere.tt with x = q, y = p, z = h\n" },
     { "larger.tt", "model larger\nstate u\nstate v\neq u = u\neq v = 0\ninvariant level = v^2/v - v\n"
                    "reduction back : onto small.tt with x = u modulo level\n" },
 };
