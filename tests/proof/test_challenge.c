@@ -109,7 +109,7 @@ static ttc_proof_report *prove(const char *text, ttc_model **model)
     return report;
 }
 
-static ttc_challenge_report *challenge_as(const char *text, ttc_proof_status status)
+static ttc_challenge_report *challenge_at(const char *text, ttc_proof_status status, size_t points)
 {
     ttc_model *model;
     ttc_challenge_report *challenged = NULL;
@@ -118,13 +118,15 @@ static ttc_challenge_report *challenge_as(const char *text, ttc_proof_status sta
         report->proofs[i].status = status;
         report->proofs[i].has_smooth_density |= strcmp(report->proofs[i].name, "smooth") == 0;
     }
-    const ttc_challenge_extent extent = { .points = POINTS };
+    const ttc_challenge_extent extent = { .points = points };
     assert_true(ttc_challenge(model, report, resolve, NULL, &extent, &challenged));
     for (size_t i = 0; i < challenged->count; i++) challenged->results[i].name = NULL; /* the report's, which goes */
     ttc_proof_report_destroy(report);
     ttc_model_destroy(model);
     return challenged;
 }
+
+static ttc_challenge_report *challenge_as(const char *text, ttc_proof_status status) { return challenge_at(text, status, POINTS); }
 
 static void print(const ttc_challenge_result *result)
 {
@@ -184,6 +186,18 @@ static void true_claims_called_proved_stand(void **state)
         assert_false(result->contradicted);
         assert_true(has_points);
     }
+    ttc_challenge_report_destroy(report);
+}
+
+/* One special point in two has x = 0, from which each place that is looked at is another. */
+static void what_divides_at_other_states_stands(void **state)
+{
+    enum { MANY = 20000 };
+    (void)state;
+    ttc_challenge_report *report = challenge_at("model pole\nstate x\neq x = 1\nobserve o = 1/x\n", TTC_PROVED, MANY);
+    if (report->contradictions > 0) print(&report->results[0]);
+    assert_int_equal(report->contradictions, 0);
+    assert_int_equal(report->results[0].special, MANY);
     ttc_challenge_report_destroy(report);
 }
 
@@ -267,6 +281,7 @@ int main(void)
         cmocka_unit_test(coordinates_that_no_state_has_are_looked_at),
         cmocka_unit_test(an_obstruction_without_a_trace_is_contradicted),
         cmocka_unit_test(true_claims_called_proved_stand),
+        cmocka_unit_test(what_divides_at_other_states_stands),
         cmocka_unit_test(true_identities_called_refuted_are_contradicted),
         cmocka_unit_test(false_claims_called_refuted_stand),
         cmocka_unit_test(the_same_seed_gives_the_same_points),
