@@ -20,7 +20,8 @@ typedef struct {
     uint32_t index;                  /* of a derived claim's record, see ttc_subject */
     bool has_smooth_density;         /* as the proof says */
     ttc_probe *probe, *target_probe;
-    ttc_random random;               /* for lambda */
+    ttc_random random;               /* for lambda, and points of the target */
+    bool is_at_target;               /* the target probe is at a point of its own, not at an image */
     ttc_check_outcome outcome;
     bool wants_witness, has_witness;
     char what[512];                  /* the first violation */

@@ -129,6 +129,7 @@ bool ttc_check_draw_target(ttc_check *check)
                 && ttc_random_point_place(check->target_probe, &point, &situation, ttc_probe_precision(check->probe), fault,
                                           sizeof fault) == TTC_INSIDE;
     ttc_random_point_clear(&point);
+    check->is_at_target = found;
     return found;
 }
 

@@ -163,6 +163,16 @@ static void coordinates_that_no_state_has_are_looked_at(void **state)
     (void)state;
     ttc_challenge_report *report = challenge_as(crossing, TTC_PROVED);
     assert_true(report->results[0].contradicted);
+    assert_non_null(strstr(report->results[0].text, "at the point of chart with P = -"));
+    ttc_challenge_report_destroy(report);
+}
+
+static void the_point_is_shown_that_was_drawn(void **state)
+{
+    (void)state;
+    ttc_challenge_report *report = challenge_as("model edge\nstate x in (0, inf)\neq x = 0\nreversor x -> -x\n", TTC_PROVED);
+    assert_true(report->results[0].contradicted);
+    assert_null(strstr(report->results[0].text, "x = -"));
     ttc_challenge_report_destroy(report);
 }
 
@@ -279,6 +289,7 @@ int main(void)
         cmocka_unit_test(false_claims_called_proved_are_contradicted),
         cmocka_unit_test(claims_that_are_false_at_special_points_are_contradicted),
         cmocka_unit_test(coordinates_that_no_state_has_are_looked_at),
+        cmocka_unit_test(the_point_is_shown_that_was_drawn),
         cmocka_unit_test(an_obstruction_without_a_trace_is_contradicted),
         cmocka_unit_test(true_claims_called_proved_stand),
         cmocka_unit_test(what_divides_at_other_states_stands),
