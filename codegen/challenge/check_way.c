@@ -13,8 +13,11 @@ static const ttc_way *way_of(const ttc_check *check)
     return check->model->ways + i;
 }
 
-static bool holds(ttc_probe *probe, const ttc_way *way)
+/* Whether `where` holds, which it does not where the claim divides by zero, whatever cancels. */
+static bool holds(const ttc_check *check, ttc_probe *probe, const ttc_way *way)
 {
+    if (way->where.count > 0 && ttc_domain_divides_by_zero(probe, check->model, TTC_DIVIDES_CLAIM, way->claim, SIZE_MAX))
+        return false;
     for (size_t i = 0; i < way->where.count; i++) {
         arb_srcptr value = ttc_probe_at(probe, way->where.items[i].expression);
         if (value == NULL || !arb_is_positive(value)) return false;
@@ -157,7 +160,7 @@ static void check_table(ttc_check *check, const ttc_way *way, const ttc_claim *b
             check_back(check, embedded, back);
             check_motion(check, embedded, back);
             ttc_check_observations(check, embedded);
-            if (holds(embedded, way)) check_returned(check, way, embedded);
+            if (holds(check, embedded, way)) check_returned(check, way, embedded);
         }
         if (check->outcome != TTC_VIOLATED) check->outcome = TTC_HOLDS;
     }
@@ -170,7 +173,7 @@ void ttc_check_way(ttc_check *check)
     uint32_t back;
     const ttc_way *way = way_of(check);
     if (check->target == NULL || !ttc_way_fits(check->model, way, check->target, &back, text, sizeof text) ||
-        !holds(check->probe, way) || !ttc_check_set_image(check, &way->image)) {
+        !holds(check, check->probe, way) || !ttc_check_set_image(check, &way->image)) {
         ttc_check_undefined(check);
         return;
     }
