@@ -124,10 +124,12 @@ bool ttc_check_draw_target(ttc_check *check)
     char fault[256];
     bool found = false;
     if (!ttc_random_point_init(&point, &situation)) return false;
-    for (int draw = 0; !found && draw < TARGET_DRAWS; draw++)
-        found = ttc_random_point_draw(&point, &situation, &check->random, ttc_random_below(&check->random, TTC_SAMPLE_SPECIAL + 1))
+    for (int draw = 0; !found && draw < TARGET_DRAWS; draw++) {
+        const ttc_sample_range range = (ttc_sample_range)ttc_random_below(&check->random, TTC_SAMPLE_SPECIAL + 1);
+        found = ttc_random_point_draw(&point, &situation, &check->random, range)
                 && ttc_random_point_place(check->target_probe, &point, &situation, ttc_probe_precision(check->probe), fault,
                                           sizeof fault) == TTC_INSIDE;
+    }
     ttc_random_point_clear(&point);
     check->is_at_target = found;
     return found;
