@@ -119,7 +119,7 @@ void ttc_check_observations(ttc_check *check, ttc_probe *probe)
 
 bool ttc_check_draw_target(ttc_check *check)
 {
-    const ttc_situation situation = { .model = check->target, .claim = UINT32_MAX, .own_root = UINT32_MAX };
+    const ttc_situation situation = { .model = check->target, .own_root = UINT32_MAX };
     ttc_random_point point;
     char fault[256];
     bool found = false;

@@ -21,12 +21,13 @@ typedef struct {
     ttc_id levels[TTC_PROBE_SPARE]; /* expressions that are zero */
     size_t level_count;
     ttc_bindings family;            /* bindings of a family, which may leave the domain; empty: none */
-    uint32_t claim;                 /* its divisors, and those of claims that it names, are not zero; UINT32_MAX: none */
+    ttc_divisor_role role;          /* of a record whose divisors, and those of claims that it names, are not zero */
+    uint32_t owner;
     uint32_t own_root;              /* the root or logarithm whose argument is in question; UINT32_MAX: none */
 } ttc_situation;
 
-/* Whether the divisors of a claim are not zero in the situation. */
-bool ttc_situation_has_claim(const ttc_situation *situation, uint32_t claim);
+/* Whether the divisors of a record are not zero in the situation. */
+bool ttc_situation_has_record(const ttc_situation *situation, ttc_divisor_role role, uint32_t owner);
 
 typedef struct {
     fmpq *numbers;         /* by symbol: the value of a free parameter, or where a state lies in its interval */

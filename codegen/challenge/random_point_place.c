@@ -34,7 +34,7 @@ static bool divisors_are_not_zero(ttc_probe *probe, const ttc_random_point *poin
         const ttc_id id = divisor->divisor;
         const bool used = divisor->role == TTC_DIVIDES_FIELD
                           || (divisor->role == TTC_DIVIDES_SYMBOL && point->used[divisor->owner])
-                          || (divisor->role == TTC_DIVIDES_CLAIM && ttc_situation_has_claim(situation, divisor->owner));
+                          || ttc_situation_has_record(situation, divisor->role, divisor->owner);
         if (used && !(but_family && depends_on_family(situation, id)) && !is_not_zero(probe, situation, id)) return false;
     }
     return true;

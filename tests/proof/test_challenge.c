@@ -211,12 +211,15 @@ static void what_divides_at_other_states_stands(void **state)
     ttc_challenge_report_destroy(report);
 }
 
-/* Nothing is said of h = 0, where a condition divides by zero, nor of a family at a = 0. */
+/* Nothing is said of h = 0, where a condition divides by zero, of x = 0 and b = 0, nor of a family at a = 0. */
 static void nothing_is_said_where_a_condition_divides_by_zero(void **state)
 {
     static const char *const tables[] = {
         "model anywhere\nstate x\nstate y\nstate z\neq x = y\neq y = -x\neq z = 0\nintegral level = z^2/z\n"
         "reduction right : by at_height.tt with q = x, p = y, h = level where z/z > 0\n",
+        "model line\nparam a > 0\nparam b >= 0\nstate x\nlet none = 1/x\neq x = a*x\ntime right : x^4/x^2\n",
+        "model line\nparam a > 0\nparam b >= 0\nstate x\nlet none = 1/x\neq x = a*x\ntime right : x^2 + 0*none\n",
+        "model line\nparam a > 0\nparam b >= 0\nstate x\neq x = a*x\nvariant right : a = b^2/b\n",
         "model half_line\nparam a >= 0\nparam b\nstate x in (0, inf)\neq x = 0\nequilibria right : x = a when b = a/a\n",
     };
     (void)state;
