@@ -35,7 +35,8 @@ static const char false_claims[] =
 
 /* One claim of each is false, at points alone that generic ones hardly ever are: where a level is singular, by its rate or by a
  * later derivative along the orbit; where several states are zero; where a sum is; where something divides by zero that cancels,
- * or that no equation uses. Two are false of what both tables watch. */
+ * or that no equation uses. One is false of a given root, two are of what both
+ * tables watch. */
 static const char *const rarely_false[] = {
     "model line\nstate x\nstate y\nstate z\ndomain beside : y^2 > 0\nroot r = sqrt(y^2)\neq x = 0\neq y = 0\neq z = 1 - y/r\n"
     "invariant sheet = x^2*y - z^4\n",
@@ -55,6 +56,7 @@ static const char *const rarely_false[] = {
     "section wrong : by of_speed.tt at x = 0 with z = z, V = level\n",
     "model moved\nstate x\nstate y\nstate z\neq x = 1\neq y = 0\neq z = y\nintegral level = y\n"
     "section wrong : by undefined.tt at x = 0 with z = z, V = level\n",
+    "model rootless\nstate x\ndomain apart : x^2 > 0\neq x = x\nreduction wrong : onto rooted.tt with y = x, r = x\n",
     "model seen_otherwise\nstate x\neq x = x\nobserve seen = x\nreduction wrong : onto watched.tt with y = x\n",
     "model kept_otherwise\nstate x\neq x = x\nvalid kept : 2*x > 0\nembedding wrong : into watched.tt with y = x\n",
     "model anywhere\nstate x\nstate y\nstate z\neq x = y\neq y = -x\neq z = 0\nintegral level = z^2/z\n"
@@ -79,6 +81,7 @@ static const struct {
     { "undefined.tt", "model undefined\nparam V\nstate z\nlet none = 1/z\nlift into moved.tt with x = 0, y = V, z = z + 0*none\n" },
     { "with_root.tt", "model with_root\nstate y\nroot r = sqrt(1/y)\neq y = 2*y\n" },
     { "with_angle.tt", "model with_angle\nstate y\nangle c s = cos(1/y) sin(1/y)\neq y = 2*y + 0*c\n" },
+    { "rooted.tt", "model rooted\nstate y\ndomain apart : y^2 > 0\nroot r = sqrt(y^2)\neq y = y\n" },
     { "watched.tt", "model watched\nstate y\neq y = y\nobserve seen = y^2\nvalid kept : y > 0\n" },
     { "at_height.tt", "model at_height\nparam h\nstate q\nstate p\neq q = p\neq p = -q\n"
                       "embedding up : into anywhere.tt with x = q, y = p, z = h\n" },
