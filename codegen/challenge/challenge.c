@@ -20,19 +20,24 @@ typedef struct {
     double begun; /* processor time */
 } trial;
 
-/* "WHAT at NAME = VALUE ..." with all parameters and states, for free(). */
-static char *point_text(const trial *t, const char *what)
+/* "WHAT at NAME = VALUE ..." with all parameters and states of the point that was drawn, and from which a check may have moved; for
+ * free(). */
+static char *point_text(trial *t, const char *what)
 {
-    const ttc_model *model = t->check.model;
-    char *text = NULL;
+    const bool there = t->check.is_at_target;
+    const ttc_model *model = there ? t->check.target : t->check.model;
+    ttc_probe *probe = there ? t->check.target_probe : t->check.probe;
+    char *text = NULL, fault[256];
     size_t size = 0;
     FILE *stream = open_memstream(&text, &size);
     if (stream == NULL) return NULL;
     fprintf(stream, "%s at", what);
+    if (there) fprintf(stream, " the point of %s with", model->name);
+    else ttc_random_point_place(probe, &t->point, &t->subject.situation, ttc_probe_precision(probe), fault, sizeof fault);
     for (uint32_t i = 0; i < model->symbol_count; i++) {
         ttc_symbol_kind kind = model->symbols[i].kind;
-        if ((kind != TTC_PARAM && kind != TTC_STATE) || !ttc_probe_is_set(t->check.probe, i)) continue;
-        char *value = arb_get_str(ttc_probe_value(t->check.probe, i), DIGITS, 0);
+        if ((kind != TTC_PARAM && kind != TTC_STATE) || !ttc_probe_is_set(probe, i)) continue;
+        char *value = arb_get_str(ttc_probe_value(probe, i), DIGITS, 0);
         fprintf(stream, " %s = %s", model->symbols[i].name, value);
         flint_free(value);
     }
@@ -49,6 +54,7 @@ static ttc_check_outcome try_point(trial *t)
         ttc_place_in_domain place = ttc_random_point_place(t->check.probe, &t->point, &t->subject.situation, precisions[i],
                                                            fault, sizeof fault);
         t->check.outcome = TTC_HOLDS;
+        t->check.is_at_target = false;
         t->check.what[0] = '\0';
         if (fault[0] != '\0') ttc_check_violate(&t->check, "the family leaves the domain:", fault);
         else if (place == TTC_OUTSIDE) return TTC_UNDEFINED;

@@ -31,6 +31,12 @@ static void violate_by(ttc_check *check, const arb_t value, const char *what, co
     ttc_check_violate(check, text, ball);
 }
 
+void ttc_check_divides(ttc_check *check, ttc_probe *probe, const ttc_model *model, ttc_divisor_role role, uint32_t owner,
+                       size_t use_count, const char *what, const char *name)
+{
+    if (ttc_domain_divides_by_zero(probe, model, role, owner, use_count)) ttc_check_violate(check, what, name);
+}
+
 static void leave_untold(ttc_check *check)
 {
     if (check->outcome == TTC_HOLDS) check->outcome = TTC_NOT_TOLD;

@@ -20,7 +20,8 @@ typedef struct {
     uint32_t index;                  /* of a derived claim's record, see ttc_subject */
     bool has_smooth_density;         /* as the proof says */
     ttc_probe *probe, *target_probe;
-    ttc_random random;               /* for lambda */
+    ttc_random random;               /* for lambda, and points of the target */
+    bool is_at_target;               /* the target probe is at a point of its own, not at an image */
     ttc_check_outcome outcome;
     bool wants_witness, has_witness;
     char what[512];                  /* the first violation */
@@ -33,6 +34,10 @@ void ttc_check_positive(ttc_check *check, const arb_t value, const char *what, c
 
 /* At some point, one of the values passed here must exclude zero. */
 void ttc_check_witness(ttc_check *check, const arb_t value);
+
+/* Nothing is zero at the probe that a record divides by, see ttc_domain_divides_by_zero. */
+void ttc_check_divides(ttc_check *check, ttc_probe *probe, const ttc_model *model, ttc_divisor_role role, uint32_t owner,
+                       size_t use_count, const char *what, const char *name);
 
 void ttc_check_undefined(ttc_check *check);
 void ttc_check_violate(ttc_check *check, const char *what, const char *name);
@@ -58,6 +63,17 @@ bool ttc_check_set_image(ttc_check *check, const ttc_image *image);
 /* The two values that give the target's i-th state at a probe of the model: sine and cosine of an angle, both times one positive
  * number, or the state and 1. Returns false if one has no value. */
 bool ttc_check_way_to(ttc_check *check, ttc_probe *probe, const ttc_image *image, size_t state, arb_t sine, arb_t cosine);
+
+/* What both tables observe, hold valid or claim as an integral without conditions under one name has one value at a probe of the
+ * model and at the target probe, if it has a value at both. */
+void ttc_check_observations(ttc_check *check, ttc_probe *probe);
+
+/* Move the target probe to a random point of its domain. Returns false if none is found. */
+bool ttc_check_draw_target(ttc_check *check);
+
+/* At a probe of the model, the way leads to the target's i-th state as the target probe has it; for an angle, to the same
+ * direction. where_angles: angles may have no value. */
+void ttc_check_return(ttc_check *check, ttc_probe *probe, const ttc_image *image, size_t state, bool where_angles);
 
 void ttc_check_integral(ttc_check *check);
 void ttc_check_invariant(ttc_check *check);

@@ -145,7 +145,7 @@ static void check_map(ttc_check *check, int sign, const char *what)
     char fault[256];
     arb_ptr mapped = _arb_vec_init((long)n);
     if (push_forward(check, mapped) && move_to_image(check)) {
-        if (ttc_domain_locate(check->probe, model, NULL, UINT32_MAX, fault, sizeof fault) == TTC_OUTSIDE)
+        if (ttc_domain_locate_image(check->probe, model, fault, sizeof fault) == TTC_OUTSIDE)
             ttc_check_violate(check, "the image of the point leaves the domain:", fault);
         for (size_t i = 0; check->outcome != TTC_VIOLATED && i < n; i++) {
             arb_srcptr speed = ttc_check_at(check, ttc_model_field(model, i));

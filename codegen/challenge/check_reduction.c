@@ -143,9 +143,10 @@ void ttc_check_reduction(ttc_check *check)
         ttc_check_undefined(check);
         return;
     }
-    if (ttc_domain_locate(check->target_probe, check->target, NULL, UINT32_MAX, fault, sizeof fault) == TTC_OUTSIDE)
+    if (ttc_domain_locate_image(check->target_probe, check->target, fault, sizeof fault) == TTC_OUTSIDE)
         ttc_check_violate(check, "the image leaves the domain of the target:", fault);
     check_given_roots(check);
     check_chain_rule(check);
+    ttc_check_observations(check, check->probe);
     check_dimension(check);
 }

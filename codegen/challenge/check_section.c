@@ -4,8 +4,6 @@
 #include "challenge/check.h"
 #include "prove/section_chart.h"
 
-enum { CHART_DRAWS = 12 };
-
 typedef struct {
     ttc_check *check;
     const ttc_section *section;
@@ -66,40 +64,6 @@ static void check_lift(section_check *s)
     }
 }
 
-/* The way back from the lift leads to the chart's coordinate; for an angle, to the same direction. */
-static void check_return(section_check *s, size_t state)
-{
-    const ttc_model *chart = s->check->target;
-    const char *name = chart->symbols[chart->states[state]].name;
-    arb_srcptr own = ttc_probe_value(s->check->target_probe, chart->states[state]);
-    arb_t sine, cosine, own_sine, own_cosine, along, across;
-    arb_init(sine);
-    arb_init(cosine);
-    arb_init(own_sine);
-    arb_init(own_cosine);
-    arb_init(along);
-    arb_init(across);
-    if (!ttc_check_way_to(s->check, s->lifted, &s->section->image, state, sine, cosine)) {
-        ttc_check_undefined(s->check);
-    } else if (s->section->image.forms[ttc_image_state(&s->section->image, chart, state)] == TTC_GIVEN_ANGLE) {
-        arb_sin_cos(own_sine, own_cosine, own, s->precision);
-        arb_mul(along, sine, own_sine, s->precision);
-        arb_addmul(along, cosine, own_cosine, s->precision);
-        arb_mul(across, sine, own_cosine, s->precision);
-        arb_submul(across, cosine, own_sine, s->precision);
-        ttc_check_zero(s->check, across, "the way back from the lift leads elsewhere in", name);
-        ttc_check_positive(s->check, along, "the way back from the lift leads to the opposite of", name);
-    } else {
-        ttc_check_same(s->check, sine, own, "the way back from the lift leads elsewhere in", name);
-    }
-    arb_clear(across);
-    arb_clear(along);
-    arb_clear(own_cosine);
-    arb_clear(own_sine);
-    arb_clear(cosine);
-    arb_clear(sine);
-}
-
 /* The sign of the rate of the section's state; 0 if not known, or zero. */
 static int direction(const section_check *s, ttc_probe *probe)
 {
@@ -110,18 +74,32 @@ static int direction(const section_check *s, ttc_probe *probe)
     return rate == NULL ? 0 : arb_is_positive(rate) ? 1 : arb_is_negative(rate) ? -1 : 0;
 }
 
+/* Nothing is zero, at a probe of the model, that the way back or a level divides by. */
+static void check_divisors(section_check *s, ttc_probe *probe, const char *what)
+{
+    const ttc_model *model = s->check->model;
+    ttc_check_divides(s->check, probe, model, TTC_DIVIDES_CLAIM, s->section->claim, s->section->shown_uses, what,
+                      "the way back");
+    for (size_t i = 0; i < s->check->claim->member_count; i++)
+        ttc_check_divides(s->check, probe, model, TTC_DIVIDES_CLAIM, s->check->claim->members[i], SIZE_MAX, what,
+                          model->claims[s->check->claim->members[i]].name);
+}
+
 /* At the chart's point. */
 static void check_chart(section_check *s)
 {
     char fault[256];
+    ttc_check_divides(s->check, s->check->target_probe, s->check->target, TTC_DIVIDES_LIFT, 0, SIZE_MAX,
+                      "a denominator is zero in", "the lift");
     if (!set_lifted(s)) {
         ttc_check_undefined(s->check);
         return;
     }
-    if (ttc_domain_locate(s->lifted, s->check->model, NULL, UINT32_MAX, fault, sizeof fault) == TTC_OUTSIDE)
+    if (ttc_domain_locate_image(s->lifted, s->check->model, fault, sizeof fault) == TTC_OUTSIDE)
         ttc_check_violate(s->check, "the lift leaves the domain:", fault);
+    check_divisors(s, s->lifted, "a denominator is zero at the lift in");
     check_lift(s);
-    for (size_t i = 0; i < s->check->target->state_count; i++) check_return(s, i);
+    for (size_t i = 0; i < s->check->target->state_count; i++) ttc_check_return(s->check, s->lifted, &s->section->image, i, false);
 }
 
 static void check_state(section_check *s)
@@ -129,12 +107,12 @@ static void check_state(section_check *s)
     const ttc_model *model = s->check->model;
     char fault[256];
     const int crossing = direction(s, s->check->probe);
+    if (crossing != 0) check_divisors(s, s->check->probe, "a denominator is zero where the section is crossed, in");
     if (crossing == 0 || !ttc_check_set_image(s->check, &s->section->image)) {
         ttc_check_undefined(s->check);
         return;
     }
-    const ttc_place_in_domain place = ttc_domain_locate(s->check->target_probe, s->check->target, NULL, UINT32_MAX, fault,
-                                                        sizeof fault);
+    const ttc_place_in_domain place = ttc_domain_locate_image(s->check->target_probe, s->check->target, fault, sizeof fault);
     if (place == TTC_OUTSIDE) ttc_check_violate(s->check, "a crossing outside of the coordinates:", fault);
     else if (place == TTC_UNCLEAR) ttc_check_undefined(s->check);
     if (s->check->outcome != TTC_HOLDS) return;
@@ -145,22 +123,6 @@ static void check_state(section_check *s)
                        "the lift of where the way back leads is another state in", model->symbols[model->states[i]].name);
 }
 
-/* Move to a random point of the chart. Returns false if none is found. */
-static bool draw_point(section_check *s)
-{
-    const ttc_situation situation = { .model = s->check->target, .claim = UINT32_MAX, .own_root = UINT32_MAX };
-    ttc_random_point point;
-    char fault[256];
-    bool found = false;
-    if (!ttc_random_point_init(&point, &situation)) return false;
-    for (int draw = 0; !found && draw < CHART_DRAWS; draw++)
-        found = ttc_random_point_draw(&point, &situation, &s->check->random, (ttc_sample_range)(draw % 3))
-                && ttc_random_point_place(s->check->target_probe, &point, &situation, s->precision, fault, sizeof fault)
-                       == TTC_INSIDE;
-    ttc_random_point_clear(&point);
-    return found;
-}
-
 void ttc_check_section(ttc_check *check)
 {
     char reason[8];
@@ -169,6 +131,6 @@ void ttc_check_section(ttc_check *check)
         s.lifted = ttc_probe_create(check->model);
     if (s.lifted == NULL) ttc_check_undefined(check);
     else check_state(&s);
-    if (check->outcome == TTC_HOLDS && draw_point(&s)) check_chart(&s);
+    if (check->outcome == TTC_HOLDS && ttc_check_draw_target(check)) check_chart(&s);
     ttc_probe_destroy(s.lifted);
 }

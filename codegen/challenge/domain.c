@@ -2,6 +2,7 @@
 #include "challenge/random_point.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 
 typedef struct {
     ttc_probe *probe;
@@ -101,4 +102,32 @@ ttc_place_in_domain ttc_domain_locate(ttc_probe *probe, const ttc_model *model, 
     if (s.innocent_outside) return TTC_OUTSIDE;
     if (s.unclear) return TTC_UNCLEAR;
     return s.outside ? TTC_OUTSIDE : TTC_INSIDE;
+}
+
+/* used: flags, by symbol, for free(), which this does. */
+static bool divides_by_zero(ttc_probe *probe, const ttc_model *model, ttc_divisor_role role, uint32_t owner, unsigned char *used)
+{
+    bool zero = false;
+    for (size_t i = 0; used != NULL && !zero && i < model->divisor_count; i++) {
+        const ttc_divisor *divisor = &model->divisors[i];
+        const bool is_used = divisor->role == TTC_DIVIDES_SYMBOL && used[divisor->owner];
+        if (!is_used && (divisor->role != role || divisor->owner != owner)) continue;
+        arb_srcptr value = ttc_probe_at(probe, divisor->divisor);
+        zero = value != NULL && arb_is_zero(value);
+    }
+    free(used);
+    return zero;
+}
+
+bool ttc_domain_divides_by_zero(ttc_probe *probe, const ttc_model *model, ttc_divisor_role role, uint32_t owner, size_t use_count)
+{
+    return divides_by_zero(probe, model, role, owner, ttc_model_uses_between(model, role, owner, 0, use_count));
+}
+
+ttc_place_in_domain ttc_domain_locate_image(ttc_probe *probe, const ttc_model *model, char *fault, size_t fault_size)
+{
+    if (!divides_by_zero(probe, model, TTC_DIVIDES_FIELD, 0, ttc_model_uses_of_domain(model)))
+        return ttc_domain_locate(probe, model, NULL, UINT32_MAX, fault, fault_size);
+    snprintf(fault, fault_size, "a denominator is zero");
+    return TTC_OUTSIDE;
 }

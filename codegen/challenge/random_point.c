@@ -2,6 +2,22 @@
 
 #include <stdlib.h>
 
+static bool is_among(const uint32_t *claims, size_t count, uint32_t claim)
+{
+    for (size_t i = 0; i < count; i++)
+        if (claims[i] == claim) return true;
+    return false;
+}
+
+bool ttc_situation_has_record(const ttc_situation *situation, ttc_divisor_role role, uint32_t owner)
+{
+    if (role == situation->role && owner == situation->owner) return true;
+    if (role != TTC_DIVIDES_CLAIM || situation->role != TTC_DIVIDES_CLAIM) return false;
+    const ttc_claim *own = situation->model->claims + situation->owner;
+    return is_among(own->modulo, own->modulo_count, owner) || is_among(own->members, own->member_count, owner)
+           || (ttc_claim_speaks_of_family(own->kind) && own->family == owner);
+}
+
 /* Fills the member `used`. Returns NULL when memory is out. */
 static unsigned char *used_definitions(const ttc_situation *situation)
 {
@@ -9,7 +25,8 @@ static unsigned char *used_definitions(const ttc_situation *situation)
     unsigned char *used = ttc_model_uses_of_domain(model);
     if (used == NULL) return NULL;
     for (size_t i = 0; i < model->use_count; i++)
-        if (model->uses[i].role == TTC_DIVIDES_CLAIM && model->uses[i].owner == situation->claim) used[model->uses[i].symbol] = 1;
+        if (ttc_situation_has_record(situation, model->uses[i].role, model->uses[i].owner))
+            used[model->uses[i].symbol] = 1;
     ttc_model_close_uses(model, used);
     return used;
 }

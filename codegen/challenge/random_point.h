@@ -21,9 +21,13 @@ typedef struct {
     ttc_id levels[TTC_PROBE_SPARE]; /* expressions that are zero */
     size_t level_count;
     ttc_bindings family;            /* bindings of a family, which may leave the domain; empty: none */
-    uint32_t claim;                 /* the claim whose divisors are not zero; UINT32_MAX: none */
+    ttc_divisor_role role;          /* of a record whose divisors, and those of claims that it names, are not zero */
+    uint32_t owner;
     uint32_t own_root;              /* the root or logarithm whose argument is in question; UINT32_MAX: none */
 } ttc_situation;
+
+/* Whether the divisors of a record are not zero in the situation. */
+bool ttc_situation_has_record(const ttc_situation *situation, ttc_divisor_role role, uint32_t owner);
 
 typedef struct {
     fmpq *numbers;         /* by symbol: the value of a free parameter, or where a state lies in its interval */
@@ -69,5 +73,13 @@ bool ttc_level_meet(ttc_probe *probe, const ttc_random_point *point, const ttc_s
  *  is broken or unclear; otherwise "". */
 ttc_place_in_domain ttc_domain_locate(ttc_probe *probe, const ttc_model *model, const ttc_bindings *family, uint32_t except,
                                       char *fault, size_t fault_size);
+
+/* Whether something is exactly zero that records of this role and owner divide by, or definitions that the first `use_count` of
+ * their names need. */
+bool ttc_domain_divides_by_zero(ttc_probe *probe, const ttc_model *model, ttc_divisor_role role, uint32_t owner,
+                                size_t use_count);
+
+/* The same as ttc_domain_locate, of the image of a point, which divisors of the domain keep outside if they are exactly zero. */
+ttc_place_in_domain ttc_domain_locate_image(ttc_probe *probe, const ttc_model *model, char *fault, size_t fault_size);
 
 #endif

@@ -1,13 +1,6 @@
 /* Places a random point: sets its numbers, meets its levels, locates it in the domain. */
 #include "challenge/random_point.h"
 
-/* Divisors in the definition of an angle are listed under one name of the pair. */
-static bool is_used(const ttc_random_point *point, const ttc_model *model, uint32_t symbol)
-{
-    const ttc_symbol_entry *entry = &model->symbols[symbol];
-    return point->used[symbol] || ((entry->kind == TTC_COSINE || entry->kind == TTC_SINE) && point->used[entry->partner]);
-}
-
 /* Factor by factor. The root in question is not zero where its radicand is not; what else needs that root counts as nonzero. */
 static bool is_not_zero(ttc_probe *probe, const ttc_situation *situation, ttc_id id)
 {
@@ -22,16 +15,27 @@ static bool is_not_zero(ttc_probe *probe, const ttc_situation *situation, ttc_id
     return value == NULL ? situation->own_root != UINT32_MAX : !arb_contains_zero(value);
 }
 
-/* The divisors, as written, of the claim, the field and the definitions in use. */
-static bool divisors_are_not_zero(ttc_probe *probe, const ttc_random_point *point, const ttc_situation *situation)
+static bool depends_on_family(const ttc_situation *situation, ttc_id id)
+{
+    bool depends = false;
+    for (size_t i = 0; i < situation->family.count && !depends; i++)
+        depends = ttc_model_depends(situation->model, id, situation->family.items[i].symbol);
+    return depends;
+}
+
+/* The divisors, as written, of the claim, the field and the definitions in use. but_family: those of the family's states do
+ * not count. */
+static bool divisors_are_not_zero(ttc_probe *probe, const ttc_random_point *point, const ttc_situation *situation,
+                                  bool but_family)
 {
     const ttc_model *model = situation->model;
     for (size_t i = 0; i < model->divisor_count; i++) {
         const ttc_divisor *divisor = &model->divisors[i];
-        bool used = divisor->role == TTC_DIVIDES_FIELD
-                    || (divisor->role == TTC_DIVIDES_SYMBOL && is_used(point, model, divisor->owner))
-                    || (divisor->role == TTC_DIVIDES_CLAIM && divisor->owner == situation->claim);
-        if (used && !is_not_zero(probe, situation, divisor->divisor)) return false;
+        const ttc_id id = divisor->divisor;
+        const bool used = divisor->role == TTC_DIVIDES_FIELD
+                          || (divisor->role == TTC_DIVIDES_SYMBOL && point->used[divisor->owner])
+                          || ttc_situation_has_record(situation, divisor->role, divisor->owner);
+        if (used && !(but_family && depends_on_family(situation, id)) && !is_not_zero(probe, situation, id)) return false;
     }
     return true;
 }
@@ -46,6 +50,8 @@ ttc_place_in_domain ttc_random_point_place(ttc_probe *probe, const ttc_random_po
     ttc_probe_seed_states(probe);
     ttc_place_in_domain place = ttc_domain_locate(probe, situation->model, &situation->family, situation->own_root, fault,
                                                   fault_size);
-    if (place == TTC_INSIDE && !divisors_are_not_zero(probe, point, situation)) return TTC_OUTSIDE;
-    return place;
+    const bool has_fault = fault[0] != '\0';
+    if ((place != TTC_INSIDE && !has_fault) || divisors_are_not_zero(probe, point, situation, has_fault)) return place;
+    fault[0] = '\0';
+    return TTC_OUTSIDE;
 }

@@ -40,7 +40,11 @@ static bool use_claim(ttc_subject *subject, const ttc_model *model, uint32_t ind
     const ttc_claim *claim = &model->claims[index];
     ttc_situation *situation = &subject->situation;
     subject->claim = claim;
-    subject->index = situation->claim = index;
+    subject->index = index;
+    if (claim->kind != TTC_CLAIM_SECTION) { /* whose way back has a value wherever it is crossed */
+        situation->role = TTC_DIVIDES_CLAIM;
+        situation->owner = index;
+    }
     for (size_t i = 0; i < sizeof claim_checkers / sizeof *claim_checkers; i++)
         if (claim_checkers[i].kind == claim->kind) {
             subject->checker = claim_checkers[i].checker;
@@ -72,8 +76,10 @@ static bool find_claim(ttc_subject *subject, const ttc_model *model, const char 
     return false;
 }
 
-static bool use_derived(ttc_subject *subject, ttc_checker checker, uint32_t index)
+static bool use_derived(ttc_subject *subject, ttc_checker checker, ttc_divisor_role role, uint32_t index)
 {
+    subject->situation.role = role;
+    subject->situation.owner = index;
     subject->checker = checker;
     subject->index = index;
     return true;
@@ -86,33 +92,37 @@ static bool find_derived(ttc_subject *subject, const ttc_model *model, const cha
         for (uint32_t i = 0; i < model->symbol_count; i++)
             if (model->symbols[i].kind == (root ? TTC_ROOT : TTC_LOG) && strcmp(model->symbols[i].name, name) == 0) {
                 subject->situation.own_root = i;
-                return use_derived(subject, ttc_check_root, i);
+                return use_derived(subject, ttc_check_root, TTC_DIVIDES_FIELD, i);
             }
     } else if (strcmp(kind, "variant") == 0) {
         for (uint32_t i = 0; i < model->variant_count; i++)
-            if (strcmp(model->variants[i].name, name) == 0) return use_derived(subject, ttc_check_variant, i);
+            if (strcmp(model->variants[i].name, name) == 0)
+                return use_derived(subject, ttc_check_variant, TTC_DIVIDES_VARIANT, i);
     } else if (strcmp(kind, "time") == 0) {
         for (uint32_t i = 0; i < model->time_count; i++)
-            if (strcmp(model->times[i].name, name) == 0) return use_derived(subject, ttc_check_time, i);
+            if (strcmp(model->times[i].name, name) == 0)
+                return use_derived(subject, ttc_check_time, TTC_DIVIDES_TIME, i);
     } else if (strcmp(kind, "eliminate") == 0) {
         for (uint32_t i = 0; i < model->elimination_count; i++)
-            if (strcmp(model->eliminations[i].name, name) == 0) return use_derived(subject, ttc_check_elimination, i);
+            if (strcmp(model->eliminations[i].name, name) == 0)
+                return use_derived(subject, ttc_check_elimination, TTC_DIVIDES_FIELD, i);
     } else if (strcmp(kind, "pole") == 0) {
         for (uint32_t i = 0; i < model->pole_count; i++)
-            if (strcmp(model->symbols[model->poles[i].state].name, name) == 0) return use_derived(subject, ttc_check_pole, i);
+            if (strcmp(model->symbols[model->poles[i].state].name, name) == 0)
+                return use_derived(subject, ttc_check_pole, TTC_DIVIDES_FIELD, i);
     }
     const size_t observed = ttc_observed_count(model);
     for (uint32_t i = 0; i < observed; i++) {
         ttc_observed record;
         ttc_observed_get(model, i, &record);
         if (strcmp(record.kind, kind) == 0 && strcmp(record.name, name) == 0)
-            return use_derived(subject, ttc_check_observed, i);
+            return use_derived(subject, ttc_check_observed, TTC_DIVIDES_FIELD, i);
     }
     return false;
 }
 
 bool ttc_subject_find(ttc_subject *subject, const ttc_model *model, const char *kind, const char *name, ttc_place place)
 {
-    *subject = (ttc_subject){ .situation = { .model = model, .claim = UINT32_MAX, .own_root = UINT32_MAX } };
+    *subject = (ttc_subject){ .situation = { .model = model, .own_root = UINT32_MAX } };
     return find_claim(subject, model, kind, name, place) || find_derived(subject, model, kind, name);
 }

@@ -111,20 +111,13 @@ static bool is_of_parameters(const ttc_task *task)
     return task->role == TTC_DIVIDES_VARIANT && (task->tested != NULL || task->claim->when.count == 0);
 }
 
-/* Returns true if a symbol is flagged, or its partner: divisors in the definition of an angle are stored with one of the pair. */
-static bool symbol_counts(const ttc_model *model, const unsigned char *support, uint32_t symbol)
-{
-    ttc_symbol_kind kind = model->symbols[symbol].kind;
-    return support[symbol] || ((kind == TTC_COSINE || kind == TTC_SINE) && support[model->symbols[symbol].partner]);
-}
-
 static bool divisor_counts(const ttc_task *task, const ttc_divisor *d, const unsigned char *support, ttc_domain_extent extent)
 {
     if (is_of_parameters(task) && depends_on_states(task->model, d->divisor)) return owner_counts(task, d, extent);
     if (task->role == TTC_DIVIDES_LIFT) return false; /* the claim has to show that they are not zero */
     switch (d->role) {
     case TTC_DIVIDES_FIELD: return true;
-    case TTC_DIVIDES_SYMBOL: return symbol_counts(task->model, support, d->owner);
+    case TTC_DIVIDES_SYMBOL: return support[d->owner] != 0;
     default: return owner_counts(task, d, extent);
     }
 }
@@ -257,7 +250,7 @@ void ttc_domain_add(ttc_task *task, ttc_conditions *c, ttc_domain_extent extent)
         /* Evaluating the sine adjoins the root of 1 - C^2, which is real only if a bound cosine C lies between -1 and 1. */
         if (entry->kind == TTC_COSINE && ttc_valuation_is_bound(task->field, i))
             ttc_evaluate(task->field, &value, model->symbols[entry->partner].node);
-        if (entry->kind == TTC_COSINE && symbol_counts(model, support, i)) ttc_domain_add_angle(task, c, i);
+        if (entry->kind == TTC_COSINE && support[i]) ttc_domain_add_angle(task, c, i);
     }
     for (size_t i = 0; i < model->region_count; i++) {
         if (parameters_alone && depends_on_states(model, model->regions[i].expression)) continue;
@@ -305,7 +298,7 @@ void ttc_domain_require_divisors(ttc_task *task, ttc_valuation *map, const ttc_m
         uint32_t root;
         const ttc_divisor *d = &model->divisors[i];
         const bool counts = (d->role == role && d->owner == owner) ||
-                            (d->role == TTC_DIVIDES_SYMBOL && symbol_counts(model, used, d->owner));
+                            (d->role == TTC_DIVIDES_SYMBOL && used[d->owner]);
         if (!counts || is_root(model, d->divisor, &root)) continue;
         ttc_signs_require(task, map, d->divisor, TTC_IS_NONZERO, "a denominator vanishes%s", where);
     }
@@ -321,7 +314,7 @@ void ttc_domain_require_field(ttc_task *task)
     for (size_t i = 0; support != NULL && i < model->divisor_count && ttc_task_open(task); i++) {
         const ttc_divisor *d = &model->divisors[i];
         const bool counts =
-            d->role == TTC_DIVIDES_FIELD || (d->role == TTC_DIVIDES_SYMBOL && symbol_counts(model, support, d->owner));
+            d->role == TTC_DIVIDES_FIELD || (d->role == TTC_DIVIDES_SYMBOL && support[d->owner]);
         if (!counts || !ttc_question_depends(task, d->divisor) || ttc_question_uses_root(task, d->divisor)) continue;
         ttc_evaluate(task->field, &value, d->divisor);
         const bool zero = ttc_task_open(task) && ttc_ratio_is_zero(task->ring, &value);

@@ -7,12 +7,9 @@
 unsigned char *ttc_observed_divisors(const ttc_model *model, const ttc_observed *record)
 {
     unsigned char *own = calloc(model->divisor_count + 1, 1), *field = ttc_model_uses(model);
-    unsigned char *used = calloc(model->symbol_count + 1, 1);
+    unsigned char *used = ttc_model_uses_of(model, record->role, record->owner);
     const bool ok = own != NULL && field != NULL && used != NULL;
     if (ok && record->role == TTC_DIVIDES_SYMBOL) used[record->owner] = 1;
-    for (size_t i = 0; ok && i < model->use_count; i++)
-        if (model->uses[i].role == record->role && model->uses[i].owner == record->owner) used[model->uses[i].symbol] = 1;
-    if (ok) ttc_model_close_uses(model, used);
     for (size_t i = 0; ok && i < model->divisor_count; i++) {
         const ttc_divisor *d = model->divisors + i;
         const bool named = d->role == TTC_DIVIDES_SYMBOL && used[d->owner] && !field[d->owner];

@@ -21,11 +21,9 @@ void ttc_prove_bind_image(ttc_task *task, ttc_valuation *map, const ttc_claim *c
 void ttc_prove_return(ttc_task *task, ttc_valuation *map, const ttc_claim *claim, const ttc_image *image, size_t state,
                       bool where_angles);
 
-/* Require that no divisor of expressions of claim number `owner`, shape (count,), is zero, nor one of definitions that they use;
- * of the claim's own expression, that of an integral or a zero level. where: added to messages. */
-void ttc_prove_divisors(ttc_task *task, ttc_valuation *valuation, const ttc_model *model, uint32_t owner, const ttc_id *ids,
-                        size_t count, const char *where);
-void ttc_prove_expression_divisors(ttc_task *task, ttc_valuation *valuation, const ttc_model *model, uint32_t claim,
-                                   const char *where);
+/* Require that no divisor of a claim is zero, nor one of definitions that it names, whether or not they cancel from it; of its
+ * names, the first `use_count` count. where: added to messages. */
+void ttc_prove_divisors(ttc_task *task, ttc_valuation *valuation, const ttc_model *model, uint32_t claim, size_t use_count,
+                        const char *where);
 
 #endif

@@ -60,7 +60,7 @@ static void prove_lift(ttc_task *task)
     for (size_t i = 0; i < model->symbol_count && ttc_task_open(task); i++)
         if (model->symbols[i].kind == TTC_ROOT && ttc_valuation_is_bound(map, (uint32_t)i))
             ttc_domain_require_root(task, map, model->symbols + i);
-    ttc_prove_divisors(task, map, model, section->claim, claim->entries, claim->entry_count, " in the way back from the lift");
+    ttc_prove_divisors(task, map, model, section->claim, section->shown_uses, " in the way back from the lift");
     if (ttc_task_open(task)) {
         const ttc_binding *at = claim->when.items;
         ttc_evaluate(map, &value, model->symbols[at->symbol].node);
@@ -68,7 +68,7 @@ static void prove_lift(ttc_task *task)
         ttc_task_require_zero(task, &value, "%s of the lift - its value on the section", model->symbols[at->symbol].name);
     }
     for (size_t i = 0; i < section->image.level_count && ttc_task_open(task); i++) {
-        ttc_prove_expression_divisors(task, map, model, claim->members[i], " in a level of the lift");
+        ttc_prove_divisors(task, map, model, claim->members[i], SIZE_MAX, " in a level of the lift");
         ttc_evaluate(map, &value, model->claims[claim->members[i]].expression);
         ttc_prove_take_off(task, &value, task->field, chart->symbols[symbol_of(chart, section->image.levels[i])].node);
         ttc_task_require_zero(task, &value, "%s of the lift - its level %s", model->claims[claim->members[i]].name,

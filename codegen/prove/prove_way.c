@@ -25,12 +25,15 @@ static const ttc_way *way_of(const ttc_task *task)
 static void add_where(ttc_task *task, ttc_valuation *valuation, const ttc_way *way)
 {
     const ttc_model *model = ttc_valuation_model(valuation);
+    unsigned char *used = ttc_model_uses_between(model, TTC_DIVIDES_CLAIM, way->claim, way->where_uses, SIZE_MAX);
     size_t own = 0;
     ttc_ratio value;
     ttc_ratio_init(task->ring, &value);
+    if (used == NULL) ttc_task_unsettle(task, "out of memory");
     for (size_t i = 0; i < model->divisor_count && ttc_task_open(task); i++) {
         const ttc_divisor *d = model->divisors + i;
-        if (d->role != TTC_DIVIDES_CLAIM || d->owner != way->claim || own++ < way->where_divisors) continue;
+        const bool is_own = d->role == TTC_DIVIDES_CLAIM && d->owner == way->claim && own++ >= way->where_divisors;
+        if (!is_own && (d->role != TTC_DIVIDES_SYMBOL || !used[d->owner])) continue;
         ttc_evaluate(valuation, &value, d->divisor);
         ttc_conditions_add(&task->domain, &value, TTC_IS_NONZERO);
     }
@@ -39,6 +42,7 @@ static void add_where(ttc_task *task, ttc_valuation *valuation, const ttc_way *w
         ttc_conditions_add(&task->domain, &value, TTC_IS_POSITIVE);
     }
     ttc_ratio_clear(task->ring, &value);
+    free(used);
 }
 
 /* Require left = right, each evaluated in its own valuation. */
@@ -51,18 +55,6 @@ static void require_equal(ttc_task *task, ttc_valuation *of_left, ttc_id left, t
     ttc_prove_take_off(task, &difference, of_right, right);
     if (ttc_task_open(task)) ttc_task_require_zero(task, &difference, "%s%s", what, name);
     ttc_ratio_clear(task->ring, &difference);
-}
-
-/* Require that the divisors of a reduction or embedding are not zero. */
-static void require_divisors(ttc_task *task, ttc_valuation *valuation, const ttc_model *model, uint32_t claim,
-                             const char *where)
-{
-    const ttc_bindings *bindings = &model->claims[claim].bindings;
-    ttc_id *ids = calloc(bindings->count + 1, sizeof *ids);
-    for (size_t i = 0; ids != NULL && i < bindings->count; i++) ids[i] = bindings->items[i].expression;
-    if (ids == NULL) ttc_task_unsettle(task, "out of memory");
-    else ttc_prove_divisors(task, valuation, model, claim, ids, bindings->count, where);
-    free(ids);
 }
 
 /* ---- in the smaller table ---- */
@@ -197,10 +189,9 @@ static void require_return(ttc_task *task, ttc_valuation *map)
     const ttc_claim *claim = task->outer->claim;
     const ttc_way *way = way_of(task->outer);
     add_where(task, map, way);
-    ttc_prove_divisors(task, map, model, way->claim, claim->entries, claim->entry_count,
-                          " in the way back from the embedding");
+    ttc_prove_divisors(task, map, model, way->claim, way->where_uses, " in the way back from the embedding");
     for (size_t i = 0; i < way->image.level_count && ttc_task_open(task); i++)
-        ttc_prove_expression_divisors(task, map, model, claim->members[i], " in a level on the way back from the embedding");
+        ttc_prove_divisors(task, map, model, claim->members[i], SIZE_MAX, " in a level on the way back from the embedding");
     for (size_t i = 0; i < table->state_count && ttc_task_open(task); i++)
         ttc_prove_return(task, map, claim, &way->image, i, true);
     for (size_t i = 0; i < table->param_count && ttc_task_open(task); i++) {
@@ -226,7 +217,7 @@ static void prove_embedded(ttc_task *task)
         ttc_task_unsettle(task, "out of memory");
         return;
     }
-    require_divisors(task, task->field, task->model, task->claim->family, " in the embedding");
+    ttc_prove_divisors(task, task->field, task->model, task->claim->family, SIZE_MAX, " in the embedding");
     ttc_task_enter_map(task, map);
     bind_embedded(task, map);
     if (ttc_task_open(task)) ttc_domain_require_image(task, map, model, " of the embedding");
@@ -348,7 +339,7 @@ static void require_reduction(ttc_task *task, ttc_valuation *map, const ttc_clai
                       "the lift does not meet the condition of its reduction on ",
                       table->symbols[back->when.items[i].symbol].name);
     for (size_t i = 0; i < back->modulo_count && ttc_task_open(task); i++) {
-        ttc_prove_expression_divisors(task, map, table, back->modulo[i], " in a zero level of the reduction of the lift");
+        ttc_prove_divisors(task, map, table, back->modulo[i], SIZE_MAX, " in a zero level of the reduction of the lift");
         require_equal(task, map, table->claims[back->modulo[i]].expression, map, zero, "the lift is off the zero level of ",
                       table->claims[back->modulo[i]].name);
     }
@@ -374,7 +365,7 @@ static void prove_lifted(ttc_task *task, const ttc_model *table, uint32_t back)
     for (uint32_t i = 0; i < table->symbol_count && ttc_task_open(task); i++)
         if (table->symbols[i].kind == TTC_ROOT && ttc_valuation_is_bound(map, i))
             ttc_domain_require_root(task, map, table->symbols + i);
-    require_divisors(task, map, table, back, " in the reduction of the lift");
+    ttc_prove_divisors(task, map, table, back, SIZE_MAX, " in the reduction of the lift");
     if (ttc_task_open(task)) require_reduction(task, map, table->claims + back);
     require_same(task, map, table->claims + back);
     ttc_task_leave_map(task);

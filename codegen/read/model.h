@@ -158,6 +158,7 @@ typedef struct {
     ttc_image image;
     uint32_t *beside, *ending; /* symbols to show at returns, and where an orbit ends */
     size_t beside_count, ending_count;
+    size_t shown_uses; /* of the uses of its claim, the number that stand before `beside` and `ending` */
 } ttc_section;
 
 /* expression > 0 */
@@ -176,7 +177,7 @@ typedef struct {
     uint32_t claim;
     ttc_image image;
     ttc_inequalities where; /* the states for which the table may serve */
-    size_t where_divisors; /* of the divisors of its claim, the number that stand before `where` */
+    size_t where_divisors, where_uses; /* of the divisors and uses of its claim, the numbers that stand before `where` */
 } ttc_way;
 
 /* The name of this table among tables that serve in place of each other. */
@@ -335,10 +336,14 @@ bool ttc_model_depends(const ttc_model *model, ttc_id id, uint32_t symbol);
  * (symbol_count,), for the caller to free; NULL when memory is out. */
 unsigned char *ttc_model_support(const ttc_model *model, const ttc_id *ids, size_t count);
 
-/* Find all symbols with a definition that equations, intervals and domain records name, and recursively those that their
- * definitions name, as written. Returns flags 1 or 0, shape (symbol_count,), for the caller to free; NULL when memory is out. */
+/* Find all symbols with a definition that records of this role and owner name, and recursively those that their definitions name,
+ * as written. Returns flags 1 or 0, shape (symbol_count,), for the caller to free; NULL when memory is out. */
+unsigned char *ttc_model_uses_of(const ttc_model *model, ttc_divisor_role role, uint32_t owner);
+/* The same of their names number `first` to `end` - 1 alone, in the order of the records. */
+unsigned char *ttc_model_uses_between(const ttc_model *model, ttc_divisor_role role, uint32_t owner, size_t first, size_t end);
+/* The same of equations, intervals and domain records. */
 unsigned char *ttc_model_uses(const ttc_model *model);
-/* The same with all roots and logarithms, of positive quantities on the domain whether or not anything uses them. */
+/* And with all roots and logarithms, of positive quantities on the domain whether or not anything uses them. */
 unsigned char *ttc_model_uses_of_domain(const ttc_model *model);
 /* Returns true if claim number `claim` is an integral or density without conditions that divides by `divisor`, itself or in a
  * definition. Kernels of such a claim share their values prepared from parameters with all other kernels of the model. */
@@ -347,7 +352,8 @@ bool ttc_model_prepares(const ttc_model *model, uint32_t claim, const ttc_diviso
 bool ttc_model_vanishes_with(const ttc_model *model, ttc_id expression, const ttc_symbol_entry *param);
 /* A parameter that may be 0, and the divisor with it, as its factors and terms show; NULL if there is none. */
 const ttc_symbol_entry *ttc_model_zero_divisor(const ttc_model *model, ttc_id divisor);
-/* Add to the flags `used`, shape (symbol_count,), recursively the symbols that definitions of flagged symbols name. */
+/* Add to the flags `used`, shape (symbol_count,), recursively the symbols that definitions of flagged symbols name, and of each
+ * angle the cosine with the sine. */
 void ttc_model_close_uses(const ttc_model *model, unsigned char *used);
 
 /** Partial derivative by a state (or parameter), through definitions by the chain rule. Lets remain symbols in the result. */

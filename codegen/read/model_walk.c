@@ -114,27 +114,46 @@ bool ttc_model_depends(const ttc_model *model, ttc_id id, uint32_t symbol)
     return result;
 }
 
+/* Uses and divisors in the definition of an angle are stored with one of the pair. */
+static bool is_used_by_partner(const ttc_model *model, const unsigned char *used, uint32_t symbol)
+{
+    const ttc_symbol_entry *entry = &model->symbols[symbol];
+    return (entry->kind == TTC_COSINE || entry->kind == TTC_SINE) && used[entry->partner];
+}
+
 void ttc_model_close_uses(const ttc_model *model, unsigned char *used)
 {
     /* A definition names only what stands above it, so that one sweep from the last use to the first finds all. */
     for (size_t i = model->use_count; i-- > 0;) {
         const ttc_use *use = &model->uses[i];
-        if (use->role != TTC_DIVIDES_SYMBOL) continue;
-        const ttc_symbol_entry *owner = &model->symbols[use->owner];
-        bool is_pair = owner->kind == TTC_COSINE || owner->kind == TTC_SINE;
-        if (used[use->owner] || (is_pair && used[owner->partner])) used[use->symbol] = 1;
+        if (use->role == TTC_DIVIDES_SYMBOL && (used[use->owner] || is_used_by_partner(model, used, use->owner)))
+            used[use->symbol] = 1;
     }
+    for (uint32_t i = 0; i < model->symbol_count; i++)
+        if (is_used_by_partner(model, used, i)) used[i] = 1;
 }
 
-unsigned char *ttc_model_uses(const ttc_model *model)
+unsigned char *ttc_model_uses_between(const ttc_model *model, ttc_divisor_role role, uint32_t owner, size_t first, size_t end)
 {
     unsigned char *used = calloc(model->symbol_count + 1, 1);
+    size_t number = 0;
     if (used == NULL) return NULL;
-    for (size_t i = 0; i < model->use_count; i++)
-        if (model->uses[i].role == TTC_DIVIDES_FIELD) used[model->uses[i].symbol] = 1;
+    for (size_t i = 0; i < model->use_count; i++) {
+        const ttc_use *use = &model->uses[i];
+        if (use->role != role || use->owner != owner) continue;
+        if (number >= first && number < end) used[use->symbol] = 1;
+        number++;
+    }
     ttc_model_close_uses(model, used);
     return used;
 }
+
+unsigned char *ttc_model_uses_of(const ttc_model *model, ttc_divisor_role role, uint32_t owner)
+{
+    return ttc_model_uses_between(model, role, owner, 0, SIZE_MAX);
+}
+
+unsigned char *ttc_model_uses(const ttc_model *model) { return ttc_model_uses_of(model, TTC_DIVIDES_FIELD, 0); }
 
 unsigned char *ttc_model_uses_of_domain(const ttc_model *model)
 {
@@ -151,8 +170,11 @@ bool ttc_model_prepares(const ttc_model *model, uint32_t claim, const ttc_diviso
     const ttc_claim *of = model->claims + claim;
     const bool is_quantity = of->kind == TTC_CLAIM_INTEGRAL || of->kind == TTC_CLAIM_MEASURE;
     if (!is_quantity || of->when.count + of->modulo_count > 0) return false;
-    if (divisor->role == TTC_DIVIDES_SYMBOL) return ttc_model_depends(model, of->expression, divisor->owner);
-    return divisor->role == TTC_DIVIDES_CLAIM && divisor->owner == claim;
+    if (divisor->role != TTC_DIVIDES_SYMBOL) return divisor->role == TTC_DIVIDES_CLAIM && divisor->owner == claim;
+    unsigned char *used = ttc_model_uses_of(model, TTC_DIVIDES_CLAIM, claim);
+    const bool uses = used == NULL || used[divisor->owner];
+    free(used);
+    return uses;
 }
 
 bool ttc_model_vanishes_with(const ttc_model *model, ttc_id expression, const ttc_symbol_entry *param)

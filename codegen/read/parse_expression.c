@@ -38,7 +38,6 @@ bool ttc_parse_uses(ttc_parser *parser, uint32_t symbol)
 {
     const ttc_symbol_kind kind = parser->model->symbols[symbol].kind;
     if (kind != TTC_LET && !ttc_symbol_is_function(kind)) return true;
-    if (parser->use_count > 0 && parser->uses[parser->use_count - 1] == symbol) return true;
     return ttc_parse_append(parser, &parser->uses, &parser->use_count, symbol);
 }
 

@@ -83,6 +83,7 @@ bool ttc_parse_section(ttc_parser *parser, ttc_claim *claim)
         !ttc_parse_image(parser, &section->image, claim, 1u << TTC_GIVEN_PLAIN | 1u << TTC_GIVEN_ANGLE,
                          "a coordinate, or a parameter of the table of coordinates"))
         return false;
+    section->shown_uses = parser->use_count;
     if (ttc_parse_accept_keyword(parser, TTC_KEYWORD_BESIDE) && !parse_shown(parser, &section->beside, &section->beside_count))
         return false;
     return !ttc_parse_accept_keyword(parser, TTC_KEYWORD_ENDING) || parse_shown(parser, &section->ending, &section->ending_count);

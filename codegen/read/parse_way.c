@@ -38,6 +38,7 @@ bool ttc_parse_way(ttc_parser *parser, ttc_claim *claim)
         ttc_parse_check_constants(parser, &claim->when);
     }
     way->where_divisors = parser->divisor_count;
+    way->where_uses = parser->use_count;
     return !ttc_parse_accept_keyword(parser, TTC_KEYWORD_WHERE) ||
            parse_inequalities(parser, &way->where, "a way serves where an expression is > 0");
 }

@@ -273,9 +273,12 @@ static void check_observed(ttc_parser *parser)
                          model->validities[d->owner].place);
         for (size_t k = 0; d->role == TTC_DIVIDES_SYMBOL && !used[d->owner] && k < model->observed_count; k++) {
             const ttc_symbol_entry *observed = model->symbols + model->observed[k];
-            if (ttc_model_depends(model, observed->node, d->owner) || model->observed[k] == d->owner)
+            unsigned char *own = ttc_model_uses_of(model, TTC_DIVIDES_SYMBOL, model->observed[k]);
+            if (own == NULL) ttc_parse_no_memory(parser);
+            else if (own[d->owner] || model->observed[k] == d->owner)
                 tell_divisor(parser, used, zero_factor(model, d->divisor), TTC_ERROR, "observed quantity", observed->name,
                              observed->place);
+            free(own);
         }
     }
     free(used);

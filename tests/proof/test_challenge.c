@@ -34,7 +34,9 @@ static const char false_claims[] =
     "observe o = z/(r^2 - 1 - p)\nvalid ok : 1/((r^2 - 1 - p)*z) > 0\n";
 
 /* One claim of each is false, at points alone that generic ones hardly ever are: where a level is singular, by its rate or by a
- * later derivative along the orbit; where several states are zero; where a sum is. */
+ * later derivative along the orbit; where several states are zero; where a sum is; where something divides by zero that cancels,
+ * or that no equation uses. One is false of a given root, two are of what both
+ * tables watch. */
 static const char *const rarely_false[] = {
     "model line\nstate x\nstate y\nstate z\ndomain beside : y^2 > 0\nroot r = sqrt(y^2)\neq x = 0\neq y = 0\neq z = 1 - y/r\n"
     "invariant sheet = x^2*y - z^4\n",
@@ -43,6 +45,25 @@ static const char *const rarely_false[] = {
     "model handle\nstate x\nstate y\nstate z\nstate s\neq x = 0\neq y = 0\neq z = 0\neq s = 0\n"
     "invariant circle = (x + 2*y - 3)^2 + z^2\nequal zero : s = 0 modulo circle\n",
     "model density\nstate x\nstate y\neq x = 0\neq y = 0\nmeasure smooth = x^2 + y^4\n",
+    "model left_out\nstate x\nroot r = sqrt(1/(x - 1)^2)\neq x = 1\nsymmetry wrong : x -> x + 1\n",
+    "model squares\nstate x\neq x = x\nreduction wrong : onto with_root.tt with y = x^2\n",
+    "model squares\nstate x\neq x = x\nembedding wrong : into with_angle.tt with y = x^2\n",
+    "model moved\nstate x\nstate y\nstate z\neq x = y\neq y = 0\neq z = y\nintegral level = y^2/y\n"
+    "section wrong : by of_speed.tt at x = 0 with z = z, V = level\n",
+    "model moved\nstate x\nstate y\nstate z\nlet none = 1/y\neq x = y\neq y = 0\neq z = y\nintegral level = y\n"
+    "section wrong : by of_speed.tt at x = 0 with z = z + 0*none, V = level\n",
+    "model moved\nstate x\nstate y\nstate z\neq x = 1\neq y = 0\neq z = y\nintegral level = y^2/y\n"
+    "section wrong : by of_speed.tt at x = 0 with z = z, V = level\n",
+    "model moved\nstate x\nstate y\nstate z\neq x = 1\neq y = 0\neq z = y\nintegral level = y\n"
+    "section wrong : by undefined.tt at x = 0 with z = z, V = level\n",
+    "model rootless\nstate x\ndomain apart : x^2 > 0\neq x = x\nreduction wrong : onto rooted.tt with y = x, r = x\n",
+    "model seen_otherwise\nstate x\neq x = x\nobserve seen = x\nreduction wrong : onto watched.tt with y = x\n",
+    "model kept_otherwise\nstate x\neq x = x\nvalid kept : 2*x > 0\nembedding wrong : into watched.tt with y = x\n",
+    "model anywhere\nstate x\nstate y\nstate z\neq x = y\neq y = -x\neq z = 0\nintegral level = z^2/z\n"
+    "reduction wrong : by at_height.tt with q = x, p = y, h = level\n",
+    "model anywhere\nstate x\nstate y\nstate z\ndomain other : z^2 > 0\neq x = y\neq y = -x\neq z = 0\n"
+    "reduction wrong : by at_height.tt with q = x, p = y, h = z\n",
+    "model small\nstate x\neq x = x\nlift wrong : into larger.tt with u = x, v = 0\n",
     "model origin\nstate x\nstate y\nstate z\neq x = 0\neq y = 0\neq z = 0\npositive square : x^2 + y^2 + z^2\n",
 };
 
@@ -50,18 +71,37 @@ static const char *const rarely_false[] = {
 static const char no_trace[] =
     "model turn\nstate x\nstate y\neq x = y\neq y = -x\nequilibria rest : x = 0, y = 0\nobstructs rest\n";
 
+/* Tables to which others lead. */
+static const struct {
+    const char *file, *text;
+} targets[] = {
+    { "chart.tt", "model chart\nstate P\nstate Z\ndomain moving : P^2 > 0\nroot R = sqrt(P^2)\n"
+                  "lift into crossing.tt with q = 0, p = R, z = Z\n" },
+    { "of_speed.tt", "model of_speed\nparam V\nstate z\nlift into moved.tt with x = 0, y = V, z = z\n" },
+    { "undefined.tt", "model undefined\nparam V\nstate z\nlet none = 1/z\nlift into moved.tt with x = 0, y = V, z = z + 0*none\n" },
+    { "with_root.tt", "model with_root\nstate y\nroot r = sqrt(1/y)\neq y = 2*y\n" },
+    { "with_angle.tt", "model with_angle\nstate y\nangle c s = cos(1/y) sin(1/y)\neq y = 2*y + 0*c\n" },
+    { "rooted.tt", "model rooted\nstate y\ndomain apart : y^2 > 0\nroot r = sqrt(y^2)\neq y = y\n" },
+    { "watched.tt", "model watched\nstate y\neq y = y\nobserve seen = y^2\nvalid kept : y > 0\n" },
+    { "at_height.tt", "model at_height\nparam h\nstate q\nstate p\neq q = p\neq p = -q\n"
+                      "embedding up : into anywhere.tt with x = q, y = p, z = h\n" },
+    { "larger.tt", "model larger\nstate u\nstate v\neq u = u\neq v = 0\ninvariant level = v^2/v - v\n"
+                   "reduction back : onto small.tt with x = u modulo level\n" },
+};
+
 /* Where P < 0, the lift leads back to -P; no state is at such a point of the chart. */
 static const char crossing[] =
     "model crossing\nstate q\nstate p\nstate z\ndomain moving : p^2 > 0\nroot r = sqrt(p^2)\neq q = p\neq p = -q\neq z = 0\n"
     "section up : by chart.tt at q = 0 with P = r, Z = z\n";
-static const char chart[] =
-    "model chart\nstate P\nstate Z\ndomain moving : P^2 > 0\nroot R = sqrt(P^2)\nlift into crossing.tt with q = 0, p = R, z = Z\n";
 
 static ttc_model *resolve(void *context, const ttc_model *model, const char *target, ttc_diagnostics *diagnostics)
 {
     (void)context;
     (void)model;
-    return ttc_model_parse(chart, sizeof chart - 1, target, diagnostics);
+    for (size_t i = 0; i < sizeof targets / sizeof *targets; i++)
+        if (strcmp(targets[i].file, target) == 0)
+            return ttc_model_parse(targets[i].text, strlen(targets[i].text), target, diagnostics);
+    return NULL;
 }
 
 static ttc_proof_report *prove(const char *text, ttc_model **model)
@@ -72,7 +112,7 @@ static ttc_proof_report *prove(const char *text, ttc_model **model)
     return report;
 }
 
-static ttc_challenge_report *challenge_as(const char *text, ttc_proof_status status)
+static ttc_challenge_report *challenge_at(const char *text, ttc_proof_status status, size_t points)
 {
     ttc_model *model;
     ttc_challenge_report *challenged = NULL;
@@ -81,13 +121,15 @@ static ttc_challenge_report *challenge_as(const char *text, ttc_proof_status sta
         report->proofs[i].status = status;
         report->proofs[i].has_smooth_density |= strcmp(report->proofs[i].name, "smooth") == 0;
     }
-    const ttc_challenge_extent extent = { .points = POINTS };
+    const ttc_challenge_extent extent = { .points = points };
     assert_true(ttc_challenge(model, report, resolve, NULL, &extent, &challenged));
     for (size_t i = 0; i < challenged->count; i++) challenged->results[i].name = NULL; /* the report's, which goes */
     ttc_proof_report_destroy(report);
     ttc_model_destroy(model);
     return challenged;
 }
+
+static ttc_challenge_report *challenge_as(const char *text, ttc_proof_status status) { return challenge_at(text, status, POINTS); }
 
 static void print(const ttc_challenge_result *result)
 {
@@ -124,6 +166,16 @@ static void coordinates_that_no_state_has_are_looked_at(void **state)
     (void)state;
     ttc_challenge_report *report = challenge_as(crossing, TTC_PROVED);
     assert_true(report->results[0].contradicted);
+    assert_non_null(strstr(report->results[0].text, "at the point of chart with P = -"));
+    ttc_challenge_report_destroy(report);
+}
+
+static void the_point_is_shown_that_was_drawn(void **state)
+{
+    (void)state;
+    ttc_challenge_report *report = challenge_as("model edge\nstate x in (0, inf)\neq x = 0\nreversor x -> -x\n", TTC_PROVED);
+    assert_true(report->results[0].contradicted);
+    assert_null(strstr(report->results[0].text, "x = -"));
     ttc_challenge_report_destroy(report);
 }
 
@@ -148,6 +200,39 @@ static void true_claims_called_proved_stand(void **state)
         assert_true(has_points);
     }
     ttc_challenge_report_destroy(report);
+}
+
+/* One special point in two has x = 0, from which each place that is looked at is another. */
+static void what_divides_at_other_states_stands(void **state)
+{
+    enum { MANY = 20000 };
+    (void)state;
+    ttc_challenge_report *report = challenge_at("model pole\nstate x\neq x = 1\nobserve o = 1/x\n", TTC_PROVED, MANY);
+    if (report->contradictions > 0) print(&report->results[0]);
+    assert_int_equal(report->contradictions, 0);
+    assert_int_equal(report->results[0].special, MANY);
+    ttc_challenge_report_destroy(report);
+}
+
+/* Nothing is said of h = 0, where a condition divides by zero, of x = 0 and b = 0, nor of a family at a = 0. */
+static void nothing_is_said_where_a_condition_divides_by_zero(void **state)
+{
+    static const char *const tables[] = {
+        "model anywhere\nstate x\nstate y\nstate z\neq x = y\neq y = -x\neq z = 0\nintegral level = z^2/z\n"
+        "reduction right : by at_height.tt with q = x, p = y, h = level where z/z > 0\n",
+        "model line\nparam a > 0\nparam b >= 0\nstate x\nlet none = 1/x\neq x = a*x\ntime right : x^4/x^2\n",
+        "model line\nparam a > 0\nparam b >= 0\nstate x\nlet none = 1/x\neq x = a*x\ntime right : x^2 + 0*none\n",
+        "model line\nparam a > 0\nparam b >= 0\nstate x\neq x = a*x\nvariant right : a = b^2/b\n",
+        "model half_line\nparam a >= 0\nparam b\nstate x in (0, inf)\neq x = 0\nequilibria right : x = a when b = a/a\n",
+    };
+    (void)state;
+    for (size_t k = 0; k < sizeof tables / sizeof *tables; k++) {
+        ttc_challenge_report *report = challenge_as(tables[k], TTC_PROVED);
+        if (report->contradictions > 0) print(&report->results[report->count - 1]);
+        assert_int_equal(report->contradictions, 0);
+        assert_true(report->results[report->count - 1].special > POINTS / 4);
+        ttc_challenge_report_destroy(report);
+    }
 }
 
 /* Kinds whose failures may be too thin to be met are only noted. */
@@ -228,8 +313,11 @@ int main(void)
         cmocka_unit_test(false_claims_called_proved_are_contradicted),
         cmocka_unit_test(claims_that_are_false_at_special_points_are_contradicted),
         cmocka_unit_test(coordinates_that_no_state_has_are_looked_at),
+        cmocka_unit_test(the_point_is_shown_that_was_drawn),
         cmocka_unit_test(an_obstruction_without_a_trace_is_contradicted),
         cmocka_unit_test(true_claims_called_proved_stand),
+        cmocka_unit_test(what_divides_at_other_states_stands),
+        cmocka_unit_test(nothing_is_said_where_a_condition_divides_by_zero),
         cmocka_unit_test(true_identities_called_refuted_are_contradicted),
         cmocka_unit_test(false_claims_called_refuted_stand),
         cmocka_unit_test(the_same_seed_gives_the_same_points),

@@ -68,6 +68,12 @@ for unused in 'root r = sqrt(1/x^2)' 'log l = log(1/x^2)'; do
     refuses "--start: outside the domain of unused: a division needs x != 0, and it is 0 here" \
         simulate ./unused.tt --start x=0,y=1 --times 1
 done
+# Of an angle the divisor counts, whichever of its two names the equations use.
+for part in c s; do
+    printf 'model turned\nstate x\nstate y\nangle c s = cos(1/x) sin(1/x)\neq x = 0\neq y = %s\n' $part > turned.tt
+    refuses "--start: outside the domain of turned: a division needs x != 0, and it is 0 here" \
+        simulate ./turned.tt --start x=0,y=1 --times 1
+done
 printf 'model zero\nstate x\nlet d = 0\neq x = x/d\n' > zero.tt
 refuses "the equations divide by what is zero everywhere" simulate ./zero.tt --start x=1 --times 1
 # Nor is what integrals and densities divide by, where it is made of parameters: what is prepared of these is shared.
