@@ -110,8 +110,9 @@ JLT_CHECKED jlt_status jlt_linearization_enclose(jlt_linearization *result, cons
                                                  const jlt_ball_value *params, const jlt_ball_value *x,
                                                  struct jlt_exact_matrix *exact, long digits);
 
-/** Find an equilibrium near x by Newton's method, with steps of least norm, since equilibria come in families. Given states are
- *  held as far as possible: first all of them, then all but the last, and so on.
+/** Find an equilibrium near x by Newton's method, with steps of least norm, since equilibria come in families, in sizes of the
+ *  states that balance the Jacobian where these differ by more than a factor 64. Given states are held as far as possible: first
+ *  all of them, then all but the last, and so on.
  *  In/out: x, shape (state_count,), untouched on failure. In: params, shape (param_count,); order, shape (held,), indices of the
  *  states to hold, the most important first. Errors: NO_CONVERGENCE, DOMAIN, NONFINITE, UNSUPPORTED, NOMEM. */
 JLT_CHECKED jlt_status jlt_linearization_find(double *x, const jlt_descriptor *descriptor, const double *params,

@@ -11,12 +11,14 @@ enum { SIZE = JLT_LINEARIZATION_SIZE_MAX, NEWTON_STEPS = 60, HALVINGS = 30, STAR
 
 /* Relative to the largest state: below this, a state may be an exact zero. */
 static const double snapped = 1e-8;
+static const double ordinary = 64; /* sizes that differ by no more than this factor count as 1 */
 
 typedef struct {
     const jlt_descriptor *descriptor;
     const double *params;
     const unsigned char *fixed; /* shape (states,) */
     double *x;
+    double size[SIZE]; /* in which states and their rates count, so that no state is small for its unit alone */
     jlt_linearization at; /* x */
 } search;
 
@@ -43,20 +45,28 @@ static double merit(const search *s, const double *f, const double *x)
 {
     double sum = 0.0;
 
-    for (unsigned i = 0; i < s->descriptor->state_count; i++) sum = hypot(sum, f[i]);
+    for (unsigned i = 0; i < s->descriptor->state_count; i++) sum = hypot(sum, f[i] / s->size[i]);
     return sum == 0.0 ? 0.0 : sum / room(s->descriptor, x);
 }
 
+/* Evaluate at x, and find the sizes there. */
 static jlt_status measure(search *s)
 {
-    return jlt_linearization_residual(&s->at, s->descriptor, s->params, s->x);
+    double low = INFINITY, high = 0.0;
+
+    JLT_PASS(jlt_linearization_residual(&s->at, s->descriptor, s->params, s->x));
+    JLT_PASS(jlt_eigen_balance(s->size, s->at.jacobian, s->at.n));
+    for (size_t j = 0; j < s->at.n; j++) low = fmin(low, s->size[j]), high = fmax(high, s->size[j]);
+    for (size_t j = 0; high <= ordinary * low && j < s->at.n; j++) s->size[j] = 1.0;
+    return JLT_OK;
 }
 
-/* One Newton step for f/room, halved until |f|/room decreases. *settled: it is zero, or cannot be decreased. */
-static jlt_status advance(search *s, bool *settled)
+/* One Newton step for f/room, halved until |f|/room decreases; singular values not above cutoff * largest count as 0.
+ * *settled: it is zero, or cannot be decreased. */
+static jlt_status advance(search *s, bool *settled, double cutoff)
 {
     const size_t n = s->at.n;
-    double a[SIZE * SIZE], step[SIZE], trial[SIZE];
+    double a[SIZE * SIZE], right[SIZE], step[SIZE], trial[SIZE];
     size_t moving = 0, columns[SIZE];
     const double before = merit(s, s->at.f, s->x);
     jlt_linearization next;
@@ -67,14 +77,16 @@ static jlt_status advance(search *s, bool *settled)
         const size_t j = columns[k];
         const jlt_quantity *state = &s->descriptor->states[j];
         const double rate = bounded(state) ? 1 / (s->x[j] - state->low) - 1 / (state->high - s->x[j]) : 0.0;
-        for (size_t i = 0; i < n; i++) a[i * moving + k] = s->at.jacobian[i * n + j] - s->at.f[i] * rate;
+        for (size_t i = 0; i < n; i++)
+            a[i * moving + k] = (s->at.jacobian[i * n + j] - s->at.f[i] * rate) / s->size[i] * s->size[j];
     }
+    for (size_t i = 0; i < n; i++) right[i] = s->at.f[i] / s->size[i];
     *settled = moving == 0 || before == 0.0;
     if (*settled) return JLT_OK;
-    JLT_PASS(jlt_eigen_least_squares(step, a, s->at.f, n, moving, 1e-10));
+    JLT_PASS(jlt_eigen_least_squares(step, a, right, n, moving, cutoff));
     for (int halving = 0; halving < HALVINGS; halving++) {
         memcpy(trial, s->x, n * sizeof *trial);
-        for (size_t j = 0; j < moving; j++) trial[columns[j]] -= ldexp(step[j], -halving);
+        for (size_t j = 0; j < moving; j++) trial[columns[j]] -= ldexp(step[j] * s->size[columns[j]], -halving);
         const jlt_status st = jlt_linearization_residual(&next, s->descriptor, s->params, trial);
         if (st == JLT_ERR_NOMEM) return st;
         if (st == JLT_OK && merit(s, next.f, trial) < before) {
@@ -87,29 +99,45 @@ static jlt_status advance(search *s, bool *settled)
     return JLT_OK;
 }
 
-/* Set all free states at rounding level to exact zeros, if the result is as good an equilibrium. A component of the field that is
- * proportional to such states is never small relative to its terms, so its residual ratio stays large. All are set at once, since
- * setting one alone may not help. */
-static void snap(search *s)
-{
-    double largest = 0.0, trial[SIZE];
-    jlt_linearization next;
+static bool is_found(const search *s) { return s->at.residual_ratio <= JLT_LINEARIZATION_TOLERANCE; }
 
-    for (size_t j = 0; j < s->at.n; j++) largest = fmax(largest, fabs(s->x[j]));
-    for (size_t j = 0; j < s->at.n; j++) trial[j] = !s->fixed[j] && fabs(s->x[j]) <= snapped * largest ? 0.0 : s->x[j];
-    if (jlt_linearization_residual(&next, s->descriptor, s->params, trial) != JLT_OK ||
-        next.residual_ratio > s->at.residual_ratio)
-        return;
-    s->at = next;
-    memcpy(s->x, trial, s->at.n * sizeof *trial);
+/* Newton steps until they settle: across families of equilibria first, along which rates are rounding; then, if there is none
+ * yet, by rates down to 1e-14 of the fastest, of stiff motions. */
+static jlt_status iterate(search *s)
+{
+    static const double cutoffs[] = { 1e-10, 1e-14 };
+
+    for (unsigned k = 0; k < 2 && !(k > 0 && is_found(s)); k++) {
+        bool settled = false;
+        for (int i = 0; i < NEWTON_STEPS && !settled; i++) JLT_PASS(advance(s, &settled, cutoffs[k]));
+    }
+    return JLT_OK;
 }
 
 static double largest_of(const search *s)
 {
     double largest = 0.0;
 
-    for (size_t j = 0; j < s->descriptor->state_count; j++) largest = fmax(largest, fabs(s->x[j]));
+    for (size_t j = 0; j < s->descriptor->state_count; j++) largest = fmax(largest, fabs(s->x[j]) / s->size[j]);
     return largest;
+}
+
+/* Set all free states at rounding level to exact zeros, if the result is as good an equilibrium. A component of the field that is
+ * proportional to such states is never small relative to its terms, so its residual ratio stays large. All are set at once, since
+ * setting one alone may not help. */
+static void snap(search *s)
+{
+    const double largest = largest_of(s);
+    double trial[SIZE];
+    jlt_linearization next;
+
+    for (size_t j = 0; j < s->at.n; j++)
+        trial[j] = !s->fixed[j] && fabs(s->x[j]) <= snapped * largest * s->size[j] ? 0.0 : s->x[j];
+    if (jlt_linearization_residual(&next, s->descriptor, s->params, trial) != JLT_OK ||
+        next.residual_ratio > s->at.residual_ratio)
+        return;
+    s->at = next;
+    memcpy(s->x, trial, s->at.n * sizeof *trial);
 }
 
 /* Move to the origin if it is an equilibrium, and Newton's method has reduced the largest state to a thousandth: near it every
@@ -128,18 +156,15 @@ static void snap_to_origin(search *s, double began)
 
 static jlt_status newton(search *s)
 {
-    const double began = largest_of(s);
-    bool settled = false;
-
     JLT_PASS(measure(s));
-    for (int i = 0; i < NEWTON_STEPS && !settled; i++) JLT_PASS(advance(s, &settled));
-    if (s->at.residual_ratio > JLT_LINEARIZATION_TOLERANCE) {
+    const double began = largest_of(s);
+    JLT_PASS(iterate(s));
+    if (!is_found(s)) {
         snap(s);
-        settled = false;
-        for (int i = 0; i < NEWTON_STEPS && !settled; i++) JLT_PASS(advance(s, &settled));
+        JLT_PASS(iterate(s));
     }
-    if (s->at.residual_ratio > JLT_LINEARIZATION_TOLERANCE) snap_to_origin(s, began);
-    return s->at.residual_ratio > JLT_LINEARIZATION_TOLERANCE ? JLT_ERR_NO_CONVERGENCE : JLT_OK;
+    if (!is_found(s)) snap_to_origin(s, began);
+    return is_found(s) ? JLT_OK : JLT_ERR_NO_CONVERGENCE;
 }
 
 /* Starting point number k: the guess itself for k = 0, then random points farther and farther from it, so that a zero state of the

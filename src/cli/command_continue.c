@@ -285,23 +285,25 @@ static jlt_exit parse_range(jlt_grid_axis *axis, const char *text)
     return code;
 }
 
-/* Find the periodic orbit near --start, the first point of branch 0. */
+/* Find the periodic orbit near --start, the first point of branch 0, in sizes of the start's motion, then in those of its own. */
 static jlt_exit find_first(jlt_continuation_point *first, jlt_motion_family *family, const jlt_grid_axis *axis,
                            const options *o, jlt_system *system)
 {
-    double q[JLT_CHART_DIM_MAX];
     jlt_map *map;
-    jlt_status st;
+    jlt_status st = JLT_OK;
 
-    JLT_PASS(jlt_motion_start(q, system, o->motion.starts[0]));
     *first = (jlt_continuation_point){ .value = *family->entries[0] };
+    JLT_PASS(jlt_motion_start(first->orbit.points, system, o->motion.starts[0]));
     if (!(first->value >= axis->low && first->value <= axis->high))
         return jlt_command_fail(JLT_EXIT_INPUT, "--along: the branch starts at %s=%.10g: choose LOW:HIGH around it, or start "
                                 "elsewhere by --level or --set", axis->name, first->value);
     JLT_PASS(jlt_motion_plan(system, &o->motion));
-    JLT_PASS(jlt_motion_scale(system, q, NULL));
-    st = jlt_system_map_at(&family->systems, &map, first->value);
-    if (st == JLT_OK) st = jlt_periodic_find(map, &first->orbit, q, o->period, NULL);
+    for (int round = 0; st == JLT_OK && round < 2; round++) {
+        JLT_PASS(jlt_motion_scale(system, first->orbit.points, NULL));
+        jlt_system_family_clear(&family->systems);
+        st = jlt_system_map_at(&family->systems, &map, first->value);
+        if (st == JLT_OK) st = jlt_periodic_find(map, &first->orbit, first->orbit.points, o->period, NULL);
+    }
     return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_no_orbit(st, system, o->motion.starts[0]);
 }
 

@@ -12,7 +12,7 @@ enum { M = JLT_INVARIANTS_MAX, ROUNDS = 60, HALVINGS = 8 };
 static unsigned unknowns(const jlt_chart *base) { return base->solved_count + base->roots; }
 
 static const double met = 1e-13;     /* a level is met to this part of the size of its integral's terms: rounding */
-static const double singular = 1e-13; /* singular values below this part of the largest count as 0 */
+static const double singular = 1e-13; /* singular values below this part of the largest count as 0, see correct */
 
 /* Out: off, F - value of every level, (count,); sizes, of its terms, to first order, (count,); by_solved, gradients by the
  * unknowns, (count, count); by_all, unless NULL, by all states, (count, states). Returns the largest |F - value|/size. */
@@ -38,6 +38,29 @@ static double look(const jlt_chart_level *self, double *off, double *sizes, doub
     return worst;
 }
 
+/* The unknowns' change for which the levels change by `off`, to first order. Levels count in their sizes, and each unknown so that
+ * its largest effect is 1: units of neither make the matrix look singular. */
+static jlt_status correct(double *change, const double *by_solved, const double *off, const double *sizes, unsigned count)
+{
+    double matrix[M * M], right[M], effect[M] = { 0 };
+
+    for (unsigned i = 0; i < count; i++) {
+        const double size = sizes[i] > 0 ? sizes[i] : 1;
+        right[i] = off[i] / size;
+        for (unsigned j = 0; j < count; j++) {
+            matrix[i * count + j] = by_solved[i * count + j] / size;
+            effect[j] = fmax(effect[j], fabs(matrix[i * count + j]));
+        }
+    }
+    for (unsigned i = 0; i < count; i++)
+        for (unsigned j = 0; j < count; j++)
+            if (effect[j] > 0) matrix[i * count + j] /= effect[j];
+    JLT_PASS(jlt_eigen_least_squares(change, matrix, right, count, count, singular));
+    for (unsigned j = 0; j < count; j++)
+        if (effect[j] > 0) change[j] /= effect[j];
+    return JLT_OK;
+}
+
 /* Newton's method for the unknowns in x, in place; each step is halved until the residual falls. */
 static jlt_status solve(const jlt_chart_level *self, double *x)
 {
@@ -47,7 +70,7 @@ static jlt_status solve(const jlt_chart_level *self, double *x)
     for (unsigned round = 0; round < ROUNDS && now > 0; round++) {
         double part = 1;
         unsigned halving;
-        if (!isfinite(now) || jlt_eigen_least_squares(step, matrix, off, count, count, singular) != JLT_OK) break;
+        if (!isfinite(now) || correct(step, matrix, off, sizes, count) != JLT_OK) break;
         for (unsigned i = 0; i < count; i++) from[i] = x[self->base.solved[i]];
         before = now;
         for (halving = 0; halving < HALVINGS; halving++, part /= 2) {
@@ -74,7 +97,7 @@ static jlt_status tangent_of(const jlt_chart_level *self, double *tangent, const
     for (unsigned k = 0; k < d; k++) {
         tangent[self->free[k] * d + k] = 1;
         for (unsigned i = 0; i < count; i++) column[i] = -gradients[i * n + self->free[k]];
-        JLT_PASS(jlt_eigen_least_squares(solution, matrix, column, count, count, singular));
+        JLT_PASS(correct(solution, matrix, column, sizes, count));
         for (unsigned i = 0; i < count; i++) tangent[self->base.solved[i] * d + k] = solution[i];
     }
     return JLT_OK;
@@ -154,7 +177,7 @@ static bool are_one(const jlt_chart_level *self, const double *a, const double *
     (void)look(self, off, sizes, matrix, NULL, a);
     for (unsigned j = 0; j < count; j++) {
         for (unsigned i = 0; i < count; i++) off[i] = i == j ? generous * met * sizes[j] : 0;
-        if (jlt_eigen_least_squares(error, matrix, off, count, count, singular) != JLT_OK) return false;
+        if (correct(error, matrix, off, sizes, count) != JLT_OK) return false;
         for (unsigned i = 0; i < count; i++) open[i] += fabs(error[i]);
     }
     for (unsigned i = 0; i < count; i++) {

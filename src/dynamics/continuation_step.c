@@ -9,6 +9,8 @@
 enum { U = JLT_CONTINUATION_U, NEWTON = 12, HALVINGS = 12 };
 
 static const double same_point = 1e-7;
+static const double steep = 1e6;      /* |DP| above which a residual that errors of the map may cause hides errors of the orbit, */
+static const double settled = 1e-8;   /* unless the last step was as small as this, scaled, and as errors of DP may make it */
 
 static jlt_status image_at(const jlt_continuation_runner *self, jlt_image *image, const double *u, bool with_slope)
 {
@@ -102,16 +104,17 @@ jlt_status jlt_continuation_step_correct(const jlt_continuation_runner *self, do
                                          const double *tangent, unsigned *iterations)
 {
     const unsigned d = self->d;
-    double matrix[U * U], right[U], delta[U], start[U], last = INFINITY;
+    double matrix[U * U], right[U], delta[U], start[U], last = INFINITY, moved = INFINITY;
 
     memcpy(start, u, sizeof *u * (d + 1));
     for (unsigned k = 0; k < NEWTON; k++) {
-        double residual = 0, moved = 0;
+        double residual = 0;
         JLT_PASS(jlt_continuation_step_evaluate(self, at, u));
         for (unsigned i = 0; i < d; i++) residual = fmax(residual, fabs(at->f[i]));
         if (iterations != NULL) *iterations = k;
         /* Iterate until the residual is rounding, or has ceased to fall and is no larger than the map's own error. */
-        if (residual < 1e-15 * at->scale || (residual < at->noise * at->scale && residual > last / 8)) return JLT_OK;
+        const bool known = at->scale <= steep || moved * fmax(1, 10 * self->tolerance * at->scale) <= settled;
+        if (known && (residual < 1e-15 * at->scale || (residual < at->noise * at->scale && residual > last / 8))) return JLT_OK;
         last = residual;
         border(matrix, at, tangent, d);
         leave_out(self, matrix);
@@ -119,6 +122,7 @@ jlt_status jlt_continuation_step_correct(const jlt_continuation_runner *self, do
         for (unsigned i = 0; i < d; i++) right[i] = -at->f[i];
         for (unsigned i = 0; i <= d; i++) right[d] -= tangent[i] * (u[i] - start[i]);
         JLT_PASS(jlt_eigen_least_squares(delta, matrix, right, d + 1, d + 1, 1e-14));
+        moved = 0;
         for (unsigned i = 0; i <= d; i++) {
             u[i] += delta[i];
             moved = fmax(moved, fabs(delta[i]));

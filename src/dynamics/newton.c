@@ -14,10 +14,12 @@ static const double accepted = 1e-10;      /* largest residual of a converged or
 static const double accepted_most = 1e-9;  /* absolute, */
 static const double fallen = 1e-6;         /* and relative to the first one, unless errors of the map may cause it */
 static const double null_cutoff = 1e-11;   /* singular values of I - DP below this, relative to I or to I - DP if that is larger,
-                                              count as 0: the orbit belongs to a family */
+                                              count as 0: the orbit belongs to a family. But none above this: */
+static const double contracting = 1e-2;    /* in a direction that contracts, I - DP is about 1, */
+static const double drowned = 1e14;        /* which rounding drowns where |I - DP| is above this */
 
 /* With delta_(i+1) = A_i delta_i + r_i and delta_p = delta_0: (I - A_(p-1)..A_0) delta_0 = sum of the propagated r_i. */
-static jlt_status step(double *delta, const jlt_shooting *at, unsigned d, size_t period, const unsigned char *held)
+static jlt_status step(double *delta, double *length, const jlt_shooting *at, unsigned d, size_t period, const unsigned char *held)
 {
     double product[D * D] = { 0 }, carried[D] = { 0 }, system[D * D], free_delta[D];
     unsigned columns[D], count = 0, i, j;
@@ -38,8 +40,9 @@ static jlt_status step(double *delta, const jlt_shooting *at, unsigned d, size_t
     if (count == 0) return JLT_ERR_ARG;
     for (i = 0; i < d; i++)
         for (j = 0; j < count; j++) system[i * count + j] = (i == columns[j]) - product[i * d + columns[j]];
+    *length = jlt_linear_length(system, d * count);
     JLT_PASS(jlt_eigen_least_squares(free_delta, system, carried, d, count,
-                                     null_cutoff / fmin(1, jlt_linear_length(system, d * count))));
+                                     fmin(null_cutoff * fmax(1, *length), contracting) / *length));
     memset(delta, 0, d * sizeof *delta);
     for (j = 0; j < count; j++) delta[columns[j]] = free_delta[j];
     for (size_t k = 0; k + 1 < period; k++)
@@ -111,11 +114,12 @@ static bool try_step(jlt_newton *self)
 static bool new_step(jlt_newton *self)
 {
     const unsigned d = self->chart->dim;
-    double longest = 0;
+    double longest = 0, length;
 
     if (self->iteration++ == ITERATIONS || !(self->now.residual > 0)) return judge(self, JLT_ERR_NO_CONVERGENCE);
-    const jlt_status st = step(self->delta, &self->now, d, self->period, self->held);
+    const jlt_status st = step(self->delta, &length, &self->now, d, self->period, self->held);
     if (st != JLT_OK) return end(self, st);
+    self->doubt = length > drowned ? INFINITY : null_cutoff * length > contracting ? fmax(1, 10 * self->noise * length) : 0;
     for (size_t k = 0; k < self->period; k++) longest = fmax(longest, jlt_linear_length(self->delta + k * d, d));
     self->factor = longest > longest_step ? longest_step / longest : 1;
     self->halving = 0;

@@ -6,11 +6,13 @@
 
 #include "dynamics/linear.h"
 #include "dynamics/newton.h"
+#include "dynamics/scale.h"
 
 enum { D = JLT_CHART_DIM_MAX };
 
 static const double same_point = 1e-7;     /* scaled distances under this are one point */
 static const double degenerate = 1e-7;     /* multipliers closer to +-1 than this are not classified */
+static const double settled = 1e-8;        /* largest step left to Newton's method, relative to what the orbit runs through */
 static const double standstill = 1e-6;     /* orbits that move less, relative to the state, only touch the section */
 /* An orbit lies in the section as far as can be told if no more than this part of its velocity crosses it: at the edge of a level,
  * where a state varies as the square root of coordinates, a residual of 1e-10 in these leaves an error of 1e-5. */
@@ -23,6 +25,28 @@ const char *jlt_periodic_type_name(jlt_orbit_type type)
     return (unsigned)type < sizeof names / sizeof *names ? names[type] : "unknown";
 }
 
+/* Where DP stretches a lot, whether the step that is left is small in the orbit's own sizes. A residual as large as the errors of
+ * the map allow says nothing there, least of all in sizes of a start whose motion ran far off. */
+static jlt_status check_step(jlt_map *map, const jlt_newton *newton)
+{
+    const unsigned d = newton->chart->dim;
+    double size[D] = { 0 }, step[D] = { 0 }, moves[D + 1], left[D];
+
+    if (newton->doubt == 0) return JLT_OK;
+    for (size_t i = 0; i < newton->period; i++) {
+        const double *q = newton->points + i * d;
+        JLT_PASS(jlt_scale_moves(moves, map, q));
+        jlt_chart_unscaled(newton->chart, left, newton->delta + i * d);
+        for (unsigned k = 0; k < d; k++) {
+            size[k] = fmax(size[k], newton->chart->period[k] != 0 ? 1 : fmax(fabs(q[k]), moves[k]));
+            step[k] = fmax(step[k], fabs(left[k]));
+        }
+    }
+    for (unsigned k = 0; k < d; k++)
+        if (!(newton->doubt * step[k] <= settled * size[k])) return JLT_ERR_NO_CONVERGENCE;
+    return JLT_OK;
+}
+
 /* Newton's method on points, in place, by the map alone, one trial after another. */
 static jlt_status iterate(jlt_map *map, double *points, size_t period, const unsigned char *held)
 {
@@ -32,7 +56,8 @@ static jlt_status iterate(jlt_map *map, double *points, size_t period, const uns
     JLT_PASS(jlt_newton_create(&newton, jlt_map_flow(map), points, period, held));
     while (jlt_newton_next(&newton, jlt_shooting_of(&newton.then, map, newton.trial, period))) { }
     memcpy(points, newton.points, period * chart->dim * sizeof *points);
-    const jlt_status st = newton.status;
+    jlt_status st = newton.status;
+    if (st == JLT_OK) st = check_step(map, &newton);
     jlt_newton_clear(&newton);
     return st;
 }

@@ -17,8 +17,7 @@ static int exponent_of(double size)
     return !(size > 0) || !isfinite(size) || (size >= 1 / ordinary && size <= ordinary) ? 0 : ilogb(size);
 }
 
-/* Out: half the interval that each coordinate, and last the section's state, runs through from q to its return, (dim + 1,). */
-static jlt_status moves(double *out, jlt_map *map, const double *q)
+jlt_status jlt_scale_moves(double *out, jlt_map *map, const double *q)
 {
     const jlt_flow *flow = jlt_map_flow(map);
     const jlt_chart *chart = flow->chart;
@@ -74,7 +73,7 @@ jlt_status jlt_scale_find(jlt_system *system, const double *starts, size_t count
     jlt_status st = rows != NULL && column != NULL ? jlt_map_create(&map, &system->flow) : JLT_ERR_NOMEM;
 
     for (size_t i = 0; st == JLT_OK && i < count; i++) {
-        st = moves(rows + known * width, map, starts + i * dim);
+        st = jlt_scale_moves(rows + known * width, map, starts + i * dim);
         known += st == JLT_OK;
         if (st != JLT_ERR_NOMEM) st = JLT_OK;
     }

@@ -25,6 +25,22 @@ static void find_fixed(look *self)
     }
 }
 
+/* The size of the terms of the integral whose level the section fixes as number k. */
+static double size_of_level(const look *self, unsigned k)
+{
+    const unsigned n = self->system->instance->descriptor->state_count;
+    const double *gradient = self->gradients + self->fixed[k] * n;
+    double size = fabs(self->values[self->fixed[k]]);
+
+    for (unsigned i = 0; i < n; i++) size = fmax(size, fabs(gradient[i] * self->x[i]));
+    return size;
+}
+
+static double size_of_state(const look *self, unsigned state)
+{
+    return fmax(jlt_field_size_at(&self->system->field, self->x), fabs(self->x[state]));
+}
+
 /* Whether x with another value of one state lies over the same point, on the same levels, and is crossed in the flow's
  * direction. */
 static bool is_over(const look *self, unsigned state, double value)
@@ -34,14 +50,12 @@ static bool is_over(const look *self, unsigned state, double value)
     const unsigned levels = system->surface->section->level_count;
     double other[STATES], f[STATES], back[JLT_CHART_COORDINATES_MAX], there[INTEGRALS];
 
-    if (!(fabs(value - self->x[state]) > same * fmax(1, fabs(self->x[state])))) return false;
+    if (!(fabs(value - self->x[state]) > same * size_of_state(self, state))) return false;
     memcpy(other, self->x, system->field.dim * sizeof *other);
     other[state] = value;
     if (levels > 0) system->instance->descriptor->integral_values.call(other, system->field.p, there);
-    for (unsigned k = 0; k < levels; k++) {
-        const double here = self->values[self->fixed[k]];
-        if (!(fabs(there[self->fixed[k]] - here) <= same * fmax(1, fabs(here)))) return false;
-    }
+    for (unsigned k = 0; k < levels; k++)
+        if (!(fabs(there[self->fixed[k]] - self->values[self->fixed[k]]) <= same * size_of_level(self, k))) return false;
     system->flow.chart->lower(system->flow.chart, back, NULL, other);
     if (!(jlt_chart_distance(system->flow.chart, back, self->q) <= same)) return false;
     system->field.call(other, system->field.p, f);
@@ -55,16 +69,17 @@ static bool has_other_root(const look *self, unsigned state)
 {
     const jlt_descriptor *d = self->system->instance->descriptor;
     const unsigned levels = self->system->surface->section->level_count;
+    const double step = size_of_state(self, state);
     double beyond[STATES], farther[INTEGRALS * STATES];
     bool found = is_over(self, state, -self->x[state]);
 
     if (found || levels == 0) return found;
     memcpy(beyond, self->x, self->system->field.dim * sizeof *beyond);
-    beyond[state] += 1;
+    beyond[state] += step;
     d->integral_gradients.call(beyond, self->system->field.p, farther);
     for (unsigned k = 0; k < levels && !found; k++) {
         const unsigned at = self->fixed[k] * d->state_count + state;
-        found = is_over(self, state, self->x[state] - 2 * self->gradients[at] / (farther[at] - self->gradients[at]));
+        found = is_over(self, state, self->x[state] - 2 * step * self->gradients[at] / (farther[at] - self->gradients[at]));
     }
     return found;
 }

@@ -133,4 +133,19 @@ grep -qE 'inf|nan' out err && fail "numbers that are none: $(cat err)"
 sed -e 's/^    - y$/&\n    - py\/100/' henon_heiles.tt > friction.tt
 expect 3 "E is no integral of this table" jellett section ./friction.tt --section x=0 --start y=0.1,py=0 --level E=1/12 --solve px=1
 expect 3 "E is not proved to be an integral" jellett section ./friction.tt --section x=0 --start y=0.1,py=0,px=1 --project
+
+# Levels are met, and returns found, in whatever units they are: an electron's, with u = sqrt(2 m (E + k/x) - v^2) and v = L/x where
+# y = 0. Returns of a closed orbit are its start, to a hundred tolerances.
+atom() { # LABEL...: the units of m, k, x, p
+    printf '%s\n' 'model atom' "param m > 0 $1" "param k > 0 $2" 'default m = 9.1e-31, k = 2.3e-28' "state x $3" "state y $3" \
+        "state u $4" "state v $4" 'domain away : x^2 + y^2 > 0' 'root r = sqrt(x^2 + y^2)' 'eq x = u/m' 'eq y = v/m' \
+        'eq u = -k*x/r^3' 'eq v = -k*y/r^3' 'integral E = (u^2 + v^2)/(2*m) - k/r' 'integral L = x*v - y*u' > atom.tt
+    expect 0 '^0,2,' jellett section ./atom.tt --section y=0 --level E=-1.8e-18,L=1e-34 --solve u=5e-25,v=2e-24 --start x=5e-11 \
+        --returns 2
+    awk -F, '/^0,/ { rows++; u = sqrt(2*9.1e-31*(-1.8e-18 + 2.3e-28/5e-11) - (1e-34/5e-11)^2)
+        bad += ($4/5e-11 - 1)^2 + ($5/u - 1)^2 + ($6/(1e-34/5e-11) - 1)^2 > 1e-20 } END { exit !(rows == 3 && !bad) }' out ||
+        fail "an electron: $(cat out)"
+}
+atom '' '' '' ''
+atom '[kg]' '[kg*m^3/s^2]' '[m]' '[kg*m/s]'
 exit $status

@@ -160,4 +160,21 @@ tail -1 out | awk -F, '{ t = $4; S = 2*cos(t/10)^2 + 100.01*sin(t/10)^2; true = 
     exit !((t - 50.26548245743669)^2 < 1e-18 && ($3 - true)^2 < 1e-18) }' || fail "the exponent of a chart: $(tail -1 out)"
 jellett lyapunov ./hardly.tt --section phi=0 --start b=0,c=0 --returns 4000 > out 2> err || fail "a history: $(cat err)"
 tail -1 out | awk -F, '{ exit !(($3 + 1/9)^2 < 1e-6 && ($4 + 1/9)^2 < 1e-6) }' || fail "exponents: $(tail -1 out): $(cat err)"
+
+# Beside an orbit that stretches by exp(2 pi a) motions run off by as much, and in such sizes any point that comes near it returns
+# to itself. x = -1/(1 + a^2) is the only orbit, found to 1e-8 of its size, or beyond 1e11 perhaps not at all.
+printf '%s\n' 'model steep' 'param a' 'default a = 3' 'state x' 'state v' 'state phi' 'angle co si = cos(phi) sin(phi)' 'eq x = v' \
+    'eq v = a^2*x + co' 'eq phi = 1' 'periodic phi = 2*pi' > steep.tt
+for a in 1 3.5 4 4.25 4.5 5 6; do
+    for where in '--start x=0,v=0.01' '--start x=-0.05,v=0.001' '--grid x=-1:1:3,v=-1:1:3'; do
+        jellett orbits ./steep.tt --set a=$a --section phi=0 --period 1 $where 2> err | grep '^1,' > rows.csv
+        awk -F, -v a=$a -v grid="${where/--start*/}" '{ rows++; bad += ($2*(1 + a*a) + 1)^2 + ($3*(1 + a*a))^2 > 1e-16 }
+            END { exit bad > 0 || (a < 4.1 && grid == "" && rows != 1) }' rows.csv || fail "a = $a, $where: $(cat rows.csv err)"
+    done
+done
+# No row of a branch is off by more than a step may be that Newton's method leaves: 1e-8, of a size of 1, beside 1 + a^2 < 26.
+jellett continue ./steep.tt --section phi=0 --along a=2:5 --set a=2 --start x=0,v=0.01 --period 1 2> err | grep '^0,' > rows.csv
+awk -F, '{ bad += ($5*(1 + $2*$2) + 1)^2 + ($6*(1 + $2*$2))^2 > (26*1e-8)^2; last = $2 }
+    END { exit !(last > 4 && !bad) }' rows.csv ||
+    fail "a branch: $(awk -F, '{ print $2, $5*(1 + $2*$2) + 1, $6 }' rows.csv | tail -3; cat err)"
 exit $status

@@ -149,4 +149,41 @@ awk -F, 'NR == FNR { tau = $4; spin = $6; next } match($0, /omega_tau = [^,]*/) 
     function off(a, b) { return a > b ? a - b : b - a }
     END { exit !(tau > 0.37 && spin < -1.86 && off(told, tau) < 1e-9 && off(turn, spin) < 1e-8) }' out err ||
     fail "limits at a pole: $(cat out err)"
+
+# 8. Momenta that a field shifts by a are small or large with a: that -px is on another level is seen at every size. A turn is 2 pi.
+cat > shifted_up.tt <<'TABLE'
+model shifted_up
+param a > 0
+param H
+default a = 1, H = 1/20
+state y
+state py
+let q = 2*H - py^2 - y^2
+domain reached : q > 0
+root speed = sqrt(q)
+let px = speed - a
+lift into shifted.tt with x = 0, y = y, px = px, py = py
+TABLE
+cat > shifted.tt <<'TABLE'
+model shifted
+param a > 0
+default a = 1
+state x
+state y
+state px
+state py
+eq x = px + a
+eq y = py
+eq px = -x
+eq py = -y
+integral H = ((px + a)^2 + py^2 + x^2 + y^2)/2
+section cut : by shifted_up.tt at x = 0 with y = y, py = py, H = H
+TABLE
+for a in 1 1e-5 1e-7 1e-9 1e-12 1e12; do
+    at=$(awk "BEGIN { printf \"%.17g,%.17g\", $a*$a/20, $a/10 }")
+    row jellett section ./shifted.tt --set a=$a --level H="${at%,*}" --start y="${at#*,}",py=0 --returns 1 > out
+    awk -F, -v a=$a '$NF == "alive" { good = ($3 - 6.283185307179586)^2 < 1e-22 && ($4/a - 0.1)^2 < 1e-22 }
+        END { exit !good }' out ||
+        fail "shifted by $a: $(cat out err)"
+done
 exit $status

@@ -11,4 +11,28 @@ finds() { # GIVEN WORDS: states that are found
 finds gamma3=0.3,v_nu=0.7,omega3=1.1 "gamma3=0.3 v_nu=0.7 omega_tau=0 omega_n=0 omega3=1.1"
 finds gamma3=0.3,v_nu=0.7,omega3=1.1,omega_tau=0.2,omega_n=0.1 "gamma3=0.3 v_nu=0.7 omega3=1.1"
 finds v_nu=0.5,omega3=1.1,gamma3=0.25,omega_n=0.3 "gamma3=0.25 v_nu=0.5 omega3=1.1"
+
+# States in units of their own are found as well. Oracle: x = y = sqrt(72), z = 27 in these units.
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+export XDG_CACHE_HOME=$scratch
+printf '%s\n' 'model convection' 'param X > 0' 'param Y > 0' 'param Z > 0' 'state x' 'state y' 'state z' 'eq x = 10*X*y/Y - 10*x' \
+    'eq y = 28*Y*x/X - Y*x*z/(X*Z) - y' 'eq z = Z*x*y/(X*Y) - 8*z/3' > "$scratch/convection.tt"
+convection() { # X Y Z: the units
+    awk "BEGIN { printf \"x=%.17g,y=%.17g,z=%.17g\", 8*$1, 8*$2, 26*$3 }" > "$scratch/guess"
+    jellett eigen "$scratch/convection.tt" --set "X=$1,Y=$2,Z=$3" --at "$(cat "$scratch/guess")" --find > "$scratch/out" 2>&1
+    grep '^state ' "$scratch/out" | tr '=' ' ' | awk "
+        function near(a, b) { return (a/b - 1)^2 < 1e-28 }
+        { exit !near(\$3, sqrt(72)*$1) || !near(\$5, sqrt(72)*$2) || !near(\$7, 27*$3) } END { if (NR == 0) exit 1 }" ||
+        { echo "units $*: $(head -3 "$scratch/out"), from $(cat "$scratch/guess")"; status=1; }
+}
+convection 1 1 1
+convection 1024 1/1024 32
+convection 1 1 1048576
+convection 1/1073741824 1 1073741824
+
+# And so are those of stiff motions.
+printf '%s\n' 'model stiff' 'state x' 'state y' 'eq x = 1e12*(1 - x)' 'eq y = 3 - y' > "$scratch/stiff.tt"
+jellett eigen "$scratch/stiff.tt" --at x=0,y=0 --find 2>&1 | grep -q '^state  *x=1 y=3$' ||
+    { echo "stiff: no equilibrium"; status=1; }
 exit $status
