@@ -42,7 +42,7 @@ static double look(const jlt_chart_level *self, double *off, double *sizes, doub
  * its largest effect is 1: units of neither make the matrix look singular. */
 static jlt_status correct(double *change, const double *by_solved, const double *off, const double *sizes, unsigned count)
 {
-    double matrix[M * M], right[M], effect[M] = { 0 };
+    double matrix[M * M] = { 0 }, right[M] = { 0 }, effect[M] = { 0 };
 
     for (unsigned i = 0; i < count; i++) {
         const double size = sizes[i] > 0 ? sizes[i] : 1;
