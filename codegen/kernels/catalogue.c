@@ -31,11 +31,13 @@ static const char *reason_of(const ttc_model *model, const ttc_catalogue_entry *
     return error != TTC_GRAPH_OK ? ttc_graph_status_text(error) : "memory is out, or a number is divided by zero";
 }
 
-/* Comes after all fields are made: it adds nodes to the graph, on whose ids the programs of other fields depend. */
-static bool keep_digits(ttc_catalogue *catalogue, ttc_effort effort)
+/* Comes after all fields are made: this adds nodes to the graph, on whose ids the programs of other fields depend. */
+static bool complete(ttc_catalogue *catalogue, ttc_effort effort)
 {
     for (size_t i = 0; i < catalogue->count; i++)
         if (catalogue->fields[i].kernels != NULL && !ttc_kernels_keep_digits(catalogue->fields[i].kernels, effort)) return false;
+    for (size_t i = 0; i < catalogue->count; i++)
+        if (catalogue->fields[i].kernels != NULL) ttc_kernels_keep_families(catalogue->fields[i].kernels);
     return true;
 }
 
@@ -59,7 +61,7 @@ bool ttc_catalogue_create(ttc_catalogue *catalogue, const ttc_model *model, ttc_
                 *catalogue = failed;
                 return false;
             }
-    if (keep_digits(catalogue, effort)) return true;
+    if (complete(catalogue, effort)) return true;
     ttc_catalogue failed = { .failed_at = ttc_catalogue_place(&catalogue->fields[0], model),
                              .failure = reason_of(model, &catalogue->fields[0]) };
     ttc_catalogue_clear(catalogue);

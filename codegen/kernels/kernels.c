@@ -96,6 +96,25 @@ static uint32_t *claims_of_kind(ttc_kernels *k, ttc_claim_kind kind, size_t *cou
     return list;
 }
 
+/* Whether a family and the claims about it have values in the field: a variant may set to zero what they divide by. */
+static bool has_values(ttc_field *field, uint32_t family)
+{
+    const bool failed = field->failed;
+    ttc_graph_clear_error(field->graph);
+    for (size_t i = 0; i < field->model->claim_count; i++) {
+        const ttc_claim *claim = field->model->claims + i;
+        const bool is_about = claim->kind >= TTC_CLAIM_TRACE && claim->kind <= TTC_CLAIM_LEFT_NULL && claim->family == family;
+        if (i != family && !is_about) continue;
+        for (size_t j = 0; j < claim->bindings.count; j++) ttc_field_specialise(field, claim->bindings.items[j].expression);
+        for (size_t j = 0; j < claim->entry_count; j++) ttc_field_specialise(field, claim->entries[j]);
+        if (claim->expression != TTC_NONE) ttc_field_specialise(field, claim->expression);
+    }
+    if (ttc_graph_error(field->graph) != TTC_GRAPH_DIVISION_BY_ZERO) return true;
+    ttc_graph_clear_error(field->graph);
+    field->failed = failed;
+    return false;
+}
+
 static bool add_integral_kernels(ttc_kernels *k)
 {
     ttc_field *field = k->field;
@@ -265,6 +284,14 @@ ttc_kernels *ttc_kernels_create(ttc_field *field, ttc_effort effort)
     if (ok && build_programs(k, effort)) return k;
     ttc_kernels_destroy(k);
     return NULL;
+}
+
+void ttc_kernels_keep_families(ttc_kernels *kernels)
+{
+    const size_t count = kernels->family_count;
+    kernels->family_count = 0;
+    for (size_t i = 0; i < count; i++)
+        if (has_values(kernels->field, kernels->families[i])) kernels->families[kernels->family_count++] = kernels->families[i];
 }
 
 void ttc_kernels_destroy(ttc_kernels *kernels)

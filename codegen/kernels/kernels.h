@@ -65,6 +65,9 @@ ttc_kernels *ttc_kernels_create(ttc_field *field, ttc_effort effort);
  *  the kernels can then only be destroyed. */
 bool ttc_kernels_keep_digits(ttc_kernels *kernels, ttc_effort effort);
 
+/** Keep those families of equilibria that have values in the field. */
+void ttc_kernels_keep_families(ttc_kernels *kernels);
+
 /* What a kernel's program is for. Where memory is out it is for values. */
 ttc_purpose ttc_kernel_purpose(const ttc_kernels *kernels, ttc_kernel_kind kind);
 

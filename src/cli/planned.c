@@ -208,7 +208,8 @@ static jlt_exit refuse_more(const jlt_plan *plan, const jlt_descriptor *asked)
     for (unsigned i = 0; i < plan->count; i++) {
         const jlt_candidate *c = &plan->candidates[i];
         const bool is_lift = c->tier.way_count == 1 && strcmp(c->tier.ways[0]->kind, "lift") == 0;
-        if (!is_lift || c->refusal[0] == '\0' || c->broken != NULL || !jlt_course_more_is_told(c->tier.table, asked)) continue;
+        if (!is_lift || c->refusal[0] == '\0' || c->broken != NULL || c->may_serve_elsewhere) continue;
+        if (!jlt_course_more_is_told(c->tier.table, asked)) continue;
         return jlt_command_fail(JLT_EXIT_INPUT,
                                 "--track: %s observes more than this table: %s; a record 'reduction NAME : onto FILE with ...' "
                                 "there, FILE the file of this table, says that it serves for %s",
@@ -230,5 +231,5 @@ jlt_exit jlt_planned_refuse(const jlt_plan *plan, const jlt_question *question, 
     if (question->tier == NULL) return refuse_all(plan, asked);
     jlt_plan_refusal(refusal, sizeof refusal, &plan->candidates[plan->chosen]);
     return jlt_command_fail(JLT_EXIT_INPUT, "the tier %s cannot answer: %s: leave this tier out%s", question->tier, refusal,
-                            plan->candidates[plan->chosen].broken != NULL ? "" : ", or change --set or --start");
+                            plan->candidates[plan->chosen].may_serve_elsewhere ? ", or change --set or --start" : "");
 }

@@ -37,20 +37,20 @@ static void say_lack(char *text, size_t size, const jlt_claim *claim, const jlt_
     else snprintf(text, size, "it is proved to serve for another table, %s, not for this one", served);
 }
 
-/* Say why the tier's table cannot be reached by proved claims, unless it can. Out: *broken, the unproved claim; NULL: none. */
-static void say_unproved(char *text, size_t size, const jlt_claim **broken, const jlt_tier *tier, const jlt_way_tables *others)
+/* Say why the tier's table cannot be reached by proved claims, and return true, unless it can. Out: *broken, the unproved claim;
+ * NULL: none. */
+static bool say_unproved(char *text, size_t size, const jlt_claim **broken, const jlt_tier *tier, const jlt_way_tables *others)
 {
-    *broken = NULL;
     for (unsigned i = 0; i < tier->way_count; i++) {
         const jlt_descriptor *to = i + 1 < tier->way_count ? tier->from[i + 1] : tier->table;
         if (jlt_way_holds(broken, tier->from[i], tier->ways[i], to)) continue;
         say_lack(text, size, *broken, tier->from[i], to, others);
-        return;
+        return true;
     }
-    if (tier->elimination == NULL || tier->elimination[0] == '\0') return;
-    *broken = jlt_descriptor_claim(tier->asked, "eliminate", tier->elimination);
-    if (*broken != NULL && (*broken)->verdict != JLT_PROVED) say_lack(text, size, *broken, tier->asked, NULL, others);
-    else *broken = NULL;
+    *broken = tier->elimination[0] != '\0' ? jlt_descriptor_claim(tier->asked, "eliminate", tier->elimination) : NULL;
+    if (*broken != NULL && (*broken)->verdict == JLT_PROVED) *broken = NULL;
+    if (*broken != NULL) say_lack(text, size, *broken, tier->asked, NULL, others);
+    return *broken != NULL;
 }
 
 void jlt_plan_refusal(char *text, size_t size, const jlt_candidate *candidate)
@@ -93,28 +93,31 @@ static jlt_status judge_way(jlt_candidate *out, const jlt_tier *tier, const jlt_
 
     if (tier->table == NULL) refusal = jlt_rod_refuses(&c.broken, question->model, question->params, question->start);
     else JLT_PASS(try_tier(&c, question));
+    c.may_serve_elsewhere = c.refusal[0] != '\0' || (refusal != NULL && c.broken == NULL);
     if (question->section && (c.descriptor == NULL || c.descriptor->family[0]->section_count == 0 || tier->elimination[0] != '\0'))
         refusal = "its table describes no section";
     else if (c.refusal[0] == '\0' && refusal == NULL && question->more
              && (tier->elimination[0] != '\0' || !jlt_course_more_is_told(tier->table, question->model)))
         refusal = "its table observes no more than the model's";
     if (refusal != NULL) snprintf(c.refusal, sizeof c.refusal, "%s", refusal);
-    if (c.refusal[0] == '\0') say_unproved(c.refusal, sizeof c.refusal, &c.broken, tier, question->others);
+    if ((tier->table != NULL || refusal == NULL) && say_unproved(c.refusal, sizeof c.refusal, &c.broken, tier, question->others))
+        c.may_serve_elsewhere = false;
     *out = c;
     return JLT_OK;
 }
 
-/* Judge a tier by all ways to its table, and take the first by which it serves; if none does, keep the refusal of the first way.
- * Errors: NOMEM. */
+/* Judge a tier by all ways to its table, and take the first by which it serves; if none does, keep the refusal of the first by
+ * which it may serve elsewhere, or of the first. Errors: NOMEM. */
 static jlt_status judge(jlt_candidate *out, const jlt_tier *tier, const jlt_question *question)
 {
     jlt_status st = judge_way(out, tier, question);
-    jlt_candidate c = *out;
+    jlt_candidate c;
     jlt_tier other;
 
-    for (unsigned i = 1; st == JLT_OK && c.refusal[0] != '\0' && jlt_tier_by_way(&other, tier, i, question->others); i++)
+    for (unsigned i = 1; st == JLT_OK && out->refusal[0] != '\0' && jlt_tier_by_way(&other, tier, i, question->others); i++) {
         st = judge_way(&c, &other, question);
-    if (st == JLT_OK && c.refusal[0] == '\0') *out = c;
+        if (st == JLT_OK && (c.refusal[0] == '\0' || (c.may_serve_elsewhere && !out->may_serve_elsewhere))) *out = c;
+    }
     return st;
 }
 

@@ -26,6 +26,7 @@ typedef struct {
     const jlt_descriptor *descriptor; /* its kernel; NULL: none (quadratures), or not built in */
     char refusal[JLT_TIER_TEXT_MAX];  /* why it does not serve; "": it serves */
     const jlt_claim *broken;          /* the unproved claim because of which it is refused; NULL: another reason, or none */
+    bool may_serve_elsewhere;         /* it is refused for these parameters, or from this start, only */
 } jlt_candidate;
 
 typedef struct {

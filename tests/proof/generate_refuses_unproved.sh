@@ -73,4 +73,17 @@ for time in - t; do
     grep -q $'\tflat\t'$time$'\te\t.*none: divides by zero identically' out/manifest.tsv ||
         fail "rational, in $time: $(cat out/manifest.tsv)"
 done
+rm -rf out
+# A family of equilibria that divides by what a variant sets to zero has kernels where it does not, and none under the variant; so
+# has one whose trace does.
+table still 'param c' 'state z' 'eq z = 1 - c*z' 'variant free : c = 0' 'equilibria rest : x = 0, v = 0, z = 1/c'
+table traced 'param c' 'state z' 'eq z = -c*z' 'variant free : c = 0' 'equilibria rest : x = 0, v = 0, z = 0' \
+    'trace rest = (c - c^2)/c - 1'
+for name in still traced; do
+    ttc generate --out out $name.tt > said 2>&1 || fail "$name: $(head -3 said)"
+    grep -q 'equilibria = equilibria' out/$name/general.c || fail "$name: the general field has no family"
+    ! grep -q 'equilibria = equilibria' out/$name/free.c || fail "$name: there is a family under the variant"
+    ttc prove --kernels $name.tt > said 2>&1 || fail "$name: $(cat said)"
+    rm -rf out
+done
 exit $status

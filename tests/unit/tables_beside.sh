@@ -198,6 +198,21 @@ sed -i 's/^    + omega_n\/s$/    + 2*omega_n\/s/' spherical_top_plane.tt
 expect 3 'the reduction half is not proved of spherical_top_balanced: chain rule' \
     jellett simulate ./spherical_top.tt --tier plane --set a3=0 --start $start --times 1
 
+# What no parameters and no start would mend is not said to be mended by them, but what they would mend is.
+anew
+sed -i -e 's/^eq omega_tau =/&\n    - gamma3*s\/D/' -e '/^lift track/,+1d' spherical_top.tt
+expect 3 'reduction momentum: .*: leave this tier out$' \
+    jellett simulate ./spherical_top.tt --tier plane --set a3=0,I1=2/5,I3=1/4 --start $start --times 1
+expect 3 'where I3 > 0: leave this tier out, or change --set or --start$' \
+    jellett simulate --tier full --set I3=0 --start $start --times 1
+anew
+sed -e 's/^model spherical_top$/model my_top/' -e '/^lift track/,+1d' spherical_top.tt > my.tt
+expect 3 'spherical_top, not for this one: leave this tier out$' jellett simulate ./my.tt --tier full --start $start --times 1
+sed -i '/^lift track/,+1d' spherical_top.tt
+expect 3 '^jellett: --track: no table that observes more than this one serves' \
+    jellett simulate ./spherical_top.tt --track --set I3=0 --start $start --times 1
+expect 0 'tier full' jellett simulate ./spherical_top.tt --track --start $start --times 1
+
 # A density that is none is a check that failed.
 anew
 sed -i 's/^measure rho = s\*(I1 + m/measure rho = s*(I1 + 2*m/' spherical_top.tt
