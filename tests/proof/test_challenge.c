@@ -217,9 +217,11 @@ static void what_divides_at_other_states_stands(void **state)
 /* Nothing is said of h = 0, where a condition divides by zero, of x = 0 and b = 0, nor of a family at a = 0. */
 static void nothing_is_said_where_a_condition_divides_by_zero(void **state)
 {
-    static const char *const tables[] = {
+    static const char anywhere[] =
         "model anywhere\nstate x\nstate y\nstate z\neq x = y\neq y = -x\neq z = 0\nintegral level = z^2/z\n"
-        "reduction right : by at_height.tt with q = x, p = y, h = level where z/z > 0\n",
+        "reduction right : by at_height.tt with q = x, p = y, h = level where z/z > 0\n";
+    static const char *const tables[] = {
+        anywhere,
         "model line\nparam a > 0\nparam b >= 0\nstate x\nlet none = 1/x\neq x = a*x\ntime right : x^4/x^2\n",
         "model line\nparam a > 0\nparam b >= 0\nstate x\nlet none = 1/x\neq x = a*x\ntime right : x^2 + 0*none\n",
         "model line\nparam a > 0\nparam b >= 0\nstate x\neq x = a*x\nvariant right : a = b^2/b\n",
