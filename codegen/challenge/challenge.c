@@ -15,8 +15,7 @@ typedef struct {
     ttc_subject subject;
     ttc_random_point point;
     ttc_check check;
-    size_t held, violated;
-    bool wants_witness, has_witness;
+    bool violated, wants_witness, has_witness;
     double begun; /* processor time */
 } trial;
 
@@ -96,8 +95,7 @@ static size_t run(trial *t, const ttc_challenge_extent *extent, bool special, tt
         ttc_check_outcome outcome;
         if (!find_point(t, special, &barren, &outcome)) continue;
         tried++;
-        t->held += outcome == TTC_HOLDS;
-        t->violated += outcome == TTC_VIOLATED;
+        t->violated = t->violated || outcome == TTC_VIOLATED;
         t->wants_witness = t->wants_witness || t->check.wants_witness;
         if (outcome == TTC_HOLDS) t->has_witness = t->has_witness || t->check.has_witness;
         if (outcome == TTC_VIOLATED && status == TTC_PROVED) break;
@@ -115,10 +113,10 @@ static void judge(trial *t, ttc_challenge_result *result)
 {
     const bool many = result->tried >= POINTS_THAT_TELL;
     if (result->status == TTC_PROVED) {
-        if (t->violated > 0) contradict(t, result, t->check.what);
+        if (t->violated) contradict(t, result, t->check.what);
         else if (many && t->wants_witness && !t->has_witness)
             contradict(t, result, "proved, though it says nothing: all is zero, as");
-    } else if (result->status == TTC_REFUTED && t->violated == 0) {
+    } else if (result->status == TTC_REFUTED && !t->violated) {
         if (t->subject.refuted_by_witness) {
             if (t->has_witness) contradict(t, result, "refuted, though the trace is not zero, as");
         } else if (many && t->subject.fails_on_open_set) {
@@ -154,11 +152,11 @@ bool ttc_challenge_proof(const ttc_model *model, const ttc_proof *proof, ttc_res
         if (target != NULL && t.check.target_probe == NULL) goto done;
     }
     result->tried = run(&t, extent, false, result->status);
-    if (t.violated == 0 || result->status != TTC_PROVED) {
+    if (!t.violated || result->status != TTC_PROVED) {
         result->skipped = extent->points - result->tried;
         result->special = run(&t, extent, true, result->status);
     }
-    result->violated = t.violated > 0;
+    result->violated = t.violated;
     judge(&t, result);
     ok = true;
 done:

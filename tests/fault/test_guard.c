@@ -58,23 +58,29 @@ static ttc_model *resolve_otherwise(void *context, const ttc_model *model, const
     return ttc_model_parse(text, strlen(text), target, diagnostics);
 }
 
+static ttc_proof_report *prove(const char *text, int seconds, ttc_resolver resolver, void *context)
+{
+    ttc_diagnostics *diagnostics = ttc_diagnostics_create();
+    ttc_model *model = ttc_model_parse(text, strlen(text), "guarded.tt", diagnostics);
+    assert_non_null(model);
+    ttc_proof_report *report = ttc_prove_guarded(model, seconds, resolver, context);
+    assert_non_null(report);
+    ttc_model_destroy(model);
+    ttc_diagnostics_destroy(diagnostics);
+    return report;
+}
+
 static void a_proof_that_a_point_contradicts_is_none(void **unused)
 {
     static const char doubted[] = "model guarded\nstate x\neq x = -x\nreduction a : onto a.tt with x = x\nrate d : x = -x\n";
     int asked = 0;
-    ttc_diagnostics *diagnostics = ttc_diagnostics_create();
-    ttc_model *model = ttc_model_parse(doubted, strlen(doubted), "guarded.tt", diagnostics);
     (void)unused;
-    assert_non_null(model);
-    ttc_proof_report *report = ttc_prove_guarded(model, TTC_GUARD_SECONDS, resolve_otherwise, &asked);
-    assert_non_null(report);
+    ttc_proof_report *report = prove(doubted, TTC_GUARD_SECONDS, resolve_otherwise, &asked);
     assert_int_equal(report->proofs[0].status, TTC_UNSETTLED);
     assert_int_equal(report->proofs[0].ending, TTC_ENDED_BY_FAULT);
     assert_non_null(strstr(report->proofs[0].remainder, "a point contradicts its proof"));
     assert_int_equal(report->proofs[1].status, TTC_PROVED);
     ttc_proof_report_destroy(report);
-    ttc_model_destroy(model);
-    ttc_diagnostics_destroy(diagnostics);
 }
 
 static void late_claims_leave_time_for_others(void **unused)
@@ -82,17 +88,11 @@ static void late_claims_leave_time_for_others(void **unused)
     static const char late[] = "model guarded\nstate x\neq x = -x\nreduction a : onto a.tt with x = x\n"
                                "reduction b : onto a.tt with x = x\nreduction c : onto a.tt with x = x\nrate d : x = -x\n";
     misfortune what = hang;
-    ttc_diagnostics *diagnostics = ttc_diagnostics_create();
-    ttc_model *model = ttc_model_parse(late, strlen(late), "guarded.tt", diagnostics);
     (void)unused;
-    assert_non_null(model);
-    ttc_proof_report *report = ttc_prove_guarded(model, SHORT, resolve, &what);
-    assert_non_null(report);
+    ttc_proof_report *report = prove(late, SHORT, resolve, &what);
     for (size_t i = 0; i < 3; i++) assert_int_equal(report->proofs[i].ending, TTC_ENDED_LATE);
     assert_int_equal(report->proofs[3].status, TTC_PROVED);
     ttc_proof_report_destroy(report);
-    ttc_model_destroy(model);
-    ttc_diagnostics_destroy(diagnostics);
 }
 
 static double processor_time(void)
@@ -115,30 +115,20 @@ static void time_that_others_took_is_not_kept_for_them(void **unused)
     char many[SIZE] = "model guarded\nstate x\neq x = -x\nreduction a : onto a.tt with x = x\n"
                       "reduction b : onto a.tt with x = x\n";
     misfortune what = work_a_while;
-    ttc_diagnostics *diagnostics = ttc_diagnostics_create();
     (void)unused;
     for (int i = 0; i < SHORT_CLAIMS; i++) {
         const size_t length = strlen(many);
         snprintf(many + length, SIZE - length, "rate d%d : x = -x\n", i);
     }
-    ttc_model *model = ttc_model_parse(many, strlen(many), "guarded.tt", diagnostics);
-    assert_non_null(model);
-    ttc_proof_report *report = ttc_prove_guarded(model, SHORT, resolve, &what);
-    assert_non_null(report);
+    ttc_proof_report *report = prove(many, SHORT, resolve, &what);
     for (size_t i = 0; i < 2; i++) assert_int_equal(report->proofs[i].ending, TTC_ENDED_BY_VERDICT);
     for (size_t i = 2; i < report->proof_count; i++) assert_int_equal(report->proofs[i].status, TTC_PROVED);
     ttc_proof_report_destroy(report);
-    ttc_model_destroy(model);
-    ttc_diagnostics_destroy(diagnostics);
 }
 
 static void expect(misfortune what, int seconds, ttc_proof_ending ending, const char *reason)
 {
-    ttc_diagnostics *diagnostics = ttc_diagnostics_create();
-    ttc_model *model = ttc_model_parse(table, strlen(table), "guarded.tt", diagnostics);
-    assert_non_null(model);
-    ttc_proof_report *report = ttc_prove_guarded(model, seconds, resolve, &what);
-    assert_non_null(report);
+    ttc_proof_report *report = prove(table, seconds, resolve, &what);
     assert_string_equal(report->proofs[0].kind, "reduction");
     assert_int_equal(report->proofs[0].status, TTC_UNSETTLED);
     if (report->proofs[0].ending != ending) print_error("%s\n", report->proofs[0].remainder);
@@ -147,8 +137,6 @@ static void expect(misfortune what, int seconds, ttc_proof_ending ending, const 
     assert_int_equal(report->proofs[1].status, TTC_PROVED);
     assert_int_equal(report->proofs[1].ending, TTC_ENDED_BY_VERDICT);
     ttc_proof_report_destroy(report);
-    ttc_model_destroy(model);
-    ttc_diagnostics_destroy(diagnostics);
 }
 
 static void a_fault_is_no_bound(void **unused)
