@@ -309,23 +309,26 @@ done:
     return st;
 }
 
-/* Lift a point of the section, number 0, the origin, or 1, without symmetry. Out: x. */
+/* Points of the section that are looked at: number 0 is the origin, the others are spread, without symmetry. */
+#define SAMPLES 8
+
+/* Lift one of them. Out: x. */
 static bool sample(const jlt_chart *chart, double *x, unsigned point)
 {
     double q[JLT_CHART_DIM_MAX];
 
-    for (unsigned k = 0; k < chart->dim; k++) q[k] = point * (0.3 + k) / 7;
+    for (unsigned k = 0; k < chart->dim; k++) q[k] = point * (k + 0.7);
     return chart->lift(chart, x, NULL, q) == JLT_OK;
 }
 
-/* Warn if the section's state is an angle that seems to cross only against --direction: its rate has the wrong sign at two points
- * of the section. */
+/* Warn if the section's state is an angle that seems to cross only against --direction: its rate has the wrong sign at all
+ * samples. */
 static void tell_other_way(const jlt_system *system)
 {
     const jlt_chart *chart = system->flow.chart;
     double x[JLT_CHART_STATES_MAX], f[JLT_CHART_STATES_MAX];
 
-    for (unsigned point = 0; point < 2; point++) {
+    for (unsigned point = 0; point < SAMPLES; point++) {
         if (chart->turn == 0 || !sample(chart, x, point)) return;
         system->instance->descriptor->rhs.call(x, system->instance->prepared, f);
         if (!(f[chart->column] * (int)system->flow.direction < 0)) return;
@@ -334,14 +337,14 @@ static void tell_other_way(const jlt_system *system)
             system->instance->descriptor->states[chart->column].name, system->flow.direction == JLT_RISING ? "down" : "up");
 }
 
-/* Whether the section's state, no angle, has a rate that no state changes, at two points of the section: it never comes back. */
+/* Whether the section's state, no angle, has a rate that no state changes, at any sample: it never comes back. */
 static bool leaves_for_good(const jlt_system *system)
 {
     const jlt_chart *chart = system->flow.chart;
     const jlt_descriptor *d = system->instance->descriptor;
     double x[JLT_CHART_STATES_MAX], rows[JLT_CHART_STATES_MAX * JLT_CHART_STATES_MAX];
 
-    for (unsigned point = 0; point < 2; point++) {
+    for (unsigned point = 0; point < SAMPLES; point++) {
         if (chart->turn != 0 || !sample(chart, x, point)) return false;
         d->jacobian.call(x, system->instance->prepared, rows);
         for (unsigned i = 0; i < d->state_count; i++)

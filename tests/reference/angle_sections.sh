@@ -120,6 +120,7 @@ crossings() { # DIRECTION: of the first 21 rows of `out`, times of the closed fo
 expect 0 '^0,21,' jellett section ./swing.tt --section b=1 --start t=0 --returns 21
 crossings up || fail "crossings of what turns back: $(cut -d, -f3 out | tr '\n' ' ')"
 expect 0 '^0,21,' jellett section ./swing.tt --section b=1 --direction down --start t=3.141592653589793 --returns 21
+[ ! -s err ] || fail "what crosses both ways is said to cross one way: $(cat err)"
 crossings down || fail "crossings downwards of what turns back: $(cut -d, -f3 out | tr '\n' ' ')"
 expect 0 '^21,' jellett lyapunov ./swing.tt --section b=1 --start t=0 --returns 21
 awk -F, '/^21,/ { exit !(($2 - 18.849555921538759)^2 < 1e-18) }' out || fail "returns with derivatives: $(tail -1 out)"
