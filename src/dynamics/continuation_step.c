@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "dynamics/linear.h"
+#include "dynamics/scale.h"
 #include "ext/eigen.h"
 
 enum { U = JLT_CONTINUATION_U, NEWTON = 12, HALVINGS = 12 };
@@ -100,6 +101,23 @@ static jlt_status tangent_at(const jlt_continuation_runner *self, double *tangen
     return JLT_OK;
 }
 
+/* How large the coordinates at u are, and what the motion from there runs through: the map errs in units of that, up to 1. On the
+ * section of an angle it errs by the tolerance at least. */
+static double size_at(const jlt_continuation_runner *self, const double *u, double noise)
+{
+    const unsigned d = self->d;
+    double q[JLT_CHART_DIM_MAX], moves[JLT_CHART_DIM_MAX + 1];
+    jlt_map *map;
+
+    jlt_chart_unscaled(&self->chart, q, u);
+    if (self->family->map_at(self->family->context, &map, u[d] * self->options.scale) != JLT_OK ||
+        jlt_scale_moves(moves, map, q) != JLT_OK) return 0;
+    double size = self->chart.turn != 0 ? self->tolerance / noise : ldexp(moves[d], -self->chart.column_scale);
+    jlt_chart_scaled(&self->chart, moves, moves);
+    for (unsigned k = 0; k < d; k++) size = fmax(size, self->chart.period[k] != 0 ? 1 : fmax(fabs(u[k]), moves[k]));
+    return fmin(size, 1);
+}
+
 jlt_status jlt_continuation_step_correct(const jlt_continuation_runner *self, double *u, jlt_continuation_equation *at,
                                          const double *tangent, unsigned *iterations)
 {
@@ -114,7 +132,9 @@ jlt_status jlt_continuation_step_correct(const jlt_continuation_runner *self, do
         if (iterations != NULL) *iterations = k;
         /* Iterate until the residual is rounding, or has ceased to fall and is no larger than the map's own error. */
         const bool known = at->scale <= steep || moved * fmax(1, 10 * self->tolerance * at->scale) <= settled;
-        if (known && (residual < 1e-15 * at->scale || (residual < at->noise * at->scale && residual > last / 8))) return JLT_OK;
+        const double noise = at->noise * at->scale;
+        if (known && (residual < 1e-15 * at->scale ||
+                      (residual < noise && residual > last / 8 && residual < noise * size_at(self, u, at->noise)))) return JLT_OK;
         last = residual;
         border(matrix, at, tangent, d);
         leave_out(self, matrix);

@@ -82,6 +82,42 @@ for q in 1 1e-6 1e6; do
     [ "$(grep -c ',fold,' out)" -eq 1 ] || fail "q = $q: $(grep -c ',fold,' out) folds"
     grep -q 'branch 0: the range ends' err || fail "q = $q: $(cat err)"
 done
+# 5. Small coordinates make no orbits: with no point of a branch beyond its fold. Radii of r' = r (b + r^2 - r^4) are roots of a
+# quadratic, and cease at b = -1/4; x' = -x + x^2 + e cos t has periodic solutions up to e with a_0(2 e) = -1, Mathieu's (SciPy).
+cat > radius.tt <<'TABLE'
+model radius
+param b
+param L > 0
+default b = -0.2, L = 1
+state x
+state y
+let q = (x^2 + y^2)/L^2
+eq x = x*(b + q - q^2) - y
+eq y = y*(b + q - q^2) + x
+TABLE
+cat > riccati.tt <<'TABLE'
+model riccati
+param e
+param L > 0
+default e = 0.01, L = 1
+state x
+state phi
+angle C S = cos(phi) sin(phi)
+eq x = -x + x^2/L + L*e*C
+eq phi = 1
+periodic phi = 2*pi
+TABLE
+for L in 1 1e-6; do
+    jellett continue ./radius.tt --set L="$L" --section y=0 --start "x=$(times 0.85 "$L")" --along b=-0.3:0.1 --decreasing \
+        > out 2> err || fail "L = $L: $(cat err)"
+    rows out | awk -F, -v L="$L" '{ q = ($5/L)^2; bad += ($2 + q - q*q)^2 > 1e-18 } END { exit !(NR > 9 && !bad) }' ||
+        fail "L = $L: points that are no orbits: $(rows out | tail -3)"
+    jellett continue ./riccati.tt --set L="$L" --section phi=0 --start x=0 --along e=0.001:0.9 > out 2> err ||
+        fail "L = $L: $(cat err)"
+    rows out | awk -F, '{ bad += $2 > 0.779150542352136 + 1e-9 } END { exit !(NR > 9 && !bad) }' ||
+        fail "L = $L: points beyond the fold: $(rows out | tail -3)"
+done
+
 # One orbit by every method: errors are relative to the start's size, and so is the drift. In 20 units of time an error of the
 # tolerance 1e-12 grows by its share a step, by shear, to less than a thousand of it.
 cat > spring.tt <<'TABLE'
