@@ -58,7 +58,7 @@ void jlt_rough_choose(const jlt_rough *self, arf_t h)
     JLT_SCOPED(arf, wanted);
 
     if (isfinite(length)) {
-        const double step = self->caution * exp2(fmin(fmax(length, -1000), 3));
+        const double step = self->caution * exp2(fmin(fmax(length, -1000), 1000));
         const int places = step > 0x1p-16 ? 20 : 4 - ilogb(step); /* of powers of 2: four leading ones where 20 are too few */
         arf_set_d(wanted, floor(ldexp(step, places)));
         arf_mul_2exp_si(wanted, wanted, -places);

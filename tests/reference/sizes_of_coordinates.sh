@@ -213,4 +213,7 @@ jellett continue ./steep.tt --section phi=0 --along a=2:5 --set a=2 --start x=0,
 awk -F, '{ bad += ($5*(1 + $2*$2) + 1)^2 + ($6*(1 + $2*$2))^2 > (26*1e-8)^2; last = $2 }
     END { exit !(last > 4 && !bad) }' rows.csv ||
     fail "a branch: $(awk -F, '{ print $2, $5*(1 + $2*$2) + 1, $6 }' rows.csv | tail -3; cat err)"
+# A proof takes as many steps by a slow clock: x at phi = 0 is 1/2, and the multiplier exp(-2 pi).
+timeout 60 jellett certify cycle ./clock.tt --set e=1e-11 --section phi=0 --start x=0.5 > out 2> err
+grep -q 'That point is x = 0.5000' out || fail "e = 1e-11, a proof: $(cat err)"
 exit $status
