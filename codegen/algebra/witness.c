@@ -177,14 +177,6 @@ void ttc_witness_enclose(arb_t out, ttc_witness *point, const ttc_ratio *ratio, 
     arb_clear(bottom);
 }
 
-static bool exact_root(fmpq_t root, const fmpq_t square)
-{
-    if (fmpq_sgn(square) < 0 || !fmpz_is_square(fmpq_numref(square)) || !fmpz_is_square(fmpq_denref(square))) return false;
-    fmpz_sqrt(fmpq_numref(root), fmpq_numref(square));
-    fmpz_sqrt(fmpq_denref(root), fmpq_denref(square));
-    return true;
-}
-
 static void enclose_root(ttc_witness *point, slong variable, size_t index, slong precision)
 {
     const ttc_generator *generator = &point->ring->generators[index];
@@ -192,7 +184,7 @@ static void enclose_root(ttc_witness *point, slong variable, size_t index, slong
     bool negative = !generator->positive && (point->negative >> index & 1);
     ttc_witness_enclose(balls->ball + variable, point, &generator->square, precision);
     if (exact_ratio(balls->exact + variable, point, &generator->square)
-        && exact_root(balls->exact + variable, balls->exact + variable)) {
+        && ttc_symbol_rational(balls->exact + variable, TTC_ROOT, balls->exact + variable)) {
         if (negative) fmpq_neg(balls->exact + variable, balls->exact + variable);
         arb_set_fmpq(balls->ball + variable, balls->exact + variable, precision);
         balls->state[variable] = EXACT;

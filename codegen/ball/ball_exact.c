@@ -38,14 +38,6 @@ static bool room(ttc_ball_exact *exact, const ttc_graph *graph)
 
 static bool evaluate(ttc_ball_exact *exact, const ttc_ball_symbols *symbols, ttc_id id);
 
-static bool square_root(fmpq_t out, const fmpq_t of)
-{
-    if (fmpq_sgn(of) < 0 || !fmpz_is_square(fmpq_numref(of)) || !fmpz_is_square(fmpq_denref(of))) return false;
-    fmpz_sqrt(fmpq_numref(out), fmpq_numref(of));
-    fmpz_sqrt(fmpq_denref(out), fmpq_denref(of));
-    return true;
-}
-
 static bool evaluate_symbol(fmpq_t out, ttc_ball_exact *exact, const ttc_ball_symbols *symbols, uint32_t symbol)
 {
     const ttc_symbol_entry *entry = &symbols->model->symbols[symbol];
@@ -58,7 +50,7 @@ static bool evaluate_symbol(fmpq_t out, ttc_ball_exact *exact, const ttc_ball_sy
     }
     if (meaning == TTC_NONE || (!bound && entry->kind != TTC_ROOT && entry->kind != TTC_LET)) return false;
     if (!evaluate(exact, symbols, meaning)) return false;
-    if (!bound && entry->kind == TTC_ROOT) return square_root(out, &exact->fractions[meaning]);
+    if (!bound && entry->kind == TTC_ROOT) return ttc_symbol_rational(out, TTC_ROOT, &exact->fractions[meaning]);
     fmpq_set(out, &exact->fractions[meaning]);
     return true;
 }

@@ -36,15 +36,6 @@ static ttc_value lower_bound(lowering *l, uint32_t symbol, const ttc_binding *bi
     return value;
 }
 
-/* Set root = sqrt(value). Returns false unless value is the square of a positive rational. */
-static bool rational_root(fmpq_t root, const fmpq_t value)
-{
-    if (fmpq_sgn(value) <= 0 || !fmpz_is_square(fmpq_numref(value)) || !fmpz_is_square(fmpq_denref(value))) return false;
-    fmpz_sqrt(fmpq_numref(root), fmpq_numref(value));
-    fmpz_sqrt(fmpq_denref(root), fmpq_denref(value));
-    return true;
-}
-
 /* Lower p^2 - q^2 x^2 as (p - q x)(p + q x). Returns TTC_NO_VALUE, without failing, for other radicands. */
 static ttc_value lower_difference_of_squares(lowering *l, ttc_id id)
 {
@@ -60,7 +51,8 @@ static ttc_value lower_difference_of_squares(lowering *l, ttc_id id)
     fmpq_init(p);
     fmpq_init(q);
     fmpq_neg(q, term.coefficient);
-    if (rational_root(p, ttc_coefficient(graph, id)) && rational_root(q, q)) {
+    if (!fmpq_is_zero(ttc_coefficient(graph, id)) && ttc_symbol_rational(p, TTC_ROOT, ttc_coefficient(graph, id))
+        && ttc_symbol_rational(q, TTC_ROOT, q)) {
         ttc_value base = lower(l, square.id);
         if (base != TTC_NO_VALUE) {
             ttc_value constant = ttc_program_constant(l->program, p);

@@ -110,13 +110,10 @@ static ttc_id scale_root(const ttc_field *field, ttc_id scale)
     ttc_graph *graph = field->graph;
     ttc_kind kind = ttc_kind_of(graph, scale);
     if (kind != TTC_NUMBER && (kind != TTC_PRODUCT || !field->keeps_digits)) return TTC_NONE;
-    const fmpq *q = ttc_coefficient(graph, scale);
-    if (!fmpz_is_square(fmpq_numref(q)) || !fmpz_is_square(fmpq_denref(q))) return TTC_NONE;
     fmpq_t root;
     fmpq_init(root);
-    fmpz_sqrt(fmpq_numref(root), fmpq_numref(q));
-    fmpz_sqrt(fmpq_denref(root), fmpq_denref(q));
-    ttc_id result = ttc_number(graph, root);
+    const bool is_square = ttc_symbol_rational(root, TTC_ROOT, ttc_coefficient(graph, scale));
+    ttc_id result = is_square ? ttc_number(graph, root) : TTC_NONE;
     fmpq_clear(root);
     for (size_t i = 0; i < ttc_part_count(graph, scale) && result != TTC_NONE; i++) {
         ttc_part part = ttc_part_at(graph, scale, i);

@@ -46,21 +46,14 @@ static void prove_time(ttc_task *task)
 {
     const ttc_time *time = &task->model->times[task->claim->family];
     ttc_graph *graph = task->model->graph;
-    ttc_ratio left, right;
-    ttc_ratio_init(task->ring, &left);
-    ttc_ratio_init(task->ring, &right);
     ttc_signs_require(task, task->field, time->factor, TTC_IS_POSITIVE, "not positive: dt/dtau");
     for (size_t i = 0; i < time->lifted_count && ttc_task_open(task); i++) {
         const ttc_symbol_entry *root = &task->model->symbols[time->lifted[i]];
-        ttc_id rate = ttc_multiply(graph, time->factor, ttc_derive_field(task->model, root->node));
-        ttc_evaluate(task->field, &left, ttc_multiply(graph, ttc_multiply(graph, ttc_integer(graph, 2), root->node), rate));
-        rate = ttc_multiply(graph, time->factor, ttc_derive_field(task->model, root->definition));
-        ttc_evaluate(task->field, &right, rate);
-        ttc_ratio_subtract(task->ring, &left, &left, &right);
-        ttc_task_require_zero(task, &left, "d(%s^2 - radicand)/dtau", root->name);
+        const ttc_id of_root = ttc_multiply(graph, time->factor, ttc_derive_field(task->model, root->node)),
+                     of_square = ttc_multiply(graph, ttc_multiply(graph, ttc_integer(graph, 2), root->node), of_root),
+                     of_radicand = ttc_multiply(graph, time->factor, ttc_derive_field(task->model, root->definition));
+        ttc_task_require_equal(task, task->field, of_square, task->field, of_radicand, "d(%s^2 - radicand)/dtau", root->name);
     }
-    ttc_ratio_clear(task->ring, &right);
-    ttc_ratio_clear(task->ring, &left);
 }
 
 static const ttc_elimination *elimination_of(const ttc_task *task)
@@ -97,22 +90,14 @@ static void prove_elimination(ttc_task *task)
     const ttc_elimination *elimination = elimination_of(task);
     const ttc_claim *integral = &task->model->claims[elimination->integral];
     const ttc_symbol_entry *state = &task->model->symbols[elimination->state];
-    ttc_ratio left, right;
+    size_t at = 0;
     if (!task->is_lifted) look_at_slope(task);
-    ttc_ratio_init(task->ring, &left);
-    ttc_ratio_init(task->ring, &right);
-    ttc_evaluate(task->field, &left, integral->expression);
-    ttc_evaluate(task->field, &right, task->model->symbols[elimination->level].node);
-    ttc_ratio_subtract(task->ring, &left, &left, &right);
-    ttc_task_require_zero(task, &left, "%s - its level", integral->name);
-    ttc_evaluate(task->field, &left, ttc_derive_field(task->model, elimination->solution));
-    for (size_t i = 0; i < task->model->state_count; i++)
-        if (task->model->states[i] == elimination->state) ttc_evaluate(task->field, &right, ttc_model_field(task->model, i));
-    ttc_ratio_subtract(task->ring, &left, &left, &right);
-    ttc_task_require_zero(task, &left, "rate of the solution for %s - its equation", state->name);
+    ttc_task_require_equal(task, task->field, integral->expression, task->field, task->model->symbols[elimination->level].node,
+                           "%s - its level", integral->name);
+    while (task->model->states[at] != elimination->state) at++;
+    ttc_task_require_equal(task, task->field, ttc_derive_field(task->model, elimination->solution), task->field,
+                           ttc_model_field(task->model, at), "rate of the solution for %s - its equation", state->name);
     ttc_prove_level_is_periodic(task, integral, elimination->state);
-    ttc_ratio_clear(task->ring, &right);
-    ttc_ratio_clear(task->ring, &left);
 }
 
 /* Returns true for roots and logarithms, whose definitions must be positive. */

@@ -52,14 +52,11 @@ void ttc_prove_equilibria(ttc_task *task)
 
 void ttc_prove_trace(ttc_task *task)
 {
-    ttc_ratio sum, claimed;
+    ttc_ratio sum;
     ttc_ratio_init(task->ring, &sum);
-    ttc_ratio_init(task->ring, &claimed);
     trace(task, &sum);
-    ttc_evaluate(task->field, &claimed, task->claim->expression);
-    ttc_ratio_subtract(task->ring, &sum, &sum, &claimed);
+    ttc_task_take_off(task, &sum, task->field, task->claim->expression);
     ttc_task_require_zero(task, &sum, "trace of the Jacobian - claimed trace");
-    ttc_ratio_clear(task->ring, &claimed);
     ttc_ratio_clear(task->ring, &sum);
 }
 
@@ -74,20 +71,17 @@ static ttc_ratio *jacobian(ttc_task *task)
 void ttc_prove_matrix(ttc_task *task)
 {
     size_t n = task->model->state_count;
-    ttc_ratio entry, claimed;
+    ttc_ratio entry;
     if (task->claim->entry_count != n * n) {
         ttc_task_unsettle(task, "the matrix has %zu entries and not %zu", task->claim->entry_count, n * n);
         return;
     }
     ttc_ratio_init(task->ring, &entry);
-    ttc_ratio_init(task->ring, &claimed);
     for (size_t i = 0; i < n * n && ttc_task_open(task); i++) {
         ttc_task_jacobian(task, &entry, i / n, i % n);
-        ttc_evaluate(task->field, &claimed, task->claim->entries[i]);
-        ttc_ratio_subtract(task->ring, &entry, &entry, &claimed);
+        ttc_task_take_off(task, &entry, task->field, task->claim->entries[i]);
         ttc_task_require_zero(task, &entry, "Jacobian - claimed matrix, row %zu, column %zu", i / n + 1, i % n + 1);
     }
-    ttc_ratio_clear(task->ring, &claimed);
     ttc_ratio_clear(task->ring, &entry);
 }
 

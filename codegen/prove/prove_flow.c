@@ -55,20 +55,18 @@ void ttc_prove_integral(ttc_task *task)
     ttc_ratio_clear(task->ring, &value);
 }
 
+/* Require left = right of a claim that writes both; what: their difference, in words. */
+static void require_sides(ttc_task *task, ttc_id left, ttc_id right, const char *what)
+{
+    const ttc_id difference = ttc_subtract(task->model->graph, left, right);
+    if (!ttc_task_is_zero_for_any_roots(task, difference) && !ttc_task_refute_at_point(task, difference, what))
+        ttc_task_require_equal(task, task->field, left, task->field, right, "%s", what);
+}
+
 void ttc_prove_rate(ttc_task *task)
 {
     const ttc_claim *claim = task->claim;
-    ttc_ratio rate, claimed;
-    ttc_id difference = ttc_subtract(task->model->graph, ttc_derive_field(task->model, claim->expression), claim->other);
-    if (ttc_task_is_zero_for_any_roots(task, difference) || ttc_task_refute_at_point(task, difference, "rate - right side")) return;
-    ttc_ratio_init(task->ring, &rate);
-    ttc_ratio_init(task->ring, &claimed);
-    ttc_evaluate(task->field, &rate, ttc_derive_field(task->model, claim->expression));
-    ttc_evaluate(task->field, &claimed, claim->other);
-    ttc_ratio_subtract(task->ring, &rate, &rate, &claimed);
-    ttc_task_require_zero(task, &rate, "rate - right side");
-    ttc_ratio_clear(task->ring, &claimed);
-    ttc_ratio_clear(task->ring, &rate);
+    require_sides(task, ttc_derive_field(task->model, claim->expression), claim->other, "rate - right side");
 }
 
 /* The leaf is a Zariski-dense part of a component of NAME = 0, which the flow keeps if it is tangent to the leaf. */
@@ -79,17 +77,7 @@ void ttc_prove_invariant(ttc_task *task)
 
 void ttc_prove_equal(ttc_task *task)
 {
-    ttc_ratio left, right;
-    ttc_id difference = ttc_subtract(task->model->graph, task->claim->expression, task->claim->other);
-    if (ttc_task_is_zero_for_any_roots(task, difference) || ttc_task_refute_at_point(task, difference, "left - right")) return;
-    ttc_ratio_init(task->ring, &left);
-    ttc_ratio_init(task->ring, &right);
-    ttc_evaluate(task->field, &left, task->claim->expression);
-    ttc_evaluate(task->field, &right, task->claim->other);
-    ttc_ratio_subtract(task->ring, &left, &left, &right);
-    ttc_task_require_zero(task, &left, "left - right");
-    ttc_ratio_clear(task->ring, &right);
-    ttc_ratio_clear(task->ring, &left);
+    require_sides(task, task->claim->expression, task->claim->other, "left - right");
 }
 
 void ttc_prove_positive(ttc_task *task)

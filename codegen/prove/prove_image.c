@@ -3,15 +3,6 @@
 
 #include <stdlib.h>
 
-void ttc_prove_take_off(ttc_task *task, ttc_ratio *out, ttc_valuation *valuation, ttc_id id)
-{
-    ttc_ratio value;
-    ttc_ratio_init(task->ring, &value);
-    ttc_evaluate(valuation, &value, id);
-    ttc_ratio_subtract(task->ring, out, out, &value);
-    ttc_ratio_clear(task->ring, &value);
-}
-
 static void add_positive(ttc_task *task, ttc_id id)
 {
     ttc_ratio value;
@@ -147,7 +138,7 @@ void ttc_prove_return(ttc_task *task, ttc_valuation *map, const ttc_claim *claim
     if (image->forms[k] == TTC_GIVEN_ANGLE && ttc_angle_cosine(table, table->states[state], &cosine)) {
         return_angle(task, &r[0], &r[1], cosine, entry->name, where_angles);
     } else {
-        ttc_prove_take_off(task, &r[0], task->field, entry->node);
+        ttc_task_take_off(task, &r[0], task->field, entry->node);
         ttc_task_require_zero(task, &r[0], "where the way back leads - %s", entry->name);
     }
     ttc_task_free(task, r, 2);

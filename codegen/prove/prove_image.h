@@ -5,9 +5,6 @@
 #include "prove/image.h"
 #include "prove/prove_task.h"
 
-/* out -= the value of an expression. */
-void ttc_prove_take_off(ttc_task *task, ttc_ratio *out, ttc_valuation *valuation, ttc_id id);
-
 /** Take a spare symbol that no solution of a level has. In/out: spares, how many were taken or passed over, at first 0. Returns
  *  false if none is left. */
 bool ttc_prove_take_spare(uint32_t *spare, const ttc_task *task, uint32_t *spares);

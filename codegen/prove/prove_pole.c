@@ -230,23 +230,20 @@ static void prove_end(ttc_pole_end *end)
 {
     ttc_task *task = end->task;
     const ttc_symbol_entry *state = task->model->symbols + end->state;
-    ttc_ratio way, bound;
+    ttc_ratio way;
     require_root(end);
     if (!ttc_task_open(task)) return;
     evaluate_all(task, state);
     if (!ttc_task_open(task)) return;
     ttc_ratio_init(task->ring, &way);
-    ttc_ratio_init(task->ring, &bound);
     ttc_evaluate(task->field, &way, end->is_high ? state->high : state->node);
-    ttc_evaluate(task->field, &bound, end->is_high ? state->node : state->low);
-    ttc_ratio_subtract(task->ring, &way, &way, &bound);
+    ttc_task_take_off(task, &way, task->field, end->is_high ? state->node : state->low);
     fmpz_mpoly_init(end->way, task->ring->context);
     fmpz_mpoly_set(end->way, way.numerator, task->ring->context);
     ttc_pole_find_vanishing(end);
     require_in_times(end, require_rest_of_both);
     require_in_times(end, require_first_order);
     fmpz_mpoly_clear(end->way, task->ring->context);
-    ttc_ratio_clear(task->ring, &bound);
     ttc_ratio_clear(task->ring, &way);
 }
 

@@ -41,33 +41,13 @@ static void bind_target(ttc_task *task, const ttc_model *target, ttc_valuation *
 
 void ttc_prove_chain_rule(ttc_task *task, const ttc_claim *claim, const ttc_model *target, ttc_valuation *map)
 {
-    ttc_ratio left, right;
-    ttc_ratio_init(task->ring, &left);
-    ttc_ratio_init(task->ring, &right);
     for (size_t i = 0; i < target->state_count && ttc_task_open(task); i++) {
         const ttc_symbol_entry *state = &target->symbols[target->states[i]];
         const ttc_id image = ttc_given_for(claim, state->name);
-        if (image == TTC_NONE) continue;
-        ttc_evaluate(task->field, &left, ttc_derive_field(task->model, image));
-        ttc_evaluate(map, &right, ttc_model_field(target, i));
-        ttc_ratio_subtract(task->ring, &left, &left, &right);
-        ttc_task_require_zero(task, &left, "chain rule - field of %s in %s", target->name, state->name);
+        if (image != TTC_NONE)
+            ttc_task_require_equal(task, task->field, ttc_derive_field(task->model, image), map, ttc_model_field(target, i),
+                                   "chain rule - field of %s in %s", target->name, state->name);
     }
-    ttc_ratio_clear(task->ring, &right);
-    ttc_ratio_clear(task->ring, &left);
-}
-
-static void require_alike(ttc_task *task, ttc_valuation *map, ttc_id own, ttc_id theirs, const char *what, const char *name)
-{
-    ttc_ratio left, right;
-    ttc_ratio_init(task->ring, &left);
-    ttc_ratio_init(task->ring, &right);
-    ttc_evaluate(task->field, &left, own);
-    ttc_evaluate(map, &right, theirs);
-    ttc_ratio_subtract(task->ring, &left, &left, &right);
-    if (ttc_task_open(task)) ttc_task_require_zero(task, &left, "%s %s here - there", what, name);
-    ttc_ratio_clear(task->ring, &right);
-    ttc_ratio_clear(task->ring, &left);
 }
 
 /* Returns true for an integral without conditions. */
@@ -82,19 +62,22 @@ void ttc_prove_same_observations(ttc_task *task, const ttc_model *target, ttc_va
     for (size_t i = 0; i < model->observed_count; i++)
         for (size_t k = 0; k < target->observed_count && ttc_task_open(task); k++) {
             const ttc_symbol_entry *own = model->symbols + model->observed[i], *theirs = target->symbols + target->observed[k];
-            if (strcmp(own->name, theirs->name) == 0) require_alike(task, map, own->node, theirs->node, "observe", own->name);
+            if (strcmp(own->name, theirs->name) == 0)
+                ttc_task_require_equal(task, task->field, own->node, map, theirs->node, "observe %s here - there", own->name);
         }
     for (size_t i = 0; i < model->validity_count; i++)
         for (size_t k = 0; k < target->validity_count && ttc_task_open(task); k++) {
             const ttc_validity *own = model->validities + i, *theirs = target->validities + k;
             if (strcmp(own->name, theirs->name) == 0)
-                require_alike(task, map, own->expression, theirs->expression, "valid", own->name);
+                ttc_task_require_equal(task, task->field, own->expression, map, theirs->expression, "valid %s here - there",
+                                       own->name);
         }
     for (size_t i = 0; i < model->claim_count; i++)
         for (size_t k = 0; k < target->claim_count && ttc_task_open(task); k++) {
             const ttc_claim *own = model->claims + i, *theirs = target->claims + k;
             if (is_plain_integral(own) && is_plain_integral(theirs) && strcmp(own->name, theirs->name) == 0)
-                require_alike(task, map, own->expression, theirs->expression, "integral", own->name);
+                ttc_task_require_equal(task, task->field, own->expression, map, theirs->expression, "integral %s here - there",
+                                       own->name);
         }
 }
 

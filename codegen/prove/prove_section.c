@@ -45,10 +45,9 @@ static void prove_lift(ttc_task *task)
     const ttc_model *model = task->outer->model, *chart = task->model;
     const ttc_claim *claim = task->outer->claim;
     const ttc_section *section = section_of(task->outer);
+    const ttc_symbol_entry *crossed = &model->symbols[claim->when.items->symbol];
     ttc_valuation *map = ttc_valuation_map(model, task->field);
     unsigned char *used = ttc_domain_support(task, TTC_DOMAIN_WHOLE);
-    ttc_ratio value;
-    ttc_ratio_init(task->ring, &value);
     if (map == NULL || used == NULL) {
         ttc_task_unsettle(task, "out of memory");
         goto done;
@@ -61,24 +60,19 @@ static void prove_lift(ttc_task *task)
         if (model->symbols[i].kind == TTC_ROOT && ttc_valuation_is_bound(map, (uint32_t)i))
             ttc_domain_require_root(task, map, model->symbols + i);
     ttc_prove_divisors(task, map, model, section->claim, section->shown_uses, " in the way back from the lift");
-    if (ttc_task_open(task)) {
-        const ttc_binding *at = claim->when.items;
-        ttc_evaluate(map, &value, model->symbols[at->symbol].node);
-        ttc_prove_take_off(task, &value, map, at->expression);
-        ttc_task_require_zero(task, &value, "%s of the lift - its value on the section", model->symbols[at->symbol].name);
-    }
+    if (ttc_task_open(task))
+        ttc_task_require_equal(task, map, crossed->node, map, claim->when.items->expression,
+                               "%s of the lift - its value on the section", crossed->name);
     for (size_t i = 0; i < section->image.level_count && ttc_task_open(task); i++) {
         ttc_prove_divisors(task, map, model, claim->members[i], SIZE_MAX, " in a level of the lift");
-        ttc_evaluate(map, &value, model->claims[claim->members[i]].expression);
-        ttc_prove_take_off(task, &value, task->field, chart->symbols[symbol_of(chart, section->image.levels[i])].node);
-        ttc_task_require_zero(task, &value, "%s of the lift - its level %s", model->claims[claim->members[i]].name,
-                              section->image.levels[i]);
+        ttc_task_require_equal(task, map, model->claims[claim->members[i]].expression, task->field,
+                               chart->symbols[symbol_of(chart, section->image.levels[i])].node, "%s of the lift - its level %s",
+                               model->claims[claim->members[i]].name, section->image.levels[i]);
     }
     for (size_t i = 0; i < chart->state_count && ttc_task_open(task); i++)
         ttc_prove_return(task, map, claim, &section->image, i, false);
     ttc_task_leave_map(task);
 done:
-    ttc_ratio_clear(task->ring, &value);
     free(used);
     ttc_valuation_destroy(map);
 }
@@ -152,7 +146,7 @@ static void require_same(ttc_task *task, ttc_valuation *map)
     for (uint32_t i = 0; i < model->symbol_count && ttc_task_open(task); i++) {
         if (!ttc_valuation_is_bound(lifted, i) || model->symbols[i].kind == TTC_PARAM) continue;
         ttc_evaluate(lifted, &difference, model->symbols[i].node);
-        ttc_prove_take_off(task, &difference, task->field, model->symbols[i].node);
+        ttc_task_take_off(task, &difference, task->field, model->symbols[i].node);
         if (!knows_direction && ttc_task_open(task) && !ttc_ratio_is_zero(task->ring, &difference)) {
             add_direction(task, lifted);
             knows_direction = true;

@@ -111,23 +111,19 @@ static bool is_identity(const ttc_task *task)
 static void check_inverse(ttc_task *task, ttc_valuation *map, ttc_ratio *matrix)
 {
     const ttc_model *model = task->model;
-    ttc_ratio value, state;
-    ttc_ratio_init(task->ring, &value);
-    ttc_ratio_init(task->ring, &state);
     if (task->claim->kind != TTC_CLAIM_REVERSOR) {
-        set_determinant(task, &value, matrix);
-        ttc_task_require(task, &value, TTC_IS_NONZERO, "the map has no inverse: its determinant");
-    } else {
-        for (size_t i = 0; i < model->state_count && ttc_task_open(task); i++) {
-            const char *name = model->symbols[model->states[i]].name;
-            ttc_evaluate(map, &value, image_of_state(task, i));
-            ttc_evaluate(task->field, &state, model->symbols[model->states[i]].node);
-            ttc_ratio_subtract(task->ring, &value, &value, &state);
-            ttc_task_require_zero(task, &value, "S(S(%s)) - %s", name, name);
-        }
+        ttc_ratio determinant;
+        ttc_ratio_init(task->ring, &determinant);
+        set_determinant(task, &determinant, matrix);
+        ttc_task_require(task, &determinant, TTC_IS_NONZERO, "the map has no inverse: its determinant");
+        ttc_ratio_clear(task->ring, &determinant);
+        return;
     }
-    ttc_ratio_clear(task->ring, &state);
-    ttc_ratio_clear(task->ring, &value);
+    for (size_t i = 0; i < model->state_count && ttc_task_open(task); i++) {
+        const ttc_symbol_entry *state = &model->symbols[model->states[i]];
+        ttc_task_require_equal(task, map, image_of_state(task, i), task->field, state->node, "S(S(%s)) - %s", state->name,
+                               state->name);
+    }
 }
 
 static void check_field(ttc_task *task, ttc_valuation *map)
@@ -223,17 +219,13 @@ void ttc_prove_symmetry(ttc_task *task)
 static void require_period(ttc_task *task, const ttc_claim *period, const ttc_claim *integral)
 {
     ttc_valuation *map = image(task, &period->bindings);
-    ttc_ratio after;
     if (map == NULL) {
         ttc_task_unsettle(task, "out of memory");
         return;
     }
     ttc_task_enter_map(task, map);
-    ttc_ratio_init(task->ring, &after);
-    ttc_evaluate(map, &after, integral->expression);
-    ttc_prove_take_off(task, &after, task->field, integral->expression);
-    ttc_task_require_zero(task, &after, "%s a period of %s on - %s", integral->name, period->name, integral->name);
-    ttc_ratio_clear(task->ring, &after);
+    ttc_task_require_equal(task, map, integral->expression, task->field, integral->expression, "%s a period of %s on - %s",
+                           integral->name, period->name, integral->name);
     ttc_task_leave_map(task);
     ttc_valuation_destroy(map);
 }

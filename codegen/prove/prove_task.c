@@ -114,7 +114,7 @@ static bool denominator_is_safe(ttc_task *task, const ttc_ratio *ratio)
     return result == TTC_POINT_IMPOSSIBLE || result == TTC_POINT_EXCLUDED;
 }
 
-void ttc_task_require_zero(ttc_task *task, const ttc_ratio *remainder, const char *format, ...)
+static void require_zero(ttc_task *task, const ttc_ratio *remainder, const char *format, va_list arguments)
 {
     char *point = NULL;
     /* Zero in form is enough; that it is not zero is shown at a point, whatever is known of exponentials and logarithms. */
@@ -122,10 +122,7 @@ void ttc_task_require_zero(ttc_task *task, const ttc_ratio *remainder, const cha
     ttc_search_result result = ttc_task_search(task, remainder, TTC_IS_NONZERO, &point);
     bool excluded = result == TTC_POINT_IMPOSSIBLE || result == TTC_POINT_EXCLUDED;
     if (excluded && denominator_is_safe(task, remainder)) return;
-    va_list arguments;
-    va_start(arguments, format);
     char *what = with_value(task, format_text(format, arguments), remainder);
-    va_end(arguments);
     if (result == TTC_POINT_FOUND) {
         settle(task, TTC_REFUTED, what, point);
         return;
@@ -134,6 +131,37 @@ void ttc_task_require_zero(ttc_task *task, const ttc_ratio *remainder, const cha
                       excluded ? "points at which it has no value were not examined"
                                : "no point of the domain was found at which it is not zero");
     free(what);
+}
+
+void ttc_task_require_zero(ttc_task *task, const ttc_ratio *remainder, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    require_zero(task, remainder, format, arguments);
+    va_end(arguments);
+}
+
+void ttc_task_require_equal(ttc_task *task, ttc_valuation *of_left, ttc_id left, ttc_valuation *of_right, ttc_id right,
+                            const char *format, ...)
+{
+    ttc_ratio difference;
+    va_list arguments;
+    ttc_ratio_init(task->ring, &difference);
+    ttc_evaluate(of_left, &difference, left);
+    ttc_task_take_off(task, &difference, of_right, right);
+    va_start(arguments, format);
+    require_zero(task, &difference, format, arguments);
+    va_end(arguments);
+    ttc_ratio_clear(task->ring, &difference);
+}
+
+void ttc_task_take_off(ttc_task *task, ttc_ratio *out, ttc_valuation *valuation, ttc_id id)
+{
+    ttc_ratio value;
+    ttc_ratio_init(task->ring, &value);
+    ttc_evaluate(valuation, &value, id);
+    ttc_ratio_subtract(task->ring, out, out, &value);
+    ttc_ratio_clear(task->ring, &value);
 }
 
 void ttc_task_require(ttc_task *task, const ttc_ratio *ratio, ttc_relation relation, const char *format, ...)

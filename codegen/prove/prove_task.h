@@ -81,6 +81,11 @@ TTC_PRINTF(4, 5) void ttc_task_refute_at(ttc_task *task, char *point, const ttc_
 /* Require that a ratio is zero, or stands in this relation to zero, at every point of the leaf. */
 TTC_PRINTF(3, 4) void ttc_task_require_zero(ttc_task *task, const ttc_ratio *remainder, const char *format, ...);
 TTC_PRINTF(4, 5) void ttc_task_require(ttc_task *task, const ttc_ratio *ratio, ttc_relation relation, const char *format, ...);
+/* Require left = right at every point of the leaf, each side evaluated in its own valuation. */
+TTC_PRINTF(6, 7) void ttc_task_require_equal(ttc_task *task, ttc_valuation *of_left, ttc_id left, ttc_valuation *of_right,
+                                             ttc_id right, const char *format, ...);
+/* out -= the value of an expression. */
+void ttc_task_take_off(ttc_task *task, ttc_ratio *out, ttc_valuation *valuation, ttc_id id);
 /* Take over the verdict of an inner task, and what it owns. */
 void ttc_task_adopt(ttc_task *task, ttc_task *other);
 /* Between these calls the roots of a map count as positive, also one that is an element of the field by a choice of sign. */

@@ -45,18 +45,6 @@ static void add_where(ttc_task *task, ttc_valuation *valuation, const ttc_way *w
     free(used);
 }
 
-/* Require left = right, each evaluated in its own valuation. */
-static void require_equal(ttc_task *task, ttc_valuation *of_left, ttc_id left, ttc_valuation *of_right, ttc_id right,
-                          const char *what, const char *name)
-{
-    ttc_ratio difference;
-    ttc_ratio_init(task->ring, &difference);
-    ttc_evaluate(of_left, &difference, left);
-    ttc_prove_take_off(task, &difference, of_right, right);
-    if (ttc_task_open(task)) ttc_task_require_zero(task, &difference, "%s%s", what, name);
-    ttc_ratio_clear(task->ring, &difference);
-}
-
 /* ---- in the smaller table ---- */
 
 static const ttc_claim *embedding_of(const ttc_task *task) { return task->model->claims + task->claim->family; }
@@ -200,7 +188,8 @@ static void require_return(ttc_task *task, ttc_valuation *map)
         const ttc_id value = ttc_image_param(model, claim, &way->image, table, i, &is_root);
         const ttc_id own = is_root ? ttc_power(table->graph, entry->node, 2) : entry->node;
         ttc_ratio root;
-        require_equal(task, map, value, task->field, own, "the way back from the embedding leads elsewhere, in ", entry->name);
+        ttc_task_require_equal(task, map, value, task->field, own, "the way back from the embedding leads elsewhere, in %s",
+                               entry->name);
         if (!is_root) continue;
         ttc_ratio_init(task->ring, &root);
         ttc_evaluate(task->field, &root, entry->node);
@@ -280,7 +269,8 @@ static void require_same(ttc_task *task, ttc_valuation *map, const ttc_claim *ba
         const bool counts = entry->kind == TTC_STATE || entry->kind == TTC_ROOT ||
                             (entry->kind == TTC_PARAM && (reduces || is_told(table, given)));
         if (given != TTC_NONE && counts)
-            require_equal(task, map, given, task->field, entry->node, "where the way leads is elsewhere, in ", entry->name);
+            ttc_task_require_equal(task, map, given, task->field, entry->node, "where the way leads is elsewhere, in %s",
+                                   entry->name);
     }
 }
 
@@ -335,13 +325,13 @@ static void require_reduction(ttc_task *task, ttc_valuation *map, const ttc_clai
     const ttc_model *table = ttc_valuation_model(map);
     const ttc_id zero = ttc_integer(table->graph, 0);
     for (size_t i = 0; i < back->when.count && ttc_task_open(task); i++)
-        require_equal(task, map, table->symbols[back->when.items[i].symbol].node, map, back->when.items[i].expression,
-                      "the lift does not meet the condition of its reduction on ",
-                      table->symbols[back->when.items[i].symbol].name);
+        ttc_task_require_equal(task, map, table->symbols[back->when.items[i].symbol].node, map, back->when.items[i].expression,
+                               "the lift does not meet the condition of its reduction on %s",
+                               table->symbols[back->when.items[i].symbol].name);
     for (size_t i = 0; i < back->modulo_count && ttc_task_open(task); i++) {
         ttc_prove_divisors(task, map, table, back->modulo[i], SIZE_MAX, " in a zero level of the reduction of the lift");
-        require_equal(task, map, table->claims[back->modulo[i]].expression, map, zero, "the lift is off the zero level of ",
-                      table->claims[back->modulo[i]].name);
+        ttc_task_require_equal(task, map, table->claims[back->modulo[i]].expression, map, zero,
+                               "the lift is off the zero level of %s", table->claims[back->modulo[i]].name);
     }
 }
 

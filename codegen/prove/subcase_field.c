@@ -55,17 +55,15 @@ void ttc_subcase_add_conditions(ttc_task *task, const ttc_subcase *subcase)
 void ttc_subcase_check_foundations(ttc_task *task)
 {
     const ttc_model *model = task->model;
-    ttc_ratio value, bound;
+    ttc_ratio value;
     ttc_ratio_init(task->ring, &value);
-    ttc_ratio_init(task->ring, &bound);
     for (size_t i = 0; i < task->claim->modulo_count && ttc_task_open(task); i++) {
         const ttc_claim *level = &model->claims[task->claim->modulo[i]];
         if (task->verdict_of == NULL || task->verdict_of(task->verdict_context, task->claim->modulo[i]) != TTC_PROVED)
             ttc_task_unsettle(task, "it rests on %s, which is not proved", level->name);
         for (size_t k = 0; k < level->when.count && ttc_task_open(task); k++) {
             ttc_evaluate(task->field, &value, model->symbols[level->when.items[k].symbol].node);
-            ttc_evaluate(task->field, &bound, level->when.items[k].expression);
-            ttc_ratio_subtract(task->ring, &value, &value, &bound);
+            ttc_task_take_off(task, &value, task->field, level->when.items[k].expression);
             if (ttc_task_open(task) && !ttc_ratio_is_zero(task->ring, &value))
                 ttc_task_unsettle(task, "it rests on %s, which holds under a condition on %s that this claim does not make",
                                   level->name, model->symbols[level->when.items[k].symbol].name);
@@ -77,6 +75,5 @@ void ttc_subcase_check_foundations(ttc_task *task)
                                   level->name, model->claims[level->modulo[k]].name);
         }
     }
-    ttc_ratio_clear(task->ring, &bound);
     ttc_ratio_clear(task->ring, &value);
 }
