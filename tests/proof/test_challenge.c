@@ -64,6 +64,10 @@ static const char *const rarely_false[] = {
     "model anywhere\nstate x\nstate y\nstate z\ndomain other : z^2 > 0\neq x = y\neq y = -x\neq z = 0\n"
     "reduction wrong : by at_height.tt with q = x, p = y, h = z\n",
     "model small\nstate x\neq x = x\nlift wrong : into larger.tt with u = x, v = 0\n",
+    "model moved\nstate x\nstate y\nstate z\nlet none = 1/(3*y - 1)\neq x = y\neq y = 0\neq z = y\nintegral level = y\n"
+    "section wrong : by of_speed.tt at x = 0 with z = z + 0*none, V = level\n",
+    "model third\nstate x\neq x = 0\npositive square : (3*x - 1)^2\n",
+    "model turn\nstate x\nangle c s = cos(x) sin(x)\neq x = 0\npositive square : c^2\n",
     "model origin\nstate x\nstate y\nstate z\neq x = 0\neq y = 0\neq z = 0\npositive square : x^2 + y^2 + z^2\n",
 };
 
