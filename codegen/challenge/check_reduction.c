@@ -85,55 +85,97 @@ static void check_chain_rule(ttc_check *check)
     arb_clear(rate);
 }
 
-/* Whether a binding gives a state of the target, or, for an embedding, a parameter. */
-static bool has_row(const ttc_check *check, size_t binding)
+/* Add the row of the derivatives of an expression by the states. Returns false if it has no value. */
+static bool add_row(ttc_check *check, arb_mat_t rows, long *count, ttc_id id)
 {
+    arb_srcptr jet = ttc_check_at(check, id);
+    for (size_t k = 0; jet != NULL && k < check->model->state_count; k++) arb_set(arb_mat_entry(rows, *count, (long)k), jet + 1 + k);
+    *count += jet != NULL;
+    return jet != NULL;
+}
+
+/* The rows of what is given for the target's symbols of one kind. */
+static bool add_images(ttc_check *check, arb_mat_t rows, long *count, ttc_symbol_kind kind)
+{
+    const ttc_bindings *given = &check->claim->bindings;
     uint32_t symbol;
-    if (!ttc_model_find_symbol(check->target, check->claim->target_names[binding], &symbol)) return false;
-    return check->target->symbols[symbol].kind == TTC_STATE
-           || (check->target->symbols[symbol].kind == TTC_PARAM && check->claim->kind == TTC_CLAIM_EMBEDDING);
+    bool good = true;
+    for (size_t i = 0; good && i < given->count; i++)
+        if (ttc_model_find_symbol(check->target, check->claim->target_names[i], &symbol)
+            && check->target->symbols[symbol].kind == kind)
+            good = add_row(check, rows, count, given->items[i].expression);
+    return good;
 }
 
-/* Derivatives of the images by the states, shape (rows, states); rows that are not used are zero. */
-static bool fill_derivatives(ttc_check *check, arb_mat_t rows)
+/* The rows of zero levels, and of each state less what `when` sets it to. */
+static bool add_conditions(ttc_check *check, arb_mat_t rows, long *count)
 {
-    for (size_t i = 0; i < check->claim->bindings.count; i++) {
-        if (!has_row(check, i)) continue;
-        arb_srcptr jet = ttc_check_at(check, check->claim->bindings.items[i].expression);
-        if (jet == NULL) return false;
-        for (size_t k = 0; k < check->model->state_count; k++) arb_set(arb_mat_entry(rows, (long)i, (long)k), jet + 1 + k);
-    }
-    return true;
+    const ttc_model *model = check->model;
+    const ttc_bindings *when = &check->claim->when;
+    bool good = true;
+    for (size_t i = 0; good && i < check->claim->modulo_count; i++)
+        good = add_row(check, rows, count, model->claims[check->claim->modulo[i]].expression);
+    for (size_t k = 0; k < model->state_count; k++)
+        for (size_t i = 0; good && i < when->count; i++) {
+            if (when->items[i].symbol != model->states[k]) continue;
+            good = add_row(check, rows, count, when->items[i].expression);
+            if (good) arb_sub_si(arb_mat_entry(rows, *count - 1, (long)k), arb_mat_entry(rows, *count - 1, (long)k), 1,
+                                 ttc_probe_precision(check->probe));
+        }
+    return good;
 }
 
-/* J has the derivatives of the images. Onto: the target's states have independent gradients at some point, so that J J^T, without
- * zero rows, is invertible there. Into: J has independent columns, so that J^T J is. Not checked under conditions. */
+/* The rank of the first rows, or less if balls are too wide. */
+static long rank_of(const arb_mat_t rows, long count, long precision)
+{
+    const long n = arb_mat_ncols(rows);
+    long rank = 0;
+    arb_t factor;
+    arb_mat_t rest;
+    arb_init(factor);
+    arb_mat_init(rest, arb_mat_nrows(rows), n);
+    arb_mat_set(rest, rows);
+    for (long j = 0; j < n && rank < count; j++) {
+        const long pivot = arb_mat_find_pivot_partial(rest, rank, count, j);
+        if (pivot < 0) continue;
+        arb_mat_swap_rows(rest, NULL, rank, pivot);
+        for (long i = rank + 1; i < count; i++) {
+            arb_div(factor, arb_mat_entry(rest, i, j), arb_mat_entry(rest, rank, j), precision);
+            for (long k = j; k < n; k++)
+                arb_submul(arb_mat_entry(rest, i, k), factor, arb_mat_entry(rest, rank, k), precision);
+        }
+        rank++;
+    }
+    arb_mat_clear(rest);
+    arb_clear(factor);
+    return rank;
+}
+
+/* Somewhere, images of the states that meet the conditions have the target's dimension, or, of an embedding, that of these states.
+ * What is given for the target's parameters counts with the conditions, or with the images. The dimension of states that meet
+ * conditions is known where these are independent. */
 static void check_dimension(ttc_check *check)
 {
-    const long rows = (long)check->claim->bindings.count, n = (long)check->model->state_count;
-    const long precision = ttc_probe_precision(check->probe);
-    const bool onto = check->claim->kind == TTC_CLAIM_REDUCTION;
-    const long size = onto ? rows : n;
-    arb_t determinant;
-    arb_mat_t derivatives, transposed, gram;
-    if (check->claim->modulo_count > 0 || check->claim->when.count > 0) return;
-    arb_init(determinant);
-    arb_mat_init(derivatives, rows, n);
-    arb_mat_init(transposed, n, rows);
-    arb_mat_init(gram, size, size);
-    if (fill_derivatives(check, derivatives)) {
-        arb_mat_transpose(transposed, derivatives);
-        if (onto) arb_mat_mul(gram, derivatives, transposed, precision);
-        else arb_mat_mul(gram, transposed, derivatives, precision);
-        for (long i = 0; onto && i < rows; i++)
-            if (!has_row(check, (size_t)i)) arb_one(arb_mat_entry(gram, i, i));
-        arb_mat_det(determinant, gram, precision);
-        ttc_check_witness(check, determinant);
+    const ttc_model *model = check->model;
+    const ttc_claim *claim = check->claim;
+    const bool onto = claim->kind == TTC_CLAIM_REDUCTION;
+    const long n = (long)model->state_count, precision = ttc_probe_precision(check->probe);
+    long conditions = 0, count;
+    arb_t found;
+    arb_mat_t rows;
+    arb_init(found);
+    arb_mat_init(rows, (long)(claim->modulo_count + claim->when.count + claim->bindings.count), n);
+    bool good = add_conditions(check, rows, &conditions) && rank_of(rows, conditions, precision) == conditions;
+    count = conditions;
+    good = good && add_images(check, rows, &count, TTC_PARAM);
+    const long fixed = good && onto ? rank_of(rows, count, precision) : conditions;
+    if (good && add_images(check, rows, &count, TTC_STATE)) {
+        const long wanted = onto ? (long)check->target->state_count : n - conditions;
+        arb_set_si(found, rank_of(rows, count, precision) == fixed + wanted);
+        ttc_check_witness(check, found);
     }
-    arb_mat_clear(gram);
-    arb_mat_clear(transposed);
-    arb_mat_clear(derivatives);
-    arb_clear(determinant);
+    arb_mat_clear(rows);
+    arb_clear(found);
 }
 
 void ttc_check_reduction(ttc_check *check)

@@ -90,7 +90,8 @@ static bool newton(solver *s)
     return false;
 }
 
-/* K = x - C F(x) + (E - C F'(X)) (X - x) lies inside X: then X contains one solution, which K encloses. The probe is set to K. */
+/* K = x - C F(x) + (E - C F'(X)) (X - x) lies inside X: then X contains one solution, which K encloses. The probe is set to K,
+ * where the levels are zero. */
 static bool krawczyk(solver *s)
 {
     bool inside = true;
@@ -126,6 +127,7 @@ static bool krawczyk(solver *s)
             inside = inside && arb_contains_interior(arb_mat_entry(box, i, 0), arb_mat_entry(s->x, i, 0));
         inside = inside && evaluate(s);
     }
+    for (long i = 0; inside && i < s->n; i++) ttc_probe_set_zero(s->probe, s->point->levels[i]);
     arb_mat_clear(box);
     arb_mat_clear(image);
     arb_mat_clear(spread);

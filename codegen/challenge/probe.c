@@ -11,6 +11,8 @@ struct ttc_probe {
     long precision;
     arb_ptr leaves;       /* by symbol, shape (symbol_count, width) */
     unsigned char *known; /* by symbol */
+    ttc_id zeros[TTC_PROBE_SPARE]; /* expressions known to be zero */
+    size_t zero_count;
     arb_ptr *jets;        /* by node; allocated when first needed, and kept */
     unsigned char *state; /* knowledge, by node */
     size_t node_count;
@@ -61,11 +63,18 @@ static void forget(ttc_probe *probe)
     if (probe->state != NULL) memset(probe->state, UNKNOWN, probe->node_count);
 }
 
+/* A symbol gets another value, or all do. */
+static void move(ttc_probe *probe)
+{
+    probe->zero_count = 0;
+    forget(probe);
+}
+
 void ttc_probe_begin(ttc_probe *probe, long precision)
 {
     probe->precision = precision;
     memset(probe->known, 0, probe->model->symbol_count);
-    forget(probe);
+    move(probe);
 }
 
 static arb_ptr leaf(const ttc_probe *probe, uint32_t symbol) { return probe->leaves + symbol * probe->width; }
@@ -74,7 +83,7 @@ void ttc_probe_set_jet(ttc_probe *probe, uint32_t symbol, arb_srcptr jet)
 {
     _arb_vec_set(leaf(probe, symbol), jet, (long)probe->width);
     probe->known[symbol] = 1;
-    forget(probe);
+    move(probe);
 }
 
 void ttc_probe_set(ttc_probe *probe, uint32_t symbol, const arb_t value)
@@ -82,7 +91,7 @@ void ttc_probe_set(ttc_probe *probe, uint32_t symbol, const arb_t value)
     arb_set(leaf(probe, symbol), value);
     _arb_vec_zero(leaf(probe, symbol) + 1, (long)probe->width - 1);
     probe->known[symbol] = 1;
-    forget(probe);
+    move(probe);
 }
 
 void ttc_probe_seed(ttc_probe *probe, uint32_t symbol, size_t slot)
@@ -96,6 +105,12 @@ void ttc_probe_seed_states(ttc_probe *probe)
 {
     for (uint32_t i = 0; i < probe->model->symbol_count; i++) _arb_vec_zero(leaf(probe, i) + 1, (long)probe->width - 1);
     for (size_t k = 0; k < probe->model->state_count; k++) arb_one(leaf(probe, probe->model->states[k]) + 1 + k);
+    forget(probe);
+}
+
+void ttc_probe_set_zero(ttc_probe *probe, ttc_id id)
+{
+    probe->zeros[probe->zero_count++] = id;
     forget(probe);
 }
 
@@ -276,6 +291,8 @@ static void evaluate(ttc_probe *probe, ttc_id id)
         case TTC_SUM: evaluate_sum(probe, out, id); break;
         }
     }
+    for (size_t i = 0; i < probe->zero_count; i++)
+        if (probe->zeros[i] == id) arb_zero(out);
     probe->state[id] = good && arb_is_finite(out) ? GOOD : BAD;
 }
 

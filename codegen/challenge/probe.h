@@ -42,6 +42,10 @@ void ttc_probe_seed(ttc_probe *probe, uint32_t symbol, size_t slot);
 /* Give each state the derivative 1 along its own tangent, and 0 to all else. */
 void ttc_probe_seed_states(ttc_probe *probe);
 
+/* From now on, until a symbol is set, the expression is zero: at the point meant, which the symbols' balls only enclose, it is. At
+ * most TTC_PROBE_SPARE at a time. */
+void ttc_probe_set_zero(ttc_probe *probe, ttc_id id);
+
 bool ttc_probe_is_set(const ttc_probe *probe, uint32_t symbol);
 arb_srcptr ttc_probe_value(const ttc_probe *probe, uint32_t symbol); /* of a symbol that is set */
 

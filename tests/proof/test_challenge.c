@@ -64,6 +64,17 @@ static const char *const rarely_false[] = {
     "model anywhere\nstate x\nstate y\nstate z\ndomain other : z^2 > 0\neq x = y\neq y = -x\neq z = 0\n"
     "reduction wrong : by at_height.tt with q = x, p = y, h = z\n",
     "model small\nstate x\neq x = x\nlift wrong : into larger.tt with u = x, v = 0\n",
+    "model moved\nstate x\nstate y\nstate z\nlet none = 1/(3*y - 1)\neq x = y\neq y = 0\neq z = y\nintegral level = y\n"
+    "section wrong : by of_speed.tt at x = 0 with z = z + 0*none, V = level\n",
+    "model third\nstate x\neq x = 0\npositive square : (3*x - 1)^2\n",
+    "model turn\nstate x\nangle c s = cos(x) sin(x)\neq x = 0\npositive square : c^2\n",
+    "model plane\nstate x\nstate y\nstate z\neq x = x\neq y = y\neq z = z\ninvariant sheet = x - y\n"
+    "reduction wrong : onto growing.tt with u = x, v = y modulo sheet\n",
+    "model plane\nstate x\nstate y\nstate z\neq x = x\neq y = y\neq z = z\n"
+    "reduction wrong : onto growing.tt with u = x, v = x + y when y = x, z = x\n",
+    "model plane\nstate x\nstate y\nstate z\neq x = x\neq y = y\neq z = z\ninvariant sheet = x - y\n"
+    "embedding wrong : into growing.tt with u = x, v = y modulo sheet\n",
+    "model kept\nstate x\neq x = 0\nreduction wrong : onto resting.tt with u = x, k = 2*x\n",
     "model origin\nstate x\nstate y\nstate z\neq x = 0\neq y = 0\neq z = 0\npositive square : x^2 + y^2 + z^2\n",
 };
 
@@ -85,6 +96,8 @@ static const struct {
     { "watched.tt", "model watched\nstate y\neq y = y\nobserve seen = y^2\nvalid kept : y > 0\n" },
     { "at_height.tt", "model at_height\nparam h\nstate q\nstate p\neq q = p\neq p = -q\n"
                       "embedding up : into anywhere.tt with x = q, y = p, z = h\n" },
+    { "growing.tt", "model growing\nstate u\nstate v\neq u = u\neq v = v\n" },
+    { "resting.tt", "model resting\nparam k\nstate u\neq u = 0*k\n" },
     { "larger.tt", "model larger\nstate u\nstate v\neq u = u\neq v = 0\ninvariant level = v^2/v - v\n"
                    "reduction back : onto small.tt with x = u modulo level\n" },
 };
