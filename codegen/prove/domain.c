@@ -291,9 +291,10 @@ bool ttc_domain_divides_by_tested(const ttc_task *task)
     return divides;
 }
 
-void ttc_domain_require_divisors(ttc_task *task, ttc_valuation *map, const ttc_model *model, ttc_divisor_role role, uint32_t owner,
+void ttc_domain_require_divisors(ttc_task *task, ttc_valuation *map, ttc_divisor_role role, uint32_t owner,
                                  const unsigned char *used, const char *where)
 {
+    const ttc_model *model = ttc_valuation_model(map);
     for (size_t i = 0; i < model->divisor_count && ttc_task_open(task); i++) {
         uint32_t root;
         const ttc_divisor *d = &model->divisors[i];

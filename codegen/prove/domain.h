@@ -18,14 +18,16 @@ ttc_relation ttc_domain_relation(ttc_sign sign);
 /* Require that the value of a symbol meets the conditions of its record. map: the valuation of `model`; NULL: the task's field. */
 void ttc_domain_require_symbol(ttc_task *task, ttc_valuation *map, const ttc_model *model, uint32_t symbol, const char *where);
 
-/* Require that the image under `map` lies in the domain of `model`. where: added to messages. */
-void ttc_domain_require_image(ttc_task *task, ttc_valuation *map, const ttc_model *model, const char *where);
+/* Require that the image under `map` lies in the domain of the map's model. where: added to messages. */
+void ttc_domain_require_image(ttc_task *task, ttc_valuation *map, const char *where);
 
-/* Require of the expression to which `map` binds a root that it is positive and its square is the radicand. */
+/* Require of the expression to which `map` binds a root that it is positive and its square is the radicand; and of all roots that
+ * it binds. */
 void ttc_domain_require_root(ttc_task *task, ttc_valuation *map, const ttc_symbol_entry *entry);
+void ttc_domain_require_roots(ttc_task *task, ttc_valuation *map);
 
 /* Require that, in `map`, no divisor of this role and owner is zero, nor any of the definitions whose symbols `used` flags. */
-void ttc_domain_require_divisors(ttc_task *task, ttc_valuation *map, const ttc_model *model, ttc_divisor_role role, uint32_t owner,
+void ttc_domain_require_divisors(ttc_task *task, ttc_valuation *map, ttc_divisor_role role, uint32_t owner,
                                  const unsigned char *used, const char *where);
 
 /* Return true if a divisor of the table depends on symbols under test; if a domain record does. */

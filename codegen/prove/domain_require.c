@@ -39,8 +39,9 @@ void ttc_domain_require_symbol(ttc_task *task, ttc_valuation *map, const ttc_mod
     }
 }
 
-void ttc_domain_require_image(ttc_task *task, ttc_valuation *map, const ttc_model *model, const char *where)
+void ttc_domain_require_image(ttc_task *task, ttc_valuation *map, const char *where)
 {
+    const ttc_model *model = ttc_valuation_model(map);
     for (uint32_t i = 0; i < model->symbol_count && ttc_task_open(task); i++) ttc_domain_require_symbol(task, map, model, i, where);
     for (size_t i = 0; i < model->region_count && ttc_task_open(task); i++) {
         ttc_signs_require(task, map, model->regions[i].expression, TTC_IS_POSITIVE, "the domain record %s is broken%s",
@@ -48,7 +49,7 @@ void ttc_domain_require_image(ttc_task *task, ttc_valuation *map, const ttc_mode
     }
     unsigned char *used = ttc_model_uses_of_domain(model);
     if (used == NULL) ttc_ring_fail(task->ring, TTC_RING_NO_MEMORY);
-    else ttc_domain_require_divisors(task, map, model, TTC_DIVIDES_FIELD, 0, used, where);
+    else ttc_domain_require_divisors(task, map, TTC_DIVIDES_FIELD, 0, used, where);
     free(used);
 }
 
@@ -65,6 +66,14 @@ void ttc_domain_require_root(ttc_task *task, ttc_valuation *map, const ttc_symbo
     ttc_task_require_zero(task, &root, "%s^2 - its radicand", entry->name);
     ttc_ratio_clear(task->ring, &radicand);
     ttc_ratio_clear(task->ring, &root);
+}
+
+void ttc_domain_require_roots(ttc_task *task, ttc_valuation *map)
+{
+    const ttc_model *model = ttc_valuation_model(map);
+    for (uint32_t i = 0; i < model->symbol_count && ttc_task_open(task); i++)
+        if (model->symbols[i].kind == TTC_ROOT && ttc_valuation_is_bound(map, i))
+            ttc_domain_require_root(task, map, model->symbols + i);
 }
 
 /* Require the domain records on symbols under test whose last root in question is symbol `last`, taking it and those before it as

@@ -144,11 +144,10 @@ void ttc_prove_return(ttc_task *task, ttc_valuation *map, const ttc_claim *claim
     ttc_task_free(task, r, 2);
 }
 
-void ttc_prove_divisors(ttc_task *task, ttc_valuation *valuation, const ttc_model *model, uint32_t claim, size_t use_count,
-                        const char *where)
+void ttc_prove_divisors(ttc_task *task, ttc_valuation *valuation, uint32_t claim, size_t use_count, const char *where)
 {
-    unsigned char *used = ttc_model_uses_between(model, TTC_DIVIDES_CLAIM, claim, 0, use_count);
+    unsigned char *used = ttc_model_uses_between(ttc_valuation_model(valuation), TTC_DIVIDES_CLAIM, claim, 0, use_count);
     if (used == NULL) ttc_task_unsettle(task, "out of memory");
-    else ttc_domain_require_divisors(task, valuation, model, TTC_DIVIDES_CLAIM, claim, used, where);
+    else ttc_domain_require_divisors(task, valuation, TTC_DIVIDES_CLAIM, claim, used, where);
     free(used);
 }

@@ -20,7 +20,6 @@ void ttc_prove_return(ttc_task *task, ttc_valuation *map, const ttc_claim *claim
 
 /* Require that no divisor of a claim is zero, nor one of definitions that it names, whether or not they cancel from it; of its
  * names, the first `use_count` count. where: added to messages. */
-void ttc_prove_divisors(ttc_task *task, ttc_valuation *valuation, const ttc_model *model, uint32_t claim, size_t use_count,
-                        const char *where);
+void ttc_prove_divisors(ttc_task *task, ttc_valuation *valuation, uint32_t claim, size_t use_count, const char *where);
 
 #endif

@@ -14,8 +14,9 @@ void ttc_prove_constant(ttc_task *task, const char *name, ttc_id expression)
     ttc_ratio_clear(task->ring, &rate);
 }
 
-static void bind_target(ttc_task *task, const ttc_model *target, ttc_valuation *map)
+static void bind_target(ttc_task *task, ttc_valuation *map)
 {
+    const ttc_model *target = ttc_valuation_model(map);
     for (uint32_t i = 0; i < target->symbol_count && ttc_task_open(task); i++) {
         const ttc_symbol_entry *entry = &target->symbols[i];
         uint32_t own;
@@ -39,8 +40,9 @@ static void bind_target(ttc_task *task, const ttc_model *target, ttc_valuation *
     }
 }
 
-void ttc_prove_chain_rule(ttc_task *task, const ttc_claim *claim, const ttc_model *target, ttc_valuation *map)
+void ttc_prove_chain_rule(ttc_task *task, const ttc_claim *claim, ttc_valuation *map)
 {
+    const ttc_model *target = ttc_valuation_model(map);
     for (size_t i = 0; i < target->state_count && ttc_task_open(task); i++) {
         const ttc_symbol_entry *state = &target->symbols[target->states[i]];
         const ttc_id image = ttc_given_for(claim, state->name);
@@ -56,9 +58,9 @@ static bool is_plain_integral(const ttc_claim *claim)
     return claim->kind == TTC_CLAIM_INTEGRAL && claim->when.count == 0 && claim->modulo_count == 0;
 }
 
-void ttc_prove_same_observations(ttc_task *task, const ttc_model *target, ttc_valuation *map)
+void ttc_prove_same_observations(ttc_task *task, ttc_valuation *map)
 {
-    const ttc_model *model = task->model;
+    const ttc_model *model = task->model, *target = ttc_valuation_model(map);
     for (size_t i = 0; i < model->observed_count; i++)
         for (size_t k = 0; k < target->observed_count && ttc_task_open(task); k++) {
             const ttc_symbol_entry *own = model->symbols + model->observed[i], *theirs = target->symbols + target->observed[k];
@@ -83,15 +85,11 @@ void ttc_prove_same_observations(ttc_task *task, const ttc_model *target, ttc_va
 
 static void prove_onto(ttc_task *task, const ttc_model *target)
 {
-    ttc_valuation *map = ttc_valuation_map(target, task->field);
-    if (map == NULL) {
-        ttc_task_unsettle(task, "out of memory");
-        return;
-    }
-    ttc_task_enter_map(task, map);
-    bind_target(task, target, map);
+    ttc_valuation *map = ttc_task_enter_map(task, target, task->field);
+    if (map == NULL) return;
+    bind_target(task, map);
     /* First, before the image's roots are in the ring, where they count as positive. */
-    ttc_domain_require_image(task, map, target, " of the image");
+    ttc_domain_require_image(task, map, " of the image");
     for (size_t i = 0; i < target->symbol_count && ttc_task_open(task); i++) {
         const ttc_symbol_entry *entry = &target->symbols[i];
         const ttc_id expression = ttc_given_for(task->claim, entry->name);
@@ -99,13 +97,12 @@ static void prove_onto(ttc_task *task, const ttc_model *target)
         if (entry->kind == TTC_ROOT) ttc_domain_require_root(task, map, entry);
         if (entry->kind == TTC_PARAM) ttc_prove_constant(task, entry->name, expression);
     }
-    ttc_prove_chain_rule(task, task->claim, target, map);
-    ttc_prove_same_observations(task, target, map);
+    ttc_prove_chain_rule(task, task->claim, map);
+    ttc_prove_same_observations(task, map);
     /* For all parameters, special ones included, a reduction claims a dimension. */
     const bool claims = !task->is_at_zeros || (!task->is_lower && task->claim->kind == TTC_CLAIM_REDUCTION);
     if (ttc_task_open(task) && claims && ttc_task_may_have_point(task)) ttc_prove_dimension(task, target);
     ttc_task_leave_map(task);
-    ttc_valuation_destroy(map);
 }
 
 void ttc_prove_reduction(ttc_task *task)

@@ -46,25 +46,21 @@ static void prove_lift(ttc_task *task)
     const ttc_claim *claim = task->outer->claim;
     const ttc_section *section = section_of(task->outer);
     const ttc_symbol_entry *crossed = &model->symbols[claim->when.items->symbol];
-    ttc_valuation *map = ttc_valuation_map(model, task->field);
     unsigned char *used = ttc_domain_support(task, TTC_DOMAIN_WHOLE);
-    if (map == NULL || used == NULL) {
-        ttc_task_unsettle(task, "out of memory");
-        goto done;
-    }
-    ttc_domain_require_divisors(task, task->field, chart, TTC_DIVIDES_LIFT, 0, used, " in the table of coordinates");
-    ttc_task_enter_map(task, map);
+    if (used == NULL) ttc_task_unsettle(task, "out of memory");
+    else ttc_domain_require_divisors(task, task->field, TTC_DIVIDES_LIFT, 0, used, " in the table of coordinates");
+    free(used);
+    ttc_valuation *map = ttc_task_open(task) ? ttc_task_enter_map(task, model, task->field) : NULL;
+    if (map == NULL) return;
     bind_lift(task, map, model);
-    if (ttc_task_open(task)) ttc_domain_require_image(task, map, model, " of the lift");
-    for (size_t i = 0; i < model->symbol_count && ttc_task_open(task); i++)
-        if (model->symbols[i].kind == TTC_ROOT && ttc_valuation_is_bound(map, (uint32_t)i))
-            ttc_domain_require_root(task, map, model->symbols + i);
-    ttc_prove_divisors(task, map, model, section->claim, section->shown_uses, " in the way back from the lift");
+    if (ttc_task_open(task)) ttc_domain_require_image(task, map, " of the lift");
+    ttc_domain_require_roots(task, map);
+    ttc_prove_divisors(task, map, section->claim, section->shown_uses, " in the way back from the lift");
     if (ttc_task_open(task))
         ttc_task_require_equal(task, map, crossed->node, map, claim->when.items->expression,
                                "%s of the lift - its value on the section", crossed->name);
     for (size_t i = 0; i < section->image.level_count && ttc_task_open(task); i++) {
-        ttc_prove_divisors(task, map, model, claim->members[i], SIZE_MAX, " in a level of the lift");
+        ttc_prove_divisors(task, map, claim->members[i], SIZE_MAX, " in a level of the lift");
         ttc_task_require_equal(task, map, model->claims[claim->members[i]].expression, task->field,
                                chart->symbols[symbol_of(chart, section->image.levels[i])].node, "%s of the lift - its level %s",
                                model->claims[claim->members[i]].name, section->image.levels[i]);
@@ -72,9 +68,6 @@ static void prove_lift(ttc_task *task)
     for (size_t i = 0; i < chart->state_count && ttc_task_open(task); i++)
         ttc_prove_return(task, map, claim, &section->image, i, false);
     ttc_task_leave_map(task);
-done:
-    free(used);
-    ttc_valuation_destroy(map);
 }
 
 /* Prove the claims of the chart, and prove_lift in it, once for all leaves. */
@@ -128,14 +121,10 @@ static void add_direction(ttc_task *task, ttc_valuation *lifted)
 static void require_same(ttc_task *task, ttc_valuation *map)
 {
     const ttc_model *model = task->model, *chart = ttc_valuation_model(map);
-    ttc_valuation *lifted = ttc_valuation_map(model, map);
+    ttc_valuation *lifted = ttc_task_enter_map(task, model, map);
     ttc_ratio difference;
     bool knows_direction = false;
-    if (lifted == NULL) {
-        ttc_task_unsettle(task, "out of memory");
-        return;
-    }
-    ttc_task_enter_map(task, lifted);
+    if (lifted == NULL) return;
     ttc_ratio_init(task->ring, &difference);
     for (uint32_t i = 0; i < model->symbol_count; i++) {
         const ttc_id lift = ttc_chart_lift(chart, model->symbols[i].name);
@@ -156,7 +145,6 @@ static void require_same(ttc_task *task, ttc_valuation *map)
     }
     ttc_ratio_clear(task->ring, &difference);
     ttc_task_leave_map(task);
-    ttc_valuation_destroy(lifted);
 }
 
 /* Require that no divisor of the way back and the levels is zero where the section is crossed: the chart would miss that point. */
@@ -190,24 +178,20 @@ static void require_way_back(ttc_task *task, const ttc_ratio *rate)
 /* In the model: every point that crosses the section is the lift of a point of the chart. */
 static void prove_back(ttc_task *task, const ttc_model *chart, const ttc_section *section)
 {
-    ttc_valuation *map = ttc_valuation_map(chart, task->field);
     ttc_ratio rate;
-    if (map == NULL) {
-        ttc_task_unsettle(task, "out of memory");
-        return;
-    }
     ttc_ratio_init(task->ring, &rate);
     ttc_ratio_set_integer(task->ring, &rate, 1);
     times_rate(task, &rate, task->field);
     ttc_conditions_add(&task->domain, &rate, TTC_IS_NONZERO);
-    ttc_task_enter_map(task, map);
-    ttc_prove_bind_image(task, map, task->claim, &section->image);
-    if (ttc_task_open(task)) ttc_domain_require_image(task, map, chart, " of the coordinates, where the section is crossed");
-    if (ttc_task_open(task)) require_same(task, map);
-    ttc_task_leave_map(task);
+    ttc_valuation *map = ttc_task_enter_map(task, chart, task->field);
+    if (map != NULL) {
+        ttc_prove_bind_image(task, map, task->claim, &section->image);
+        if (ttc_task_open(task)) ttc_domain_require_image(task, map, " of the coordinates, where the section is crossed");
+        if (ttc_task_open(task)) require_same(task, map);
+        ttc_task_leave_map(task);
+    }
     if (ttc_task_open(task)) require_way_back(task, &rate);
     ttc_ratio_clear(task->ring, &rate);
-    ttc_valuation_destroy(map);
 }
 
 static bool is_proved(const ttc_task *task, uint32_t claim)

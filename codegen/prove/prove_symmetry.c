@@ -5,9 +5,9 @@
 
 #include <stdlib.h>
 
-/* The model at the image of a point: states bound to their images, other symbols to themselves. Roots are evaluated in the field
- * first, so that those at the image are expressed through them. NULL when memory is out. */
-static ttc_valuation *image(ttc_task *task, const ttc_bindings *bindings)
+/* Enter the model at the image of a point: states bound to their images, other symbols to themselves. Roots are evaluated in the
+ * field first, so that those at the image are expressed through them. NULL, and the claim not settled, when memory is out. */
+static ttc_valuation *enter_image(ttc_task *task, const ttc_bindings *bindings)
 {
     const ttc_model *model = task->model;
     ttc_ratio root;
@@ -15,7 +15,7 @@ static ttc_valuation *image(ttc_task *task, const ttc_bindings *bindings)
     for (size_t i = 0; i < model->symbol_count; i++)
         if (model->symbols[i].kind == TTC_ROOT) ttc_evaluate(task->field, &root, model->symbols[i].node);
     ttc_ratio_clear(task->ring, &root);
-    ttc_valuation *map = ttc_valuation_map(model, task->field);
+    ttc_valuation *map = ttc_task_enter_map(task, model, task->field);
     if (map == NULL) return NULL;
     for (uint32_t i = 0; i < model->symbol_count; i++) {
         ttc_symbol_kind kind = model->symbols[i].kind;
@@ -166,15 +166,11 @@ static void check_back(ttc_task *task)
     ttc_binding back = task->claim->bindings.items[0];
     const ttc_id state = model->symbols[back.symbol].node;
     back.expression = ttc_subtract(model->graph, state, ttc_subtract(model->graph, back.expression, state));
-    ttc_valuation *map = back.expression != TTC_NONE ? image(task, &(ttc_bindings){ .items = &back, .count = 1 }) : NULL;
-    if (map == NULL) {
-        ttc_task_unsettle(task, "out of memory");
-        return;
-    }
-    ttc_task_enter_map(task, map);
-    ttc_domain_require_image(task, map, model, " a period before");
+    if (back.expression == TTC_NONE) ttc_task_unsettle(task, "out of memory");
+    ttc_valuation *map = ttc_task_open(task) ? enter_image(task, &(ttc_bindings){ .items = &back, .count = 1 }) : NULL;
+    if (map == NULL) return;
+    ttc_domain_require_image(task, map, " a period before");
     ttc_task_leave_map(task);
-    ttc_valuation_destroy(map);
 }
 
 static void prove_map(ttc_task *task)
@@ -186,20 +182,18 @@ static void prove_map(ttc_task *task)
     if (!ttc_task_open(task)) return;
     const size_t entries = task->model->state_count * task->model->state_count;
     if (task->claim->kind == TTC_CLAIM_PERIODIC) check_back(task);
-    ttc_valuation *map = image(task, &task->claim->bindings);
-    if (map != NULL) ttc_task_enter_map(task, map);
+    ttc_valuation *map = enter_image(task, &task->claim->bindings);
+    if (map == NULL) return;
     /* First, before the image's roots are in the ring, where they count as positive. */
-    if (map != NULL) ttc_domain_require_image(task, map, task->model, " at the image");
-    ttc_ratio *matrix = map == NULL ? NULL : ttc_task_ratios(task, entries);
-    if (map == NULL) ttc_task_unsettle(task, "out of memory");
+    ttc_domain_require_image(task, map, " at the image");
+    ttc_ratio *matrix = ttc_task_ratios(task, entries);
     if (matrix != NULL) {
         set_matrix(task, matrix);
         check_inverse(task, map, matrix);
         check_field(task, map);
     }
     ttc_task_free(task, matrix, entries);
-    if (map != NULL) ttc_task_leave_map(task);
-    ttc_valuation_destroy(map);
+    ttc_task_leave_map(task);
 }
 
 void ttc_prove_reversor(ttc_task *task)
@@ -218,16 +212,11 @@ void ttc_prove_symmetry(ttc_task *task)
 /* Require that an integral has the same value after the state has grown by its period. */
 static void require_period(ttc_task *task, const ttc_claim *period, const ttc_claim *integral)
 {
-    ttc_valuation *map = image(task, &period->bindings);
-    if (map == NULL) {
-        ttc_task_unsettle(task, "out of memory");
-        return;
-    }
-    ttc_task_enter_map(task, map);
+    ttc_valuation *map = enter_image(task, &period->bindings);
+    if (map == NULL) return;
     ttc_task_require_equal(task, map, integral->expression, task->field, integral->expression, "%s a period of %s on - %s",
                            integral->name, period->name, integral->name);
     ttc_task_leave_map(task);
-    ttc_valuation_destroy(map);
 }
 
 void ttc_prove_level_is_periodic(ttc_task *task, const ttc_claim *integral, uint32_t but)

@@ -77,9 +77,15 @@ bool ttc_task_open(const ttc_task *task)
     return task->status == TTC_PROVED && task->ring->status == TTC_RING_OK;
 }
 
-void ttc_task_enter_map(ttc_task *task, ttc_valuation *map) { task->maps[task->map_count++] = map; }
+ttc_valuation *ttc_task_enter_map(ttc_task *task, const ttc_model *model, ttc_valuation *base)
+{
+    ttc_valuation *map = ttc_valuation_map(model, base);
+    if (map == NULL) ttc_task_unsettle(task, "out of memory");
+    else task->maps[task->map_count++] = map;
+    return map;
+}
 
-void ttc_task_leave_map(ttc_task *task) { task->map_count--; }
+void ttc_task_leave_map(ttc_task *task) { ttc_valuation_destroy(task->maps[--task->map_count]); }
 
 void ttc_task_refute(ttc_task *task, const ttc_ratio *remainder, const char *format, ...)
 {

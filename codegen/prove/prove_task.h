@@ -88,8 +88,10 @@ TTC_PRINTF(6, 7) void ttc_task_require_equal(ttc_task *task, ttc_valuation *of_l
 void ttc_task_take_off(ttc_task *task, ttc_ratio *out, ttc_valuation *valuation, ttc_id id);
 /* Take over the verdict of an inner task, and what it owns. */
 void ttc_task_adopt(ttc_task *task, ttc_task *other);
-/* Between these calls the roots of a map count as positive, also one that is an element of the field by a choice of sign. */
-void ttc_task_enter_map(ttc_task *task, ttc_valuation *map);
+/* Create a map into the ring of `base`, in which `model` is evaluated, and destroy the last one. Between these calls its roots
+ * count as positive, also one that is an element of the field by a choice of sign. NULL, and the claim not settled, when memory is
+ * out. */
+ttc_valuation *ttc_task_enter_map(ttc_task *task, const ttc_model *model, ttc_valuation *base);
 void ttc_task_leave_map(ttc_task *task);
 bool ttc_task_open(const ttc_task *task); /* true while nothing is against the claim, and the ring has not failed */
 
@@ -141,10 +143,10 @@ void ttc_prove_dimension(ttc_task *task, const ttc_model *target);
 
 /* Require that the flow keeps the expression which is given for a parameter of another table, of this name. */
 void ttc_prove_constant(ttc_task *task, const char *name, ttc_id expression);
-/* Require that what `claim` gives for states of `target`, bound in `map`, has the target's rates; and that what both models
+/* Require that what `claim` gives for states of the target, the model of `map`, has the target's rates; and that what both models
  * observe, hold valid, or claim as an integral under one name is one quantity. */
-void ttc_prove_chain_rule(ttc_task *task, const ttc_claim *claim, const ttc_model *target, ttc_valuation *map);
-void ttc_prove_same_observations(ttc_task *task, const ttc_model *target, ttc_valuation *map);
+void ttc_prove_chain_rule(ttc_task *task, const ttc_claim *claim, ttc_valuation *map);
+void ttc_prove_same_observations(ttc_task *task, ttc_valuation *map);
 
 /* Require that an integral has the same value at points that differ by the periods which the table claims, except that of state
  * `but`, which was eliminated; UINT32_MAX: of none. */

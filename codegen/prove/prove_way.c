@@ -177,9 +177,9 @@ static void require_return(ttc_task *task, ttc_valuation *map)
     const ttc_claim *claim = task->outer->claim;
     const ttc_way *way = way_of(task->outer);
     add_where(task, map, way);
-    ttc_prove_divisors(task, map, model, way->claim, way->where_uses, " in the way back from the embedding");
+    ttc_prove_divisors(task, map, way->claim, way->where_uses, " in the way back from the embedding");
     for (size_t i = 0; i < way->image.level_count && ttc_task_open(task); i++)
-        ttc_prove_divisors(task, map, model, claim->members[i], SIZE_MAX, " in a level on the way back from the embedding");
+        ttc_prove_divisors(task, map, claim->members[i], SIZE_MAX, " in a level on the way back from the embedding");
     for (size_t i = 0; i < table->state_count && ttc_task_open(task); i++)
         ttc_prove_return(task, map, claim, &way->image, i, true);
     for (size_t i = 0; i < table->param_count && ttc_task_open(task); i++) {
@@ -200,24 +200,16 @@ static void require_return(ttc_task *task, ttc_valuation *map)
 
 static void prove_embedded(ttc_task *task)
 {
-    const ttc_model *model = task->outer->model;
-    ttc_valuation *map = ttc_valuation_map(model, task->field);
-    if (map == NULL) {
-        ttc_task_unsettle(task, "out of memory");
-        return;
-    }
-    ttc_prove_divisors(task, task->field, task->model, task->claim->family, SIZE_MAX, " in the embedding");
-    ttc_task_enter_map(task, map);
+    ttc_prove_divisors(task, task->field, task->claim->family, SIZE_MAX, " in the embedding");
+    ttc_valuation *map = ttc_task_enter_map(task, task->outer->model, task->field);
+    if (map == NULL) return;
     bind_embedded(task, map);
-    if (ttc_task_open(task)) ttc_domain_require_image(task, map, model, " of the embedding");
-    for (uint32_t i = 0; i < model->symbol_count && ttc_task_open(task); i++)
-        if (model->symbols[i].kind == TTC_ROOT && ttc_valuation_is_bound(map, i))
-            ttc_domain_require_root(task, map, model->symbols + i);
-    ttc_prove_chain_rule(task, embedding_of(task), model, map);
-    ttc_prove_same_observations(task, model, map);
+    if (ttc_task_open(task)) ttc_domain_require_image(task, map, " of the embedding");
+    ttc_domain_require_roots(task, map);
+    ttc_prove_chain_rule(task, embedding_of(task), map);
+    ttc_prove_same_observations(task, map);
     if (ttc_task_open(task)) require_return(task, map);
     ttc_task_leave_map(task);
-    ttc_valuation_destroy(map);
 }
 
 /* Expressions that are zero at the points of S in question: those that meet `when` of the way, as far as it is on parameters that
@@ -288,17 +280,12 @@ static void require_constants(ttc_task *task, const ttc_model *table, const ttc_
 
 static void prove_descended(ttc_task *task, const ttc_model *table, const ttc_claim *back)
 {
-    ttc_valuation *map = ttc_valuation_map(table, task->field);
-    if (map == NULL) {
-        ttc_task_unsettle(task, "out of memory");
-        return;
-    }
-    ttc_task_enter_map(task, map);
+    ttc_valuation *map = ttc_task_enter_map(task, table, task->field);
+    if (map == NULL) return;
     ttc_prove_bind_image(task, map, task->claim, &way_of(task)->image);
-    if (ttc_task_open(task)) ttc_domain_require_image(task, map, table, " where the way leads");
+    if (ttc_task_open(task)) ttc_domain_require_image(task, map, " where the way leads");
     require_same(task, map, back);
     ttc_task_leave_map(task);
-    ttc_valuation_destroy(map);
 }
 
 void ttc_prove_descent(ttc_task *task)
@@ -329,7 +316,7 @@ static void require_reduction(ttc_task *task, ttc_valuation *map, const ttc_clai
                                "the lift does not meet the condition of its reduction on %s",
                                table->symbols[back->when.items[i].symbol].name);
     for (size_t i = 0; i < back->modulo_count && ttc_task_open(task); i++) {
-        ttc_prove_divisors(task, map, table, back->modulo[i], SIZE_MAX, " in a zero level of the reduction of the lift");
+        ttc_prove_divisors(task, map, back->modulo[i], SIZE_MAX, " in a zero level of the reduction of the lift");
         ttc_task_require_equal(task, map, table->claims[back->modulo[i]].expression, map, zero,
                                "the lift is off the zero level of %s", table->claims[back->modulo[i]].name);
     }
@@ -338,28 +325,21 @@ static void require_reduction(ttc_task *task, ttc_valuation *map, const ttc_clai
 static void prove_lifted(ttc_task *task, const ttc_model *table, uint32_t back)
 {
     const ttc_way *way = way_of(task);
-    ttc_valuation *map = ttc_valuation_map(table, task->field);
-    if (map == NULL) {
-        ttc_task_unsettle(task, "out of memory");
-        return;
-    }
     add_where(task, task->field, way);
-    ttc_task_enter_map(task, map);
+    ttc_valuation *map = ttc_task_enter_map(task, table, task->field);
+    if (map == NULL) return;
     ttc_prove_bind_image(task, map, task->claim, &way->image);
     for (size_t k = 0; k < way->image.count; k++) {
         uint32_t root;
         if (ttc_model_find_symbol(table, way->image.names[k], &root) && table->symbols[root].kind == TTC_ROOT)
             ttc_valuation_bind(map, root, task->claim->entries[2 * k]);
     }
-    if (ttc_task_open(task)) ttc_domain_require_image(task, map, table, " of the lift");
-    for (uint32_t i = 0; i < table->symbol_count && ttc_task_open(task); i++)
-        if (table->symbols[i].kind == TTC_ROOT && ttc_valuation_is_bound(map, i))
-            ttc_domain_require_root(task, map, table->symbols + i);
-    ttc_prove_divisors(task, map, table, back, SIZE_MAX, " in the reduction of the lift");
+    if (ttc_task_open(task)) ttc_domain_require_image(task, map, " of the lift");
+    ttc_domain_require_roots(task, map);
+    ttc_prove_divisors(task, map, back, SIZE_MAX, " in the reduction of the lift");
     if (ttc_task_open(task)) require_reduction(task, map, table->claims + back);
     require_same(task, map, table->claims + back);
     ttc_task_leave_map(task);
-    ttc_valuation_destroy(map);
 }
 
 void ttc_prove_lift(ttc_task *task)
