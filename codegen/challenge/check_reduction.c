@@ -89,7 +89,8 @@ static void check_chain_rule(ttc_check *check)
 static bool add_row(ttc_check *check, arb_mat_t rows, long *count, ttc_id id)
 {
     arb_srcptr jet = ttc_check_at(check, id);
-    for (size_t k = 0; jet != NULL && k < check->model->state_count; k++) arb_set(arb_mat_entry(rows, *count, (long)k), jet + 1 + k);
+    for (size_t k = 0; jet != NULL && k < check->model->state_count; k++)
+        arb_set(arb_mat_entry(rows, *count, (long)k), jet + 1 + k);
     *count += jet != NULL;
     return jet != NULL;
 }
