@@ -90,13 +90,22 @@ static jlt_status turn_rate(void *context, double *value, double u)
     return isfinite(*value) ? JLT_OK : JLT_ERR_NONFINITE;
 }
 
+/* The integral of an even rate from u = 0, in two parts: near a pole a rate may vary over angles that doubles near pi do not tell
+ * apart, so that u is counted from the nearer turning point, by which the rod is mirrored. */
 static jlt_status over(jlt_rod *rod, double *integral, jlt_quadrature_integrand rate, double to)
 {
-    double error;
+    const double pi = acos(-1), far = fabs(to);
+    jlt_rod mirrored = *rod;
+    double error, sum = 0, rest = 0;
 
-    *integral = 0;
-    if (to == 0) return JLT_OK;
-    return jlt_quadrature_integrate(integral, &error, rate, rod, 0, to, 1e-300, quadrature_accuracy);
+    mirrored.weight = -rod->weight;
+    mirrored.below = rod->above;
+    mirrored.above = rod->below;
+    if (far > 0) JLT_PASS(jlt_quadrature_integrate(&sum, &error, rate, rod, 0, fmin(far, pi / 2), 1e-300, quadrature_accuracy));
+    if (far > pi / 2)
+        JLT_PASS(jlt_quadrature_integrate(&rest, &error, rate, &mirrored, pi - far, pi / 2, 1e-300, quadrature_accuracy));
+    *integral = to < 0 ? -(sum + rest) : sum + rest;
+    return JLT_OK;
 }
 
 static void find_turning_points(jlt_rod *rod, const double *x)
