@@ -117,6 +117,14 @@ jellett simulate --tier quadrature --compare level --tol 1e-12 -o "$scratch/thin
     "$scratch/err" ||
     fail "a thin rod beside a pole: $(cat "$scratch/err")"
 
+# A start beside the upper pole, as beside the lower: the level's orbit, within 1e-14 times a hundred for steps and conditioning.
+for side in '' -; do
+    jellett simulate --tier quadrature --compare level --tol 1e-14 -o "$scratch/beside.csv" --set I1=0.7,I3=0,a3=${side}0.3 \
+        --start gamma3=${side}0.999999999999,v_nu=0.6,omega_tau=0.4,omega_n=0.7,omega3=0.5 --times 1 2> "$scratch/err"
+    awk -F, '/^1,/ { n++; off = $12 } END { exit !(n == 1 && off <= 1e-12) }' "$scratch/beside.csv" ||
+        fail "a start beside a pole: $(cat "$scratch/err" "$scratch/beside.csv")"
+done
+
 # M^2: two attracting and two repelling foci, as (4.5) has them.
 jellett portrait --set I1=2/5,I3=1/4 --start gamma3=0.5,v_nu=0.8,omega_tau=0,omega_n=0,omega3=0.9 -o "$scratch/m2.csv" \
     --trajectories "$scratch/orbits.csv" --orbits 6
