@@ -111,10 +111,10 @@ static bool halves(const runner *self, const jlt_continuation_point *before, con
     return sum < 0 && size < 0.5; /* a difference of angles changes sign at half a period as well */
 }
 
-/* Whether two multipliers of product 1 are a complex pair. */
+/* Whether two multipliers of product 1 are a complex pair, not two of 1 or -1 that errors make one. */
 static bool rotates(const place *at)
 {
-    return fabs(at->at.slope[0] + at->at.slope[3]) < 2;
+    return fabs(at->at.slope[0] + at->at.slope[3]) < 2 - noise;
 }
 
 /* Whether the step from one place to the other stays on the branch, as far as angles show. The bordered determinant changes sign at

@@ -10,7 +10,7 @@
  *      fold                the tangent's component along the parameter
  *      period doubling     det(DP^period + I)
  *      branch point        the determinant of the bordered Jacobian (the orbit loses its symmetry, or meets another family)
- *      torus               det(DP^period) - 1, if |trace| < 2 at its zero; where the orbit is not symmetric, and d = 2
+ *      torus               det(DP^period) - 1, if |trace| < 2 - 1e-9 at its zero; where the orbit is not symmetric, and d = 2
  *  Source: H. B. Keller (1977); W. Govaerts, Numerical Methods for Bifurcations of Dynamical Equilibria, SIAM 2000. */
 #ifndef JLT_DYNAMICS_CONTINUATION_H
 #define JLT_DYNAMICS_CONTINUATION_H

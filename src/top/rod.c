@@ -90,13 +90,31 @@ static jlt_status turn_rate(void *context, double *value, double u)
     return isfinite(*value) ? JLT_OK : JLT_ERR_NONFINITE;
 }
 
+/* The rod, for side -1 upside down: gamma3 changes its sign. */
+static jlt_rod seen_from(const jlt_rod *rod, double side)
+{
+    jlt_rod seen = *rod;
+
+    if (side > 0) return seen;
+    seen.weight = -rod->weight;
+    seen.below = rod->above;
+    seen.above = rod->below;
+    return seen;
+}
+
+/* The integral of an even rate from u = 0, in two parts: near a pole a rate may vary over angles that doubles near pi do not tell
+ * apart, so that the second part counts from the other turning point. */
 static jlt_status over(jlt_rod *rod, double *integral, jlt_quadrature_integrand rate, double to)
 {
-    double error;
+    const double pi = acos(-1), far = fabs(to);
+    jlt_rod other = seen_from(rod, -1);
+    double error, sum = 0, rest = 0;
 
-    *integral = 0;
-    if (to == 0) return JLT_OK;
-    return jlt_quadrature_integrate(integral, &error, rate, rod, 0, to, 1e-300, quadrature_accuracy);
+    if (far > 0) JLT_PASS(jlt_quadrature_integrate(&sum, &error, rate, rod, 0, fmin(far, pi / 2), 1e-300, quadrature_accuracy));
+    if (far > pi / 2)
+        JLT_PASS(jlt_quadrature_integrate(&rest, &error, rate, &other, pi - far, pi / 2, 1e-300, quadrature_accuracy));
+    *integral = to < 0 ? -(sum + rest) : sum + rest;
+    return JLT_OK;
 }
 
 static void find_turning_points(jlt_rod *rod, const double *x)
@@ -172,7 +190,7 @@ static bool has_form(const jlt_top *top)
 /* Compute all quantities of the orbit of rod->top through x. */
 static jlt_status measure(jlt_rod *out, const double *x)
 {
-    jlt_rod rod = *out;
+    jlt_rod rod = *out, seen;
     const jlt_top *top = &rod.top;
     const double gamma3 = x[JLT_TOP_GAMMA3], s = jlt_top_sine(gamma3), v_tau = jlt_top_v_tau(top, x);
     double s2, u, turned;
@@ -188,15 +206,18 @@ static jlt_status measure(jlt_rod *out, const double *x)
     if (!isfinite(rod.E1) || !isfinite(rod.E2) || !isfinite(rod.G)) return JLT_ERR_NONFINITE;
     find_turning_points(&rod, x);
     s2 = s * s;
-    /* gamma3' = half sin u / pace, and gamma3 = mid - half cos u */
-    u = atan2(s * x[JLT_TOP_OMEGA_TAU] * pace(&rod, gamma3, s2), (rod.below - rod.above) / 2 - gamma3);
-    rod.psi = atan2(v_tau, x[JLT_TOP_V_NU]); /* at the start; converted to the lower turning point below */
-    JLT_PASS(over(&rod, &rod.period, time_rate, acos(-1)));
-    JLT_PASS(over(&rod, &rod.turn, turn_rate, acos(-1)));
+    /* from the nearer turning point, where doubles tell u best: gamma3' = half sin u / pace, and gamma3 = mid - half cos u */
+    rod.side = gamma3 > (rod.below - rod.above) / 2 ? -1 : 1;
+    seen = seen_from(&rod, rod.side);
+    u = atan2(rod.side * s * x[JLT_TOP_OMEGA_TAU] * pace(&seen, rod.side * gamma3, s2),
+              (seen.below - seen.above) / 2 - rod.side * gamma3);
+    rod.psi = atan2(v_tau, x[JLT_TOP_V_NU]); /* at the start; converted to that turning point below */
+    JLT_PASS(over(&seen, &rod.period, time_rate, acos(-1)));
+    JLT_PASS(over(&seen, &rod.turn, turn_rate, acos(-1)));
     rod.period *= 2;
     rod.turn *= 2;
-    JLT_PASS(over(&rod, &rod.elapsed, time_rate, u));
-    JLT_PASS(over(&rod, &turned, turn_rate, u));
+    JLT_PASS(over(&seen, &rod.elapsed, time_rate, u));
+    JLT_PASS(over(&seen, &turned, turn_rate, u));
     rod.psi -= turned;
     *out = rod;
     return JLT_OK;
@@ -222,9 +243,9 @@ double jlt_rod_rotation(const jlt_rod *rod)
     return rod->turn / (2 * acos(-1));
 }
 
-/* The angle u at the time `wanted` after the lower turning point, |wanted| <= period/2, by Newton's method. Every time is
- * integrated from the turning point, so errors do not accumulate. Time increases with u: a step that leaves the bounds, or does
- * not halve the residual, as near a pole where the rate varies steeply, is replaced by bisection. */
+/* The angle u at the time `wanted` after the turning point from which it counts, |wanted| <= period/2, by Newton's method. Every
+ * time is integrated from there, so errors do not accumulate. Time increases with u: a step that leaves the bounds, or does not
+ * halve the residual, as near a pole where the rate varies steeply, is replaced by bisection. */
 static jlt_status locate(jlt_rod *rod, double *u, double wanted)
 {
     jlt_status st = JLT_OK;
@@ -267,16 +288,18 @@ jlt_status jlt_rod_at(jlt_rod *rod, double *x, double t)
 {
     const double since = rod->elapsed + t;
     const double periods = nearbyint(since / rod->period);
+    jlt_rod seen = seen_from(rod, rod->side);
     double u, psi, gamma3, s2, s, of_top[JLT_TOP_STATES];
 
     if (!isfinite(t)) return JLT_ERR_NONFINITE;
-    JLT_PASS(locate(rod, &u, fma(-periods, rod->period, since)));
-    JLT_PASS(over(rod, &psi, turn_rate, u));
+    JLT_PASS(locate(&seen, &u, fma(-periods, rod->period, since)));
+    JLT_PASS(over(&seen, &psi, turn_rate, u));
     psi += rod->psi + periods * rod->turn;
-    tilt(rod, &gamma3, &s2, u);
+    tilt(&seen, &gamma3, &s2, u);
     s = sqrt(s2);
     find_state(rod, of_top,
-               (const double[LEVEL_STATES]){ gamma3, rod->speed * cos(psi), rod->half * sin(u) / (pace(rod, gamma3, s2) * s),
+               (const double[LEVEL_STATES]){ rod->side * gamma3, rod->speed * cos(psi),
+                                             rod->side * rod->half * sin(u) / (pace(&seen, gamma3, s2) * s),
                                              rod->speed * sin(psi), s });
     jlt_counterpart_return(&rod->counterpart, x, of_top);
     return JLT_OK;

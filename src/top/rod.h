@@ -27,7 +27,8 @@ typedef struct {
     double period;          /* of gamma3, and if E1 = 0 of all states */
     double turn;            /* change of psi over a period, in radians */
     double speed;           /* sqrt(2 E1/m) */
-    double psi;             /* at the lower turning point */
+    double side;            /* 1, -1: the lower or upper turning point is nearer to the start */
+    double psi;             /* at that turning point */
     double elapsed;         /* time from there to the start, at most half a period in modulus */
 } jlt_rod;
 

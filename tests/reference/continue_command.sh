@@ -250,12 +250,15 @@ interrupted TERM 'interrupted; the first [0-9]* of 900000 rows are saved' jellet
 interrupted TERM 'interrupted; \(nothing is reported\|what was not saved by now is lost\)' jellett verify spherical_top \
     --samples 10000000
 
-# Multipliers exp(2 pi mu) exp(+-2 pi i w): where both cross -1 together that is told, and where they cross apart it is a torus.
+# Multipliers exp(2 pi mu) exp(+-2 pi i w): where both cross 1 or -1 together that is told; where they cross apart it is a torus.
 printf '%s\n' 'model pair' 'param mu' 'param w' 'default mu = -0.1, w = 1/2' 'state a' 'state b' 'state ph' \
     'let q = mu - a^2 - b^2' 'eq a = q*a - w*b' 'eq b = q*b + w*a' 'eq ph = 1' 'periodic ph = 2*pi' > pair.tt
 export XDG_CACHE_HOME=$scratch/cache
-jellett continue ./pair.tt --section ph=0 --along mu=-0.3:0.2 --start a=0,b=0 -o rows.csv 2> log
-grep -q 'stability changes, from 0 multipliers outside the unit circle to 2' log || fail "two multipliers together: $(cat log)"
+for w in 1/2 1 2 3; do
+    jellett continue ./pair.tt --section ph=0 --along mu=-0.3:0.2 --start a=0,b=0 --set w=$w -o rows.csv 2> log
+    grep -q 'stability changes, from 0 multipliers outside the unit circle to 2' log ||
+        fail "two multipliers together, w = $w: $(cat log)"
+done
 jellett continue ./pair.tt --section ph=0 --along mu=-0.3:0.2 --start a=0,b=0 --set w=0.37 -o rows.csv 2> log
 grep -q 'stability changes' log && fail "a torus is told twice: $(cat log)"
 awk -F, '/torus/ { found = $2^2 < 1e-16 } END { exit !found }' rows.csv || fail "no torus at mu = 0: $(grep torus rows.csv)"
