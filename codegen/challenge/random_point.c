@@ -157,6 +157,37 @@ static void repeat_some(ttc_random_point *point, const ttc_model *model, ttc_ran
     }
 }
 
+/* A factor of a term that has even powers alone; TTC_NONE: it has others. */
+static ttc_id draw_squared(const ttc_graph *graph, ttc_id term, ttc_random *random)
+{
+    const size_t count = ttc_kind_of(graph, term) == TTC_PRODUCT ? ttc_part_count(graph, term) : 0;
+    for (size_t i = 0; i < count; i++)
+        if (ttc_part_at(graph, term, i).exponent % 2 != 0) return TTC_NONE;
+    return count > 0 ? ttc_part_at(graph, term, ttc_random_below(random, count)).id : TTC_NONE;
+}
+
+/* Solve for an expression; for a factor of each term if it is a sum of even powers, whose derivatives vanish where it does. */
+static void solve_for(ttc_random_point *point, const ttc_graph *graph, ttc_id id, ttc_random *random)
+{
+    const size_t terms = ttc_kind_of(graph, id) == TTC_SUM ? ttc_part_count(graph, id) : 0;
+    ttc_id squared[TTC_PROBE_SPARE] = { TTC_NONE };
+    bool even = terms > 0 && point->level_count + terms <= TTC_PROBE_SPARE && fmpq_is_zero(ttc_coefficient(graph, id));
+    for (size_t i = 0; even && i < terms; i++) {
+        squared[i] = draw_squared(graph, ttc_part_at(graph, id, i).id, random);
+        even = squared[i] != TTC_NONE;
+    }
+    for (size_t i = 0; even && i < terms; i++) point->levels[point->level_count++] = squared[i];
+    if (!even) point->levels[point->level_count++] = id;
+}
+
+/* What is to vanish: half of the times what the claim speaks of, else any sum. */
+static ttc_id draw_sum(const ttc_random_point *point, const ttc_situation *situation, ttc_random *random)
+{
+    const ttc_id own = situation->role == TTC_DIVIDES_CLAIM ? situation->model->claims[situation->owner].expression : TTC_NONE;
+    if (own != TTC_NONE && may_vanish(situation->model, own) && ttc_random_below(random, 2) == 0) return own;
+    return point->sums[ttc_random_below(random, point->sum_count)];
+}
+
 /* One time in four a sum is solved for beside the levels, and one time in four in place of them. */
 static void choose_levels(ttc_random_point *point, const ttc_situation *situation, ttc_random *random, ttc_sample_range range)
 {
@@ -165,7 +196,7 @@ static void choose_levels(ttc_random_point *point, const ttc_situation *situatio
     point->level_count = point->solves_levels ? situation->level_count : 0;
     for (size_t i = 0; i < point->level_count; i++) point->levels[i] = situation->levels[i];
     if (choice < 2 && point->level_count < TTC_PROBE_SPARE)
-        point->levels[point->level_count++] = point->sums[ttc_random_below(random, point->sum_count)];
+        solve_for(point, situation->model->graph, draw_sum(point, situation, random), random);
 }
 
 bool ttc_random_point_draw(ttc_random_point *point, const ttc_situation *situation, ttc_random *random, ttc_sample_range range)

@@ -21,7 +21,7 @@
 #include <unistd.h>
 
 enum { MEMORY_MIB = 1536, PATIENCE = 30, WORDS_SIZE = 200 };
-enum { WITNESS_POINTS = 24, WITNESS_SECONDS = 1, WITNESS_SIZE = 1 << 20 };
+enum { WITNESS_POINTS = 24, WITNESS_POINTS_OF_SOLVER = 100, WITNESS_SECONDS = 1, WITNESS_SIZE = 1 << 20 };
 
 #ifdef JLT_SANITIZED
 enum { ADDRESS_SPACE_IS_BOUNDED = 0 };
@@ -281,12 +281,13 @@ typedef struct {
     void *context;
 } witness_context;
 
-/* Looks for points at which a proved claim fails, which is an error of the prover. Expressions so large that this would pass the
- * worker's bounds are left alone. */
+/* Looks for points at which a proved claim fails, which is an error of the prover, or of the solver, whose errors are known to be of
+ * single points. Expressions so large that this would pass the worker's bounds are left alone. */
 static char *challenge(void *context, const ttc_proof *proof)
 {
     const witness_context *c = context;
-    const ttc_challenge_extent extent = { .points = WITNESS_POINTS, .seed = 1, .seconds = WITNESS_SECONDS };
+    const ttc_challenge_extent extent = { .points = proof->relies_on_solver ? WITNESS_POINTS_OF_SOLVER : WITNESS_POINTS,
+                                          .seed = 1, .seconds = WITNESS_SECONDS };
     ttc_challenge_result result;
     char *text = NULL;
     size_t size;

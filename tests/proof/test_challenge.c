@@ -76,6 +76,8 @@ static const char *const rarely_false[] = {
     "embedding wrong : into growing.tt with u = x, v = y modulo sheet\n",
     "model kept\nstate x\neq x = 0\nreduction wrong : onto resting.tt with u = x, k = 2*x\n",
     "model origin\nstate x\nstate y\nstate z\neq x = 0\neq y = 0\neq z = 0\npositive square : x^2 + y^2 + z^2\n",
+    "model apart\nstate x\nstate y\nangle c s = cos(x + y) sin(x + y)\neq x = 0\neq y = 0\n"
+    "positive squares : (c + 3/4)^2 + (9*y^2 + 6*y - 26)^2\n",
 };
 
 /* The family is one of equilibria, and the trace is zero on it. */
