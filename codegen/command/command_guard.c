@@ -281,7 +281,7 @@ typedef struct {
     void *context;
 } witness_context;
 
-/* Looks for points at which a proved claim fails, which is an error of the prover, or of the solver, whose errors are known to be of
+/* Looks for points at which a proved claim fails, which is an error of the prover, or of the solver, whose known errors concern
  * single points. Expressions so large that this would pass the worker's bounds are left alone. */
 static char *challenge(void *context, const ttc_proof *proof)
 {
