@@ -8,6 +8,7 @@
 #include "kernels/catalogue.h"
 #include "kernels/unproved.h"
 #include "kernels/wide_number.h"
+#include "prove/section_chart.h"
 #include "readback/prove_functions.h"
 #include "readback/prove_kernels.h"
 
@@ -211,6 +212,28 @@ static bool tell_unproved(const ttc_catalogue *catalogue, const ttc_proof_report
     return !failed && !all->failed;
 }
 
+/* Warn of defaults in tables of coordinates that nobody takes, as this table has others of the same parameters. */
+static void tell_other_defaults(const ttc_model *model)
+{
+    char reason[256];
+    for (size_t i = 0; i < model->section_count; i++) {
+        const ttc_section *section = model->sections + i;
+        const ttc_claim *claim = model->claims + section->claim;
+        ttc_model *chart = ttc_section_chart(model, section, ttc_resolve_beside, NULL, reason, sizeof reason);
+        for (size_t k = 0; chart != NULL && k < chart->param_count; k++) {
+            const uint32_t place = ttc_section_place(model, section, chart, k);
+            const ttc_id there = chart->symbols[chart->params[k]].value;
+            const ttc_id here = place < model->param_count ? model->symbols[model->params[place]].value : TTC_NONE;
+            if (here == TTC_NONE || there == TTC_NONE ||
+                fmpq_equal(ttc_coefficient(model->graph, here), ttc_coefficient(chart->graph, there)))
+                continue;
+            ttc_command_warn(model, claim->place, "the default of %s in %s has no effect: this table has another, which is taken",
+                             chart->symbols[chart->params[k]].name, claim->target);
+        }
+        ttc_model_destroy(chart);
+    }
+}
+
 /* Mark in the catalogue the unproved claims that kernels rest on. Returns false if they are refused, or when memory is out. */
 static bool mark_unproved(ttc_catalogue *catalogue, const ttc_proof_report *report, const ttc_options *options, int *status,
                           ttc_text *all)
@@ -251,6 +274,7 @@ static void generate_table(ttc_output *output, ttc_catalogue *catalogue, const t
     ttc_text unproved = { 0 };
     ttc_kernels *failed = NULL;
     ttc_proof_report *report = NULL;
+    tell_other_defaults(model);
     if (ttc_command_catalogue(catalogue, model, options, status, NULL)) report = ttc_command_prove_guarded(model, options, status);
     if (report != NULL && mark_unproved(catalogue, report, options, status, &unproved)) {
         model_files f = { output, catalogue, report, unproved.length > 0 ? ttc_text_string(&unproved) : NULL };

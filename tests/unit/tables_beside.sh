@@ -34,6 +34,10 @@ for model in ./spherical_top.tt ./spherical_top_level.tt; do
     expect 0 'levels E=2\( \|$\)' jellett section $model "${section[@]}"
     [ "$(last 1-9)" != "$built_in" ] || fail "$model on another level answers as on the one built in"
 done
+# A parameter that both tables have has the default of the model; that of the other table is not passed over in silence.
+sed -i 's/G = -0.56/G = -0.7/' spherical_top_section.tt
+expect 0 'the default of G in spherical_top_section.tt has no effect' jellett section ./spherical_top.tt "${section[@]}"
+grep -q 'levels E=2 G=-0.56$' out || fail "the default of G is that of the model: $(cat out)"
 rm spherical_top_section.tt
 expect 3 'section turning .* could not be read' jellett section ./spherical_top.tt "${section[@]}"
 
