@@ -107,7 +107,8 @@ done
 # 4. The orbit x = px = 0 lies in the section x = 0, at the edge of the level. It is no point of the map, nor are many.
 about 0 ""
 jellett orbits ./pair.tt --period 1 --grid y=-0.3:0.3:12,py=-0.3:0.3:12 > out 2> err || fail "orbits: $(cat err)"
-awk -F, '/^1,/ && $2^2 + $3^2 > 0.0999 { n++ } END { exit n > 0 }' out || fail "orbits along the section: $(grep ^1, out)"
+awk -F, '/^1,/ { rows++; n += $2^2 + $3^2 > 0.0999 } END { exit !rows || n > 0 }' out ||
+    fail "orbits along the section: $(grep ^1, out)"
 
 # 5. A length that has nothing to do with the motion is no measure of its errors. x = cos(sqrt(5) t), to 1e-12 a return.
 cat > inert.tt <<'TABLE'
@@ -124,7 +125,8 @@ observe far = L [m]
 TABLE
 for L in 1 1e12 1e100; do
     row jellett simulate ./inert.tt --set L=$L --start x=1,v=0 --times 100 > out
-    awk -F, '{ d = $2 - cos(100*sqrt(5)); h = $3^2/2 + 5*$2^2/2 - 2.5; exit !(d*d < 1e-20 && h*h < 1e-20 && $4 < 1e-10) }' out ||
+    awk -F, '{ d = $2 - cos(100*sqrt(5)); h = $3^2/2 + 5*$2^2/2 - 2.5; good = d*d < 1e-20 && h*h < 1e-20 && $4 < 1e-10 }
+        END { exit !good }' out ||
         fail "L = $L: $(cat out)"
 done
 
@@ -139,7 +141,8 @@ eq x = y
 eq y = mu*(1 - x^2)*y - x
 TABLE
 row jellett orbits ./relaxing.tt --section x=0 --start y=15 --period 1 > out
-awk -F, '{ exit !($4 == $5 && $5 == $6 && $5 > 3.5e-136 && $5 < 3.9e-136) }' out || fail "a small multiplier: $(cat out)"
+awk -F, '{ good = $4 == $5 && $5 == $6 && $5 > 3.5e-136 && $5 < 3.9e-136 } END { exit !good }' out ||
+    fail "a small multiplier: $(cat out)"
 
 # 7. The limits at a pole are told as the last row has them, beside velocities of any size.
 far=R=1e18,g=1e18,a3=0.51e18,I1=1e36/3,I3=1e36/3
