@@ -309,15 +309,15 @@ done:
     return st;
 }
 
-/* Points of the section that are looked at: number 0 is the origin, the others are spread, without symmetry. */
+/* Points of the section that are looked at: number 0 is the origin, the others lie ever farther out, without symmetry. */
 #define SAMPLES 8
 
-/* Lift one of them. Out: x. */
+/* Lift one of them. Out: x. Returns false if it is outside the domain. */
 static bool sample(const jlt_chart *chart, double *x, unsigned point)
 {
     double q[JLT_CHART_DIM_MAX];
 
-    for (unsigned k = 0; k < chart->dim; k++) q[k] = point * (k + 0.7);
+    for (unsigned k = 0; k < chart->dim; k++) q[k] = point * point * (k + 0.3) / 7;
     return chart->lift(chart, x, NULL, q) == JLT_OK;
 }
 
@@ -327,12 +327,16 @@ static void tell_other_way(const jlt_system *system)
 {
     const jlt_chart *chart = system->flow.chart;
     double x[JLT_CHART_STATES_MAX], f[JLT_CHART_STATES_MAX];
+    unsigned seen = 0;
 
+    if (chart->turn == 0) return;
     for (unsigned point = 0; point < SAMPLES; point++) {
-        if (chart->turn == 0 || !sample(chart, x, point)) return;
+        if (!sample(chart, x, point)) continue;
+        seen++;
         system->instance->descriptor->rhs.call(x, system->instance->prepared, f);
         if (!(f[chart->column] * (int)system->flow.direction < 0)) return;
     }
+    if (seen < 2) return;
     fprintf(stderr, "jellett: %s seems to cross its section the other way alone: --direction %s\n",
             system->instance->descriptor->states[chart->column].name, system->flow.direction == JLT_RISING ? "down" : "up");
 }
@@ -343,14 +347,17 @@ static bool leaves_for_good(const jlt_system *system)
     const jlt_chart *chart = system->flow.chart;
     const jlt_descriptor *d = system->instance->descriptor;
     double x[JLT_CHART_STATES_MAX], rows[JLT_CHART_STATES_MAX * JLT_CHART_STATES_MAX];
+    unsigned seen = 0;
 
+    if (chart->turn != 0) return false;
     for (unsigned point = 0; point < SAMPLES; point++) {
-        if (chart->turn != 0 || !sample(chart, x, point)) return false;
+        if (!sample(chart, x, point)) continue;
+        seen++;
         d->jacobian.call(x, system->instance->prepared, rows);
         for (unsigned i = 0; i < d->state_count; i++)
             if (rows[chart->column * d->state_count + i] != 0) return false;
     }
-    return true;
+    return seen > 1;
 }
 
 static jlt_exit refuse_for_good(const char *section, const jlt_quantity *state, const jlt_descriptor *d)
