@@ -329,16 +329,15 @@ static void tell_other_way(const jlt_system *system)
     double x[JLT_CHART_STATES_MAX], f[JLT_CHART_STATES_MAX];
     unsigned seen = 0;
 
-    if (chart->turn == 0) return;
-    for (unsigned point = 0; point < SAMPLES; point++) {
+    for (unsigned point = 0; chart->turn != 0 && point < SAMPLES; point++) {
         if (!sample(chart, x, point)) continue;
         seen++;
         system->instance->descriptor->rhs.call(x, system->instance->prepared, f);
         if (!(f[chart->column] * (int)system->flow.direction < 0)) return;
     }
-    if (seen < 2) return;
-    fprintf(stderr, "jellett: %s seems to cross its section the other way alone: --direction %s\n",
-            system->instance->descriptor->states[chart->column].name, system->flow.direction == JLT_RISING ? "down" : "up");
+    if (seen > 1)
+        fprintf(stderr, "jellett: %s seems to cross its section the other way alone: --direction %s\n",
+                system->instance->descriptor->states[chart->column].name, system->flow.direction == JLT_RISING ? "down" : "up");
 }
 
 /* Whether the section's state, no angle, has a rate that no state changes, at any sample: it never comes back. */
@@ -349,8 +348,7 @@ static bool leaves_for_good(const jlt_system *system)
     double x[JLT_CHART_STATES_MAX], rows[JLT_CHART_STATES_MAX * JLT_CHART_STATES_MAX];
     unsigned seen = 0;
 
-    if (chart->turn != 0) return false;
-    for (unsigned point = 0; point < SAMPLES; point++) {
+    for (unsigned point = 0; chart->turn == 0 && point < SAMPLES; point++) {
         if (!sample(chart, x, point)) continue;
         seen++;
         d->jacobian.call(x, system->instance->prepared, rows);
