@@ -287,6 +287,16 @@ static bool has_dimension(ttc_task *task, const ttc_ratio *minor)
     return found;
 }
 
+/* Where a square root by which the levels were solved is zero, the leaf may have real points that are no limits of others of its
+ * points, and the image of these a lower dimension. */
+static void require_no_thin_part(ttc_task *task)
+{
+    bool *moves = ttc_vanishing_moves(task);
+    if (moves != NULL && ttc_movement_may_be_thin(task, moves))
+        ttc_task_unsettle(task, "a part of the level may be of lower dimension, and so may its image");
+    free(moves);
+}
+
 /* For a reduction, the images of the leaf's states at fixed values of the target's parameters must have the target's dimension; for
  * an embedding, the images must have the leaf's dimension. A leaf whose codimension exceeds the number of levels is no component.
  * If the levels' gradients are independent on it, its points are limits of points of other leaves, and so are their images; if not,
@@ -316,6 +326,7 @@ static void require_dimension(ttc_task *task, const ttc_model *target, const lea
     if (onto) require_minor(task, target, image, found + fixed, &minor);
     if (!ttc_task_open(task)) goto done;
     if (!onto && !has) ttc_task_unsettle(task, "no point is known at which the image has the dimension of this table");
+    if (!onto && levels > 0) require_no_thin_part(task);
     task->kept += has;
 done:
     ttc_ratio_clear(task->ring, &minor);
