@@ -18,11 +18,7 @@ typedef struct {
     bool too_large;
 } question;
 
-static void ignore_errors(Z3_context z3, Z3_error_code code)
-{
-    (void)z3;
-    (void)code;
-}
+static void ignore_errors(Z3_context z3, Z3_error_code code) { (void)z3, (void)code; }
 
 static Z3_ast variable_of(question *q, slong v)
 {
@@ -366,21 +362,23 @@ static Z3_context context_of(ttc_ring *ring)
     return ring->solver;
 }
 
-/* again: the solver searches in another order. */
-static ttc_solver_answer ask_once(ttc_witness *point, const ttc_conditions *conditions, bool with_functions, bool again)
+/* how: the solver eliminates variables in its own order, 0, or another, 1; or in its own, and tries other values, 2. */
+static ttc_solver_answer ask_once(ttc_witness *point, const ttc_conditions *conditions, bool with_functions, unsigned how)
 {
     question q = { .point = point };
     q.variables = calloc(point->ring->variable_count + 1, sizeof(Z3_ast));
     if (q.variables == NULL) return TTC_SOLVER_SILENT;
     q.z3 = context_of(point->ring);
-    /* As a parameter of one solver, some versions of Z3 (4.13 is one) do not know it, and ask nothing then. */
-    Z3_global_param_set("nlsat.randomize", again ? "false" : "true");
+    /* As parameters of one solver, some versions of Z3 (4.13 is one) do not know them, and ask nothing then. */
+    Z3_global_param_set("nlsat.randomize", how != 0 ? "false" : "true");
+    Z3_global_param_set("nlsat.shuffle_vars", how == 1 ? "true" : "false");
+    Z3_global_param_set("nlsat.seed", how == 1 ? "2" : "0");
     q.real = Z3_mk_real_sort(q.z3);
     q.solver = Z3_mk_solver_for_logic(q.z3, Z3_mk_string_symbol(q.z3, "QF_NRA"));
     Z3_solver_inc_ref(q.z3, q.solver);
     Z3_params params = Z3_mk_params(q.z3);
     Z3_params_inc_ref(q.z3, params);
-    Z3_params_set_uint(q.z3, params, Z3_mk_string_symbol(q.z3, "rlimit"), WORK_LIMIT);
+    Z3_params_set_uint(q.z3, params, Z3_mk_string_symbol(q.z3, "rlimit"), how == 1 ? WORK_LIMIT / 4 : WORK_LIMIT);
     /* Otherwise Z3 catches SIGINT while it works, and the program does not receive it. */
     Z3_params_set_bool(q.z3, params, Z3_mk_string_symbol(q.z3, "ctrl_c"), false);
     Z3_solver_set_params(q.z3, q.solver, params);
@@ -392,9 +390,11 @@ static ttc_solver_answer ask_once(ttc_witness *point, const ttc_conditions *cond
 }
 
 /* Some versions of Z3 (4.8.12 is one) lose points beside zeros of what they eliminate, depending on the order of the search: that
- * there is no point is believed only if two orders agree. */
+ * there is no point is believed only if two searches agree, the second in another order if that is not too long. */
 ttc_solver_answer ttc_solver_ask(ttc_witness *point, const ttc_conditions *conditions, bool with_functions)
 {
-    const ttc_solver_answer answer = ask_once(point, conditions, with_functions, false);
-    return answer == TTC_SOLVER_NO_POINT ? ask_once(point, conditions, with_functions, true) : answer;
+    ttc_solver_answer answer = ask_once(point, conditions, with_functions, 0);
+    if (answer != TTC_SOLVER_NO_POINT) return answer;
+    answer = ask_once(point, conditions, with_functions, 1);
+    return answer == TTC_SOLVER_SILENT ? ask_once(point, conditions, with_functions, 2) : answer;
 }
