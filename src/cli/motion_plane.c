@@ -52,8 +52,7 @@ static jlt_exit read_mirror(jlt_motion_plane *out, const char *text, const jlt_d
         if (!jlt_descriptor_state(d, name, &index))
             return jlt_command_fail(JLT_EXIT_INPUT, "--mirror: %s has no state '%s'", d->model, name);
         out->signs[index] = -1;
-        text += length;
-        if (*text == ',') text++;
+        text += length + (text[length] == ',');
     }
     return JLT_EXIT_DONE;
 }
@@ -219,11 +218,8 @@ static void note_values(jlt_motion_plane *out, const char *text, const jlt_descr
     double low, high;
     size_t state;
 
-    while (jlt_grid_ends(&text, name, sizeof name, &low, &high)) {
-        if (!jlt_descriptor_state(d, name, &state)) continue;
-        if (!isnan(low)) note_size(out, state, low);
-        if (!isnan(high)) note_size(out, state, high);
-    }
+    while (jlt_grid_ends(&text, name, sizeof name, &low, &high))
+        if (jlt_descriptor_state(d, name, &state)) note_size(out, state, fmax(fabs(low), fabs(high))); /* an end may be NaN */
 }
 
 /* Note the typical sizes of states from all options that say where orbits begin. */
@@ -384,6 +380,9 @@ jlt_exit jlt_motion_plane_system(jlt_system **system, const jlt_motion_options *
             code = jlt_command_fail(JLT_EXIT_INPUT, "--modulo: %s is no angle: the field of %s changes when it grows by %.17g",
                                     descriptor->states[no_angle].name, descriptor->model, plane.periods[no_angle]);
         else if (st != JLT_OK) code = jlt_motion_fail(st, NULL, descriptor->model);
+        else if (options->mirror != NULL && plane.mirrored && !jlt_system_is_reversed(*system, plane.signs))
+            code = jlt_command_fail(JLT_EXIT_INPUT, "--mirror %s: the field of %s is not reversed where these states change signs",
+                                    options->mirror, descriptor->model);
         else if (leaves_for_good(*system)) code = refuse_for_good(options->section, &descriptor->states[plane.column], descriptor);
         else tell_other_way(*system);
     }

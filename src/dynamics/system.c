@@ -200,6 +200,28 @@ jlt_status jlt_system_angles(jlt_system *self, const double *periods, unsigned *
     return JLT_OK;
 }
 
+bool jlt_system_is_reversed(const jlt_system *self, const int *signs)
+{
+    static const double same = 1e-10; /* of the largest value of a component at any of the points */
+    double x[JLT_CHART_STATES_MAX], f[JLT_CHART_STATES_MAX], image[JLT_CHART_STATES_MAX];
+    double off[JLT_CHART_STATES_MAX] = { 0 }, largest[JLT_CHART_STATES_MAX] = { 0 };
+    const unsigned n = self->field.dim - self->told->descriptor->lifted_count;
+
+    for (int k = 0; k < POINTS; k++) {
+        point_number(self, x, k);
+        if (!field_at(self, x, f)) continue;
+        for (unsigned i = 0; i < n; i++) x[i] *= signs[i];
+        if (!field_at(self, x, image)) continue;
+        for (unsigned i = 0; i < n; i++) {
+            off[i] = fmax(off[i], fabs(image[i] + signs[i] * f[i]));
+            largest[i] = fmax(largest[i], fabs(f[i]));
+        }
+    }
+    for (unsigned i = 0; i < n; i++)
+        if (off[i] > same * largest[i]) return false;
+    return true;
+}
+
 /* Whether the reversor of a plane section keeps these integrals at all test points, to rounding, and so leads to the same level. */
 static bool keeps_levels(const jlt_system *self, const jlt_chart *plane, const jlt_invariants *integrals, const jlt_level *levels,
                          unsigned count)

@@ -45,6 +45,10 @@ JLT_CHECKED jlt_status jlt_system_plane(jlt_system **out, const jlt_descriptor *
  *  points; *state is then the index of that state. */
 JLT_CHECKED jlt_status jlt_system_angles(jlt_system *self, const double *periods, unsigned *state);
 
+/** Whether the field of a plane section is reversed by x -> signs * x, shape (states,), to rounding at five test points: an orbit's
+ *  image is then an orbit that runs backwards. */
+bool jlt_system_is_reversed(const jlt_system *self, const int *signs);
+
 /** Restrict a plane section to levels (count,) of its table's integrals; on failure it stays as it was. Errors: ARG, as
  *  jlt_chart_level_init; UNSUPPORTED, as jlt_system_invariants. */
 JLT_CHECKED jlt_status jlt_system_levels(jlt_system *self, const jlt_level *levels, unsigned count);

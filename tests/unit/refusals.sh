@@ -65,6 +65,7 @@ refuse 4 "finds no periodic orbit from .*: try another --start or --period" "${l
 
 # Options that say nothing here.
 refuse 2 "--mirror goes with --section" jellett section --start "$point" --mirror v_nu
+refuse 3 "--mirror x: the field of lorenz is not reversed" "${lorenz[@]}" --direction down --mirror x
 refuse 3 "--level: lorenz claims no integral .E." jellett section lorenz --start x=1,y=1 --section z=27 --level E=1 --solve x=1
 refuse 2 "lorenz has no record .valid.: leave out --contact" jellett section lorenz --start x=1,y=1 --section z=27 --contact report
 refuse 2 "unrecognized option '--contact" jellett orbits --contact report
