@@ -18,8 +18,8 @@ static const struct {
     const char *command, *dealt;
     size_t least;
 } kinds[] = {
-    { "section", "grid", 1024 },  { "fates", "sweep", 1 },   { "fates", "grid", 1024 },    { "fates", NULL, 1 },
-    { "lyapunov", "grid", 1024 }, { "lyapunov", NULL, 1 },   { "eigen", "sweep", 256 },    { "rod", "sweep", 256 },
+    { "section", "grid", 2048 },  { "fates", "sweep", 1 },   { "fates", "grid", 2048 },    { "fates", NULL, 1 },
+    { "lyapunov", "grid", 2048 }, { "lyapunov", NULL, 1 },   { "eigen", "sweep", 256 },    { "rod", "sweep", 256 },
     { "orbits", NULL, 1 },        { "continue", NULL, 1 },   { "separation", NULL, 1 },    { "drift", NULL, 1 },
     { "manifolds", NULL, 1 },     { "simulate", NULL, 1 },
 };

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # What a study costs beside its rows, in time of the processor, which other programs on the machine change little: by `jellett
-# sweep`, with pieces of about the time that is advised, less than 5 % more than by `jellett run`; each of two shards at most 1/1.9
+# sweep`, with the default pieces, less than 5 % more than by `jellett run`; each of two shards at most 1/1.9
 # of both. And how fast `jellett merge` is.
 set -uo pipefail
 scratch=$(mktemp -d)
@@ -9,8 +9,7 @@ cd "$scratch" || exit 1
 cat > study.scene << 'END'
 levels = { E = 2.15; G = -0.56; };
 accuracy = { tolerance = 1e-10; };
-piece = 600;
-compute = ( { what = "fates"; grid = "240x160"; returns = 100; } );
+compute = ( { what = "fates"; grid = "480x320"; returns = 100; } );
 END
 cat > rows.scene << 'END'
 levels = { E = 2.15; G = -0.56; };
@@ -27,13 +26,13 @@ def cost(*arguments):
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
     return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
 bare, swept, halves = [], [], []
-for i in range(2):
+for i in range(4):
     bare.append(cost("jellett", "run", "study.scene"))
     swept.append(cost("jellett", "sweep", "study.scene", f"--into=one{i}", "--shard=1/1"))
     two = [cost("jellett", "sweep", "study.scene", f"--into=two{i}", f"--shard={k}/2") for k in (1, 2)]
     halves.append(max(two) / sum(two)) # within seconds, as the processor's speed is not the same for long
+pieces = subprocess.run(["jellett", "sweep", "study.scene", "--dry-run"], capture_output=True).stdout.count(b"\n")
 more, share = min(swept) / min(bare) - 1, min(halves)
-pieces = 240 * 160 / 600
 print(f"{min(bare):.2f} s by run, {min(swept):.2f} s by sweep ({100 * more:+.1f} %), of which one piece "
       f"{min(swept) / pieces:.3f} s; the larger of two shards {share:.3f} of both")
 for i in (1, 2): cost("jellett", "sweep", "rows.scene", "--into=rows", f"--shard={i}/2")
