@@ -100,19 +100,19 @@ void jlt_motion_header(FILE *stream, const jlt_motion_options *options, const jl
 
 void jlt_motion_caption(jlt_plot *plot, const jlt_system *system, const char *swept)
 {
+    const jlt_surface *surface = system->surface; /* its values are the asked table's, whose names users type */
     const jlt_descriptor *d = system->instance->descriptor;
     const char *names[JLT_INVARIANTS_MAX];
     double levels[JLT_INVARIANTS_MAX];
     const unsigned level_count = jlt_motion_levels(system, names, levels);
+    const unsigned params = surface != NULL ? surface->params : d->param_count;
 
-    for (unsigned i = 0; i < d->param_count; i++) {
-        unsigned k = 0;
-        while (k < level_count && strcmp(names[k], d->params[i].name) != 0) k++;
-        if (k == level_count && (swept == NULL || strcmp(d->params[i].name, swept) != 0))
-            jlt_plot_value(plot, d->params[i].name, system->instance->params[i]);
+    for (unsigned i = 0; i < params + level_count; i++) {
+        const bool level = i >= params;
+        const char *name = level ? names[i - params] : surface != NULL ? surface->names[i] : d->params[i].name;
+        const double value = level ? levels[i - params] : surface != NULL ? system->values[i] : system->instance->params[i];
+        if (swept == NULL || strcmp(name, swept) != 0) jlt_plot_value(plot, name, value);
     }
-    for (unsigned k = 0; k < level_count; k++)
-        if (swept == NULL || strcmp(names[k], swept) != 0) jlt_plot_value(plot, names[k], levels[k]);
 }
 
 static const char *unit_of(const jlt_system *system, unsigned coordinate)

@@ -125,6 +125,8 @@ sed 's/\<J\>/c/g' mapped.tt > same/mapped.tt
 sed 's/J = 2/c = 2/' hard.tt > same/hard.tt
 expect 0 '^# c=2 K=2$' jellett section same/mapped.tt --set c=4 --level K=2 --start x=-1 --returns 1
 awk -F, -v T="$(period 2 1.4142135623730951)" "$row" out || fail "c from c=4: $(tail -1 out)"
+expect 0 '' jellett section same/mapped.tt --set c=4 --level K=2 --start x=-1 --returns 1 --plot shown.svg --keep shown.gp
+grep -q 'c=4, K=2}' shown.gp || fail "the caption of a picture is not in what is typed: $(grep 'set title' shown.gp)"
 expect 0 '^# K=1$' jellett section same/mapped.tt --sweep c=2:4:2 --start x=-1 --returns 1
 # Another quantity is called K here: the level of the section's table has no name.
 sed 's/integral K = z/integral K = 2*z/; s/K = K,/K = K\/2,/' mapped.tt > other.tt
