@@ -38,8 +38,8 @@ static const struct argp_option option_table[] = {
       "value for every state where the motions begin", 1 },
     { "digits", DIGITS, "N", 0, "Decimals to compute with, 10 to 1000; default 20", 1 },
     { "radius", RADIUS, "R", 0,
-      "Radius of the box, in units of the table's states; default 1e-10 in units of the problem, or with --spread as far as "
-      "orbits spread", 1 },
+      "Radius of the box, in units of the table's states; default 1e-10 in units of the problem, or of coordinates far larger, "
+      "or all far smaller, than 1; with --spread, as far as orbits spread", 1 },
     { "distance", DISTANCE, "VALUE", 0,
       "How far from the saddle a homoclinic orbit begins, relative to the size of the section; default 1e-7", 1 },
     { "orbit", ORBIT, "N", 0, "Which homoclinic orbit: the Nth that is found, in order of returns; default 1", 1 },

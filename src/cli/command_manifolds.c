@@ -3,6 +3,7 @@
 #include "cli/interrupt.h"
 #include "cli/motion_many.h"
 #include "cli/swept.h"
+#include "dynamics/scale.h"
 #include "dynamics/separatrices.h"
 #include "kernel/batch_isa.h"
 #include "report/csv.h"
@@ -267,7 +268,9 @@ static jlt_exit run(int argc, char **argv)
                                 system->flow.chart->dim > 2 ? ": --level and --solve leave fewer" : "");
     JLT_PASS(jlt_motion_default_start(&o.motion, system, JLT_START_SADDLE, "say near which saddle to begin: --start"));
     JLT_PASS(jlt_motion_start(q, system, o.motion.starts[0]));
-    JLT_PASS(jlt_motion_scale(system, q, NULL));
+    /* Lengths are asked for in coordinates, whether or not the saddle is near 0: sizes are those of its motion, and at least 1. */
+    st = jlt_scale_find(system, q, 1, (double[]){ ldexp(1, system->flow.chart->unit[0]), ldexp(1, system->flow.chart->unit[1]) });
+    if (st != JLT_OK) return jlt_motion_fail(st, system, "the map");
     JLT_PASS(jlt_motion_plan(system, &o.motion));
     JLT_PASS(jlt_common_write(&o.motion.common));
     if (o.points != NULL) JLT_PASS(jlt_stream_open(&crossings, o.points));

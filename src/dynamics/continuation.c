@@ -310,6 +310,14 @@ static jlt_status clip(const runner *self, place *next, double *step, const plac
     return JLT_OK;
 }
 
+/* A branch may begin at a small orbit: steps grow with it, but for the change of the value in a step. */
+static double longest_step(const runner *self, const place *here)
+{
+    const double grown = fmax(1, jlt_continuation_step_length(self, here->u) / self->length);
+
+    return self->options.step_max * fmin(grown, 1 / fabs(here->tangent[self->d]));
+}
+
 jlt_status jlt_continuation_run(jlt_continuation_end *end, const jlt_family *family,
                                 const jlt_continuation_point *start, int direction,
                                 const jlt_continuation_options *options, jlt_continuation_sink sink, void *context)
@@ -354,7 +362,7 @@ jlt_status jlt_continuation_run(jlt_continuation_end *end, const jlt_family *fam
         before = here;
         here = next;
         *end = JLT_CONTINUATION_POINTS;
-        if (iterations < 6) step = fmin(1.4 * step, self.options.step_max);
+        if (iterations < 6) step = fmin(1.4 * step, longest_step(&self, &here));
     }
 done:
     if (interrupted(&self) && st == JLT_ERR_NO_CONVERGENCE) {

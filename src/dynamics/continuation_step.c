@@ -101,6 +101,14 @@ static jlt_status tangent_at(const jlt_continuation_runner *self, double *tangen
     return JLT_OK;
 }
 
+double jlt_continuation_step_length(const jlt_continuation_runner *self, const double *u)
+{
+    double square = 0;
+
+    for (unsigned k = 0; k < self->d; k++) square += self->chart.period[k] != 0 ? 0 : u[k] * u[k];
+    return fmax(1, sqrt(square));
+}
+
 /* How large the coordinates at u are, and what the motion from there runs through: the map errs in units of that, up to 1. On the
  * section of an angle it errs by the tolerance at least. */
 static double size_at(const jlt_continuation_runner *self, const double *u, double noise)
@@ -147,7 +155,7 @@ jlt_status jlt_continuation_step_correct(const jlt_continuation_runner *self, do
             u[i] += delta[i];
             moved = fmax(moved, fabs(delta[i]));
         }
-        if (moved > 0.2) return JLT_ERR_NO_CONVERGENCE;
+        if (moved > 0.2 * jlt_continuation_step_length(self, u) / self->length) return JLT_ERR_NO_CONVERGENCE;
     }
     return JLT_ERR_NO_CONVERGENCE;
 }
@@ -251,6 +259,7 @@ jlt_status jlt_continuation_step_open(jlt_continuation_runner *self, double valu
     self->chart = *jlt_map_flow(map)->chart;
     self->d = self->chart.dim;
     self->tolerance = jlt_map_flow(map)->tolerance;
+    self->length = 1;
     return JLT_OK;
 }
 
@@ -269,6 +278,7 @@ jlt_status jlt_continuation_step_begin(jlt_continuation_runner *self, jlt_contin
     }
     jlt_chart_scaled(chart, first.u, start->orbit.points);
     first.u[d] = start->value / self->options.scale;
+    self->length = jlt_continuation_step_length(self, first.u);
     JLT_PASS(jlt_continuation_step_evaluate(self, &first.at, first.u));
     memcpy(guess, start->tangent, sizeof guess);
     if (!(jlt_linear_length(guess, d + 1) > 0)) guess[d] = direction;

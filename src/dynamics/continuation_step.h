@@ -13,6 +13,7 @@ typedef struct {
     size_t period;
     unsigned d;
     double tolerance; /* of the start's flow */
+    double length;    /* of the start; where u is longer, steps may be longer by as much */
     jlt_chart chart; /* a copy of the start's: it says how u is scaled */
     bool held[JLT_CHART_DIM_MAX]; /* coordinates that the reversor fixes along a branch of symmetric orbits: Newton keeps them */
 } jlt_continuation_runner;
@@ -40,8 +41,12 @@ jlt_continuation_options jlt_continuation_step_defaults(const jlt_continuation_o
 JLT_CHECKED jlt_status jlt_continuation_step_evaluate(const jlt_continuation_runner *self, jlt_continuation_equation *out,
                                                       const double *u);
 
+/* The length of the coordinates at u but for angles, at least 1. */
+double jlt_continuation_step_length(const jlt_continuation_runner *self, const double *u);
+
 /* Newton's method on F = 0, tangent . (u - start) = 0 from start = u, in place; *at is left at the last u. Out: *iterations, unless
- * NULL. Errors: NO_CONVERGENCE, also if a Newton step changes a component of u by more than 0.2; as evaluate. */
+ * NULL. Errors: NO_CONVERGENCE, also if a Newton step changes a component of u by more than 0.2 (times its length, over that of
+ * the start); as evaluate. */
 JLT_CHECKED jlt_status jlt_continuation_step_correct(const jlt_continuation_runner *self, double *u,
                                                      jlt_continuation_equation *at, const double *tangent,
                                                      unsigned *iterations);

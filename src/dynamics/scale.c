@@ -68,7 +68,8 @@ jlt_status jlt_scale_find(jlt_system *system, const double *starts, size_t count
     JLT_FREED double *rows = jlt_memory_array(count + 1, width * sizeof *rows);
     JLT_FREED double *column = jlt_memory_array(count + 1, sizeof *column);
     jlt_map *map = NULL;
-    const double noise = 10 * (system->flow.tolerance != 0 ? system->flow.tolerance : JLT_ORBIT_TOLERANCE);
+    const double tolerance = system->flow.tolerance != 0 ? system->flow.tolerance : JLT_ORBIT_TOLERANCE;
+    double largest = 0; /* of all sizes; and of one start, in units of the flow */
     size_t known = 0;
     jlt_status st = rows != NULL && column != NULL ? jlt_map_create(&map, &system->flow) : JLT_ERR_NOMEM;
 
@@ -78,11 +79,19 @@ jlt_status jlt_scale_find(jlt_system *system, const double *starts, size_t count
         if (st != JLT_ERR_NOMEM) st = JLT_OK;
     }
     for (unsigned k = 0; st == JLT_OK && k <= dim; k++) {
-        const double period = k < dim ? chart->period[k] : chart->turn, moved = median(column, rows, known, width, k, noise);
-        const double size = period != 0 ? period / (2 * pi) : extents != NULL && k < dim ? fmax(moved, extents[k]) : moved;
+        const double place = k == dim ? 0 : extents != NULL ? extents[k] : fabs(starts[k]);
+        if ((k < dim ? chart->period[k] : chart->turn) != 0) continue;
+        largest = fmax(largest, ldexp(fmax(median(column, rows, known, width, k, 0), place), k < dim ? -chart->unit[k] : 0));
+    }
+    const double least = extents != NULL ? 0 : largest > 0 && largest < 1 / ordinary ? largest : 1;
+    for (unsigned k = 0; st == JLT_OK && k <= dim; k++) {
+        const double period = k < dim ? chart->period[k] : chart->turn;
         const int unit = k < dim ? chart->unit[k] : 0;
+        const double noise = ldexp(10 * tolerance * (extents != NULL && k < dim ? 1 : fmin(largest, 1)), unit);
+        const double moved = median(column, rows, known, width, k, noise);
+        const double size = period != 0 ? period / (2 * pi) : extents != NULL && k < dim ? fmax(moved, extents[k]) : moved;
         const double counted = ldexp(size, -unit);
-        const int exponent = extents != NULL || period != 0 || counted > 1 ? unit + exponent_of(counted) : unit;
+        const int exponent = unit + exponent_of(period != 0 ? counted : fmax(counted, least));
         if (k < dim) chart->scale[k] = exponent;
         else chart->column_scale = exponent;
     }

@@ -8,8 +8,9 @@
 /** Set the sizes of the coordinates of a system's section, and of the state that it fixes. A size is the median over starts, shape
  *  (count, dim), of half the interval that the coordinate runs through in one return, where that is more than ten tolerances; or
  *  its extent, shape (dim,), if that is larger. The size of an angle is a radian. Sizes are rounded down to powers of two; in the
- *  flow's units, those from 1/64 to 64 become 1. Starts that do not return are ignored. extents NULL: none is known, and sizes
- *  below 1 become 1, since orbits that hardly move, near an equilibrium, may lie among others of size 1.
+ *  flow's units, those from 1/64 to 64 become 1. Starts that do not return are ignored. extents NULL: none is known, and there is
+ *  one start: sizes below 1 become 1, since orbits that hardly move, near an equilibrium, may lie among others of size 1; but where
+ *  all of them, and the start's coordinates, are below 1/64, they become the largest of these.
  *  Errors: NOMEM; ARG, as jlt_map_create. Cost: two returns of each start. */
 JLT_CHECKED jlt_status jlt_scale_find(jlt_system *system, const double *starts, size_t count, const double *extents);
 

@@ -211,6 +211,29 @@ static bool has_intervals(const jlt_given *self, json_t *given)
     return has;
 }
 
+/* The largest |x| of state i at the points x, shape (legs, states), in units of 2^unit. */
+static double size_of(const double *x, unsigned legs, unsigned states, unsigned i, int unit)
+{
+    double size = 0;
+
+    for (unsigned k = 0; k < legs; k++) size = fmax(size, fabs(ldexp(x[k * states + i], -unit)));
+    return size;
+}
+
+/* Radii of boxes around the points x: 1e-10 of the units, of a state above 64 of its size, and of the largest where all are below
+ * 1/64: as the motion's errors are. */
+static void set_radii(double *radii, const double *x, unsigned legs, unsigned states, const int *units)
+{
+    static const double ordinary = 64;
+    double largest = 0;
+
+    for (unsigned i = 0; i < states; i++) largest = fmax(largest, size_of(x, legs, states, i, units[i]));
+    for (unsigned i = 0; i < states; i++) {
+        const double size = size_of(x, legs, states, i, units[i]);
+        radii[i] = ldexp(1e-10 * (size > ordinary ? size : largest > 0 && largest < 1 / ordinary ? largest : 1), units[i]);
+    }
+}
+
 jlt_status jlt_given_make_legs(jlt_given *self, json_t *given, unsigned legs, const double *x, const double *T,
                                const int *turns, double radius, const int *units, char problem[JLT_GIVEN_PROBLEM_MAX])
 {
@@ -240,7 +263,8 @@ jlt_status jlt_given_make_legs(jlt_given *self, json_t *given, unsigned legs, co
     JLT_TRY(jlt_cycle_choose(cycle, self->kept, self->legs.box));
     JLT_TRY(jlt_cycle_refine(cycle, self->legs.box, self->legs.instants, legs, self->kept));
     for (unsigned i = 0; i < self->kept_count; i++) json_array_append_new(names, json_string(d->states[self->kept[i]].name));
-    for (unsigned i = 0; i < d->state_count; i++) radii[i] = radius > 0 ? radius : ldexp(1e-10, units[i]);
+    set_radii(radii, x, legs, d->state_count, units);
+    for (unsigned i = 0; radius > 0 && i < d->state_count; i++) radii[i] = radius;
     if (spreads) JLT_TRY(widen(self, legs));
     else for (unsigned i = 0, k = 0; i < legs * d->state_count; i++)
         if (i % d->state_count != self->question.column) mag_set_d(arb_radref(self->legs.box + k++), radii[i % d->state_count]);

@@ -57,8 +57,9 @@ bool jlt_given_read_legs(jlt_given *self, const json_t *given, char problem[JLT_
 /** Instead of jlt_given_read_legs, make coordinates and legs from guesses: x, shape (legs, states), points on the section; T,
  *  shape (legs,), the times from each to the next; and turns, shape (legs, states), the numbers of periods by which states have
  *  grown there. The points are refined by Newton's method, and become the midpoints of boxes of this radius, in the units of the
- *  states; radius 0: 1e-10 times 2^units[i] for state i, or, if parameters or levels are intervals, the extent to which these
- *  spread the orbits. Sets "coordinates" and "legs" of `given`.
+ *  states; radius 0: 1e-10 times 2^units[i] for state i, also times its size there if that is above 64, or times the largest size
+ *  if all are below 1/64; or, if parameters or levels are intervals, the extent to which these spread the orbits. Sets
+ *  "coordinates" and "legs" of `given`.
  *  Errors: as jlt_cycle_create, jlt_cycle_choose, jlt_cycle_refine, jlt_cycle_reach; ARG, the number of legs is not 1 to
  *  JLT_CYCLE_LEGS_MAX; UNSUPPORTED, turns that the table does not prove, described in problem; NOMEM. */
 JLT_CHECKED jlt_status jlt_given_make_legs(jlt_given *self, json_t *given, unsigned legs, const double *x, const double *T,

@@ -49,13 +49,13 @@ done
 grep -q '^-0.14984260287' ones.csv || fail "no saddle between the wells: $(cat ones.csv)" # -f/2 to first order, and by SciPy
 
 # 2. No orbit begins near here: from a start that Newton's method does not improve nothing is told, small as it is.
-for L in 1e-9 1e-10; do
+for L in 1e-9 1e-10 1e-12; do
     jellett orbits ./well.tt --set L="$L" --section phi=0 --period 1 --start "x=$(times -2 "$L"),v=$(times 0.6 "$L")" > out 2> err
     [ $? -eq 4 ] || fail "L = $L: an orbit where there is none: $(rows out)"
 done
 
 # 3. The branch of the orbit in the left well, up to where the force ends.
-for L in 1 1e6; do
+for L in 1 1e6 1e-7 1e-12; do
     start=x=$(times -1.18 "$L"),v=$(times 0.569 "$L")
     jellett continue ./well.tt --set L="$L" --section phi=0 --along f=0.25:0.3 --start "$start" > out 2> err ||
         fail "L = $L: $(cat err)"
@@ -107,14 +107,16 @@ eq x = -x + x^2/L + L*e*C
 eq phi = 1
 periodic phi = 2*pi
 TABLE
-for L in 1 1e-6; do
+for L in 1 1e-3 1e-6 1e-9 1e-12 1e9; do
     jellett continue ./radius.tt --set L="$L" --section y=0 --start "x=$(times 0.85 "$L")" --along b=-0.3:0.1 --decreasing \
         > out 2> err || fail "L = $L: $(cat err)"
-    rows out | awk -F, -v L="$L" '{ q = ($5/L)^2; bad += ($2 + q - q*q)^2 > 1e-18 } END { exit !(NR > 9 && !bad) }' ||
+    rows out | awk -F, -v L="$L" '{ q = ($5/L)^2; bad += ($2 + q - q*q)^2 > 1e-18; folds += /,fold,/ && ($2 + 1/4)^2 < 1e-18 }
+        END { exit !(NR > 9 && !bad && folds == 1) }' ||
         fail "L = $L: points that are no orbits: $(rows out | tail -3)"
     jellett continue ./riccati.tt --set L="$L" --section phi=0 --start x=0 --along e=0.001:0.9 > out 2> err ||
         fail "L = $L: $(cat err)"
-    rows out | awk -F, '{ bad += $2 > 0.779150542352136 + 1e-9 } END { exit !(NR > 9 && !bad) }' ||
+    rows out | awk -F, '{ bad += $2 > 0.779150542352136 + 1e-9; folds += /,fold,/ && $2 > 0.779150542352136 - 1e-9 }
+        END { exit !(NR > 9 && !bad && folds == 1) }' || # the orbit grows by a thousand from where it begins
         fail "L = $L: points beyond the fold: $(rows out | tail -3)"
 done
 
@@ -216,4 +218,11 @@ awk -F, '{ bad += ($5*(1 + $2*$2) + 1)^2 + ($6*(1 + $2*$2))^2 > (26*1e-8)^2; las
 # A proof takes as many steps by a slow clock: x at phi = 0 is 1/2, and the multiplier exp(-2 pi).
 timeout 60 jellett certify cycle ./clock.tt --set e=1e-11 --section phi=0 --start x=0.5 > out 2> err
 grep -q 'That point is x = 0.5000' out || fail "e = 1e-11, a proof: $(cat err)"
+# and a box as large as the orbit takes: q = (1 + sqrt(1/5))/2 at b = -1/5, x = 0.85065 L.
+for L in 1e-6 1e-9 1e12; do
+    timeout 60 jellett certify cycle ./radius.tt --set L="$L" --section y=0 --start "x=$(times 0.85 "$L")" > out 2> err
+    grep -Eq 'That point is x = 8\.?5065080835' out || fail "L = $L, a proof: $(cat err)"
+    timeout 60 jellett certify cycle ./well.tt --set L="$L" --section phi=0 --start "x=$(times -1.18 "$L"),v=$(times 0.569 "$L")" \
+        > out 2> err || fail "L = $L, a proof: $(cat err)"
+done
 exit $status
