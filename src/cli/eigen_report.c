@@ -51,8 +51,8 @@ void jlt_eigen_reason(char *text, const jlt_eigen_row *row)
     else if (e->stage == JLT_EQUILIBRIUM_SEARCH)
         snprintf(text, size, "Newton's method finds no equilibrium from here (try another guess with --at)");
     else if (e->status == JLT_ERR_EMPTY)
-        snprintf(text, size, "this state is no equilibrium: residual %.6g, relative %.3g (--at gives its states; --find looks for one "
-                             "nearby)", e->result.residual, e->result.residual_ratio);
+        snprintf(text, size, "this state is no equilibrium: residual %.6g, relative %.3g (--at gives its states; --find looks "
+                             "for one nearby)", e->result.residual, e->result.residual_ratio);
     else if (e->status == JLT_ERR_NONFINITE)
         snprintf(text, size, "a value overflows or underflows on the way: use units in which parameters and states are nearer "
                              "one");
