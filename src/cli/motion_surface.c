@@ -66,15 +66,16 @@ static jlt_exit refuse_large(const jlt_surface *surface)
     const jlt_descriptor *table = surface->table;
     const unsigned values = table->param_count + section->level_count, coordinates = section->coordinate_count;
     char what[160], own[OWN_SECTION];
-    size_t index;
 
-    for (unsigned k = 0; k < section->level_count; k++)
-        if (jlt_descriptor_param(surface->asked, section->levels[k].name, &index))
+    for (unsigned k = 0; k < section->level_count; k++) {
+        const char *taken = jlt_surface_taken(surface, section->levels[k].name);
+        if (taken != NULL)
             return jlt_command_fail(JLT_EXIT_INPUT,
-                                    "the section %s of %s has a level %s, which is a parameter of %s: rename one of the two, or "
+                                    "the section %s of %s has a level %s, which is %s of %s: rename one of the two, or "
                                     "ask for a section of the table itself, %s",
-                                    section->name, table->model, section->levels[k].name, surface->asked->model,
+                                    section->name, table->model, section->levels[k].name, taken, surface->asked->model,
                                     own_section(own, surface));
+    }
     if (coordinates > JLT_CHART_COORDINATES_MAX)
         snprintf(what, sizeof what, "has %u coordinates, and %d are the limit", coordinates, (int)JLT_CHART_COORDINATES_MAX);
     else if (values > JLT_CHART_VALUES_MAX)

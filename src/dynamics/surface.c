@@ -80,9 +80,21 @@ static jlt_status list_values(jlt_surface *out)
         if (is_other) JLT_PASS(add(out, q, q->value, JLT_SURFACE_COMPUTED));
     }
     out->params = out->count;
-    for (unsigned i = 0; i < out->section->level_count; i++)
-        JLT_PASS(add(out, &out->section->levels[i], out->section->levels[i].value, table->param_count + i));
+    for (unsigned i = 0; i < out->section->level_count; i++) {
+        const jlt_quantity *q = &out->section->levels[i];
+        if (jlt_surface_taken(out, q->name) != NULL) return JLT_ERR_UNSUPPORTED;
+        JLT_PASS(add(out, q, q->value, table->param_count + i));
+    }
     return add_params(out, JLT_SOURCE_LEVEL);
+}
+
+const char *jlt_surface_taken(const jlt_surface *surface, const char *level)
+{
+    const jlt_claim *claim = jlt_descriptor_claim(surface->asked, "integral", level);
+    size_t index;
+
+    if (jlt_descriptor_param(surface->asked, level, &index)) return "a parameter";
+    return claim != NULL && claim->condition[0] != '\0' ? "a conditional integral" : NULL;
 }
 
 /* Whether proved claims lead from the asked table to this section of `table`; if not, *claim is one that is not proved, or NULL. */

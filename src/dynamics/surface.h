@@ -36,10 +36,12 @@ typedef struct jlt_surface {
 /** Find the section called `name`, or the first if that is NULL, in the asked table or one that proved claims link to it; others:
  *  tables beside those that are built in, NULL for none. *broken: NULL if it is found; else, if a claim would lead to a section
  *  but is not proved, or its parameters and levels cannot be followed, that claim, and *out is the section all the same.
- *  Errors: UNSUPPORTED, no section, or one with more values than there is room for, or of which a level is called like a parameter
- *  of the asked table. */
+ *  Errors: UNSUPPORTED, no section, or one with more values than there is room for, or of which a level's name is taken. */
 JLT_CHECKED jlt_status jlt_surface_find(jlt_surface *out, const jlt_claim **broken, const jlt_descriptor *asked,
                                         const jlt_way_tables *others, const char *name);
+
+/** What else of the asked table has the name of a level, which reductions do not compare with it; NULL if nothing has. */
+const char *jlt_surface_taken(const jlt_surface *surface, const char *level);
 
 /** The index of a value; surface->count where there is none of this name. */
 unsigned jlt_surface_value(const jlt_surface *surface, const char *name);

@@ -164,6 +164,12 @@ sed -i -e 's/\<E\>/H/g' -e 's/^param I1/param E\n&/' -e 's/^default /&E = 7, /' 
     spherical_top.tt
 expect 3 'the section turning of spherical_top_level has a level E, which is a parameter of spherical_top: rename one' \
     jellett section ./spherical_top.tt "${section[@]}" --level E=2
+# Nor a level and an integral that holds under a condition, which the reduction does not compare with it.
+anew
+sed -i -e 's/^integral E = .*/integral H = energy/; s/^integral F0/integral E/; s/ : E, G, F0$/ : H, G, E/; s/ : E, G$/ : H, G/' \
+    spherical_top.tt
+expect 3 'the section turning of spherical_top_level has a level E, which is a conditional integral of spherical_top: rename one' \
+    jellett section ./spherical_top.tt "${section[@]}" --set a3=0 --level E=2
 
 # What is advised can be done: names are those of the table asked for, and what no record could mend is not asked to be written.
 anew
