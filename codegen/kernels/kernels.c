@@ -96,7 +96,17 @@ static uint32_t *claims_of_kind(ttc_kernels *k, ttc_claim_kind kind, size_t *cou
     return list;
 }
 
-/* Whether a family and the claims about it have values in the field: a variant may set to zero what they divide by. */
+/* Whether the last expressions have values in the field: a variant may set to zero what they divide by. failed: of the field,
+ * before them. */
+static bool have_values(ttc_field *field, bool failed)
+{
+    if (ttc_graph_error(field->graph) != TTC_GRAPH_DIVISION_BY_ZERO) return true;
+    ttc_graph_clear_error(field->graph);
+    field->failed = failed;
+    return false;
+}
+
+/* The same of a family and the claims about it. */
 static bool has_values(ttc_field *field, uint32_t family)
 {
     const bool failed = field->failed;
@@ -109,10 +119,7 @@ static bool has_values(ttc_field *field, uint32_t family)
         for (size_t j = 0; j < claim->entry_count; j++) ttc_field_specialise(field, claim->entries[j]);
         if (claim->expression != TTC_NONE) ttc_field_specialise(field, claim->expression);
     }
-    if (ttc_graph_error(field->graph) != TTC_GRAPH_DIVISION_BY_ZERO) return true;
-    ttc_graph_clear_error(field->graph);
-    field->failed = failed;
-    return false;
+    return have_values(field, failed);
 }
 
 static bool add_integral_kernels(ttc_kernels *k)
@@ -123,8 +130,13 @@ static bool add_integral_kernels(ttc_kernels *k)
     if (k->integrals == NULL || !reserve(k, TTC_KERNEL_INTEGRAL_VALUES, k->integral_count)
         || !reserve(k, TTC_KERNEL_INTEGRAL_GRADIENTS, k->integral_count * n))
         return false;
-    for (size_t i = 0; i < k->integral_count; i++) {
+    const size_t count = k->integral_count;
+    k->integral_count = 0;
+    for (size_t i = 0; i < count; i++) {
+        const bool failed = field->failed;
         ttc_id value = ttc_field_specialise(field, field->model->claims[k->integrals[i]].expression);
+        if (!have_values(field, failed)) continue;
+        k->integrals[k->integral_count++] = k->integrals[i];
         append(k, TTC_KERNEL_INTEGRAL_VALUES, value);
         for (size_t j = 0; j < n; j++) append(k, TTC_KERNEL_INTEGRAL_GRADIENTS, ttc_field_partial(field, value, j));
     }
@@ -163,9 +175,14 @@ static bool add_measure_kernels(ttc_kernels *k)
     if (!reserve(k, TTC_KERNEL_MEASURE_VALUES, k->measure_count)
         || !reserve(k, TTC_KERNEL_MEASURE_DIVERGENCES, k->measure_count))
         return false;
-    for (size_t i = 0; i < k->measure_count; i++) {
+    const size_t count = k->measure_count;
+    k->measure_count = 0;
+    for (size_t i = 0; i < count; i++) {
+        const bool failed = k->field->failed;
         ttc_id rho = density(k, k->measures[i]);
+        if (!have_values(k->field, failed)) continue;
         if (rho == TTC_NONE) return false;
+        k->measures[k->measure_count++] = k->measures[i];
         append(k, TTC_KERNEL_MEASURE_VALUES, rho);
         append(k, TTC_KERNEL_MEASURE_DIVERGENCES, density_divergence(k, rho));
     }

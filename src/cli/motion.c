@@ -149,13 +149,24 @@ jlt_exit jlt_motion_no_coordinate(const jlt_chart *chart, const char *option, co
     return JLT_EXIT_INPUT;
 }
 
+/* The start that the section's tables call so; NULL: none. */
+static const jlt_section_point *named_start(const jlt_system *system, const char *name)
+{
+    const jlt_section_chart *section = system->surface != NULL ? system->surface->section : NULL;
+
+    for (unsigned i = 0; section != NULL && i < section->start_count; i++)
+        if (strcmp(section->starts[i].name, name) == 0) return &section->starts[i];
+    return NULL;
+}
+
 jlt_exit jlt_motion_start(double *q, const jlt_system *system, const char *text)
 {
     const jlt_chart *chart = system->flow.chart;
+    const jlt_section_point *named = named_start(system, text);
     jlt_grid_axis axes[JLT_CHART_DIM_MAX + 1];
     bool given[JLT_CHART_DIM_MAX] = { false };
     size_t count = 0;
-    jlt_exit code = strchr(text, '=') == NULL || strchr(text, ':') != NULL
+    jlt_exit code = named != NULL ? JLT_EXIT_DONE : strchr(text, '=') == NULL || strchr(text, ':') != NULL
                         ? jlt_command_fail(JLT_EXIT_USAGE, "--start: '%s' is no start (write NAME=VALUE,...)", text)
                         : jlt_grid_parse(axes, &count, JLT_CHART_DIM_MAX + 1, text, "--start");
 
@@ -166,7 +177,8 @@ jlt_exit jlt_motion_start(double *q, const jlt_system *system, const char *text)
         q[k] = axes[i].low;
         given[k] = true;
     }
-    for (unsigned k = 0; code == JLT_EXIT_DONE && k < chart->dim; k++)
+    for (unsigned k = 0; named != NULL && k < chart->dim; k++) q[k] = named->point[k];
+    for (unsigned k = 0; named == NULL && code == JLT_EXIT_DONE && k < chart->dim; k++)
         if (!given[k]) code = jlt_command_fail(JLT_EXIT_INPUT, "--start: give %s as well", chart->names[k]);
     return code == JLT_EXIT_DONE ? jlt_motion_refuse_point(system->surface, q, text) : code;
 }

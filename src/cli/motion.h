@@ -96,7 +96,8 @@ unsigned jlt_motion_levels(const jlt_system *system, const char **names, double 
 /** Refuse the name, shape (length,), in `option`, and print those of the section's coordinates. Returns JLT_EXIT_INPUT. */
 jlt_exit jlt_motion_no_coordinate(const jlt_chart *chart, const char *option, const char *name, size_t length);
 
-/** Read one start, NAME=VALUE,... with a value for every coordinate of the section. Out: q, shape (dim,). */
+/** Read one start: NAME=VALUE,... with a value for every coordinate of the section, or the name of a start in its tables. Out: q,
+ *  shape (dim,). */
 jlt_exit jlt_motion_start(double *q, const jlt_system *system, const char *text);
 
 /** Check, before anything is written, that an orbit can begin at each of these starts, shape (count,), as typed. */

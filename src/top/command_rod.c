@@ -19,7 +19,7 @@ typedef struct {
     jlt_grid_axis axes[AXES_MAX];
     double *targets[AXES_MAX]; /* the entry of the session's params or x that an axis runs over */
     size_t axis_count, all; /* all: number of rows */
-    size_t rows;
+    size_t rows, empty; /* written; those of them without values */
     bool check;
     jlt_extent extent[2]; /* of period and rotation number */
 } request;
@@ -68,20 +68,6 @@ static const struct argp parser = {
     children, NULL, NULL,
 };
 
-/* Refuse a parameter value that breaks its sign condition. A condition that holds at both ends of an axis holds between them. */
-static jlt_exit check_end(request *r, double *target, double value)
-{
-    const jlt_descriptor *d = r->session.descriptor;
-    const double before = *target;
-    size_t index = 0;
-    jlt_exit code = JLT_EXIT_DONE;
-
-    *target = value;
-    if (jlt_descriptor_check_params(d, r->session.params, &index) != JLT_OK) code = jlt_assign_refuse(d, index, value);
-    *target = before;
-    return code;
-}
-
 static jlt_exit bind_axes(request *r)
 {
     jlt_session *s = &r->session;
@@ -96,8 +82,6 @@ static jlt_exit bind_axes(request *r)
         else if (jlt_descriptor_param(s->descriptor, r->axes[k].name, &index)) r->targets[k] = &s->params[index];
         else if (jlt_descriptor_state(s->descriptor, r->axes[k].name, &index)) r->targets[k] = &s->x[index];
         else code = jlt_command_fail(JLT_EXIT_INPUT, "--sweep: there is no state or parameter '%s'", r->axes[k].name);
-        if (code == JLT_EXIT_DONE) code = check_end(r, r->targets[k], r->axes[k].low);
-        if (code == JLT_EXIT_DONE) code = check_end(r, r->targets[k], r->axes[k].high);
     }
     return code;
 }
@@ -135,6 +119,9 @@ static jlt_status integrate(double defects[3], const request *r, const jlt_rod *
 
 static jlt_status open_rod(jlt_rod *rod, const request *r)
 {
+    size_t index;
+
+    JLT_PASS(jlt_descriptor_check_params(r->session.descriptor, r->session.params, &index));
     return jlt_rod_open(rod, r->session.descriptor, r->session.params, r->session.x);
 }
 
@@ -171,7 +158,8 @@ static jlt_exit write_row(FILE *file, request *r)
         jlt_csv_value(file, *r->targets[k]);
         fputc(',', file);
     }
-    if (st == JLT_ERR_DOMAIN) { /* G = 0 or |gamma3| >= 1: this point of the grid has no value */
+    if (st == JLT_ERR_DOMAIN) {
+        r->empty++;
         while (count < 7 + (r->check ? 3u : 0u)) values[count++] = NAN;
     } else {
         if (st != JLT_OK) return jlt_session_fail(st, "the quadrature");
@@ -211,6 +199,9 @@ static jlt_exit write_rows(FILE *file, request *r)
         for (size_t k = 0; k < r->axis_count; k++) *r->targets[k] = values[k];
         code = write_row(file, r);
     }
+    if (r->empty > 0)
+        fprintf(stderr, "jellett: %zu of %zu points have no values: G = 0, |gamma3| >= 1, or a parameter that %s does not allow\n",
+                r->empty, r->rows, r->session.descriptor->model);
     return code;
 }
 

@@ -212,4 +212,8 @@ sed 's/small/straight/g' small_cut.tt > straight_cut.tt
 expect 3 'with v = 0.1 is not its own mirror image: take 0 in --start' \
     jellett orbits ./straight.tt --line y=-0.1:0.1:5 --start y=0,v=0.1 --period 1
 expect 3 'that of straight keeps other lines' jellett orbits ./straight.tt --line v=-0.1:0.1:5 --start y=0,v=0 --period 1
+# A start that the tables name is the point that they give.
+for start in saddle eta=0,gamma3=-0.61; do jellett section --start $start --returns 1 2> err | grep -v '^#' > "$start"; done
+cmp -s saddle eta=0,gamma3=-0.61 && [ "$(wc -l < saddle)" -eq 3 ] || fail "a start by its name: $(cat saddle err)"
+expect 2 'is no start' jellett section --start saddles
 exit $status
