@@ -42,7 +42,8 @@ static void tell_untracked(const jlt_descriptor *d)
         fprintf(stderr, "jellett: %s is an integral ", claim->name);
         if (claim->condition[0] == '\0')
             fputs("on zero levels of other claims alone ('modulo'); its drift has no column\n", stderr);
-        else fprintf(stderr, "where %s; its drift has a column there once a 'variant' sets this\n", claim->condition);
+        else fprintf(stderr, "where %s; its drift has a column there once a 'variant' sets this, unless it holds on zero levels "
+                             "of other claims alone ('modulo')\n", claim->condition);
     }
 }
 

@@ -80,13 +80,16 @@ static bool is_symmetric(const jlt_chart *chart, const double *points, size_t pe
     return false;
 }
 
-static jlt_orbit_type classify(const double *re, const double *im, unsigned d)
+/* error: of DP. It moves a double multiplier +-1 by its square root, but hardly the product of two distances from +-1. */
+static jlt_orbit_type classify(const double *re, const double *im, unsigned d, double error)
 {
     unsigned i, inside = 0, outside = 0;
 
     for (i = 0; i < d; i++) {
-        const double modulus = hypot(re[i], im[i]);
-        if (fabs(fabs(re[i]) - 1) < degenerate && fabs(im[i]) < degenerate) return JLT_ORBIT_DEGENERATE;
+        const double modulus = hypot(re[i], im[i]), one = copysign(1, re[i]), distance = hypot(re[i] - one, im[i]);
+        if (distance < degenerate) return JLT_ORBIT_DEGENERATE;
+        for (unsigned k = 0; k < i; k++)
+            if (distance * hypot(re[k] - one, im[k]) < error) return JLT_ORBIT_DEGENERATE;
         if (modulus < 1 - degenerate) inside++;
         else if (modulus > 1 + degenerate) outside++;
     }
@@ -96,15 +99,14 @@ static jlt_orbit_type classify(const double *re, const double *im, unsigned d)
     return im[0] == 0 && re[0] < 0 ? JLT_ORBIT_FLIP_SADDLE : JLT_ORBIT_SADDLE;
 }
 
-/* Replace the multipliers that errors of DP change by more than a thousandth: a single one follows from the determinant, which the
- * divergence gives; several become NaN. */
-static void leave_known(jlt_periodic *orbit, const double *slope, double tolerance, unsigned d)
+/* Replace the multipliers that the error of DP changes by more than a thousandth: a single one follows from the determinant, which
+ * the divergence gives; several become NaN. */
+static void leave_known(jlt_periodic *orbit, double error, unsigned d)
 {
-    const double noise = 1e3 * tolerance * fmax(1, jlt_linear_length(slope, d * d));
     double rest = orbit->determinant;
     unsigned known = 0;
 
-    for (; known < d && hypot(orbit->re[known], orbit->im[known]) > noise; known++)
+    for (; known < d && hypot(orbit->re[known], orbit->im[known]) > 1e3 * error; known++)
         rest /= orbit->im[known] != 0 ? hypot(orbit->re[known], orbit->im[known]) : orbit->re[known];
     for (unsigned i = known; i < d; i++) {
         orbit->re[i] = known + 1 == d ? rest : NAN;
@@ -149,6 +151,7 @@ jlt_status jlt_periodic_measure(jlt_map *map, jlt_periodic *io)
     orbit.defect = at.defect;
     orbit.determinant = exp(at.expansion);
     orbit.determinant_slope = at.determinant;
+    const double error = (tolerance != 0 ? tolerance : JLT_ORBIT_TOLERANCE) * fmax(1, jlt_linear_length(slope, d * d));
     JLT_PASS(jlt_linear_eigenvalues(orbit.re, orbit.im, slope, d));
     /* With one coordinate, a small multiplier keeps its digits through the divergence alone; DP gives its sign. */
     if (d == 1) {
@@ -157,8 +160,8 @@ jlt_status jlt_periodic_measure(jlt_map *map, jlt_periodic *io)
     }
     if (d == 2) multiply_to(&orbit);
     orbit.symmetric = is_symmetric(chart, orbit.points, orbit.period);
-    orbit.type = classify(orbit.re, orbit.im, d);
-    if (d > 2) leave_known(&orbit, slope, tolerance != 0 ? tolerance : JLT_ORBIT_TOLERANCE, d);
+    orbit.type = classify(orbit.re, orbit.im, d, error);
+    if (d > 2) leave_known(&orbit, error, d);
     *io = orbit;
     return JLT_OK;
 }
