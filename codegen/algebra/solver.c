@@ -6,7 +6,6 @@
 
 /* Larger questions are not asked, as the cost of nonlinear arithmetic is doubly exponential. */
 enum { TERM_LIMIT = 4000, DEGREE_LIMIT = 40, VARIABLE_LIMIT = 40 };
-#define WORK_LIMIT 4000000u /* in the solver's units, some ten seconds at most */
 
 typedef struct {
     Z3_context z3;
@@ -362,23 +361,29 @@ static Z3_context context_of(ttc_ring *ring)
     return ring->solver;
 }
 
-/* how: the solver eliminates variables in its own order, 0, or another, 1; or in its own, and tries other values, 2. */
-static ttc_solver_answer ask_once(ttc_witness *point, const ttc_conditions *conditions, bool with_functions, unsigned how)
+/* How the solver searches: as it is made to; without using what it learns from conflicts until it has a point; with the variables
+ * eliminated in an order of chance; in the order of the ring. */
+typedef enum { AS_MADE, WITHOUT_LEARNING, IN_OTHER_ORDER, IN_GIVEN_ORDER, MANNER_COUNT } manner;
+
+static ttc_solver_answer ask_once(ttc_witness *point, const ttc_conditions *conditions, bool with_functions, manner how)
 {
+    static const unsigned work_limits[MANNER_COUNT] = { 4000000, 250000, 1000000, 4000000 }; /* some ten seconds at most */
     question q = { .point = point };
     q.variables = calloc(point->ring->variable_count + 1, sizeof(Z3_ast));
     if (q.variables == NULL) return TTC_SOLVER_SILENT;
     q.z3 = context_of(point->ring);
     /* As parameters of one solver, some versions of Z3 (4.13 is one) do not know them, and ask nothing then. */
-    Z3_global_param_set("nlsat.randomize", how != 0 ? "false" : "true");
-    Z3_global_param_set("nlsat.shuffle_vars", how == 1 ? "true" : "false");
-    Z3_global_param_set("nlsat.seed", how == 1 ? "2" : "0");
+    Z3_global_param_set("nlsat.randomize", how == AS_MADE ? "true" : "false");
+    Z3_global_param_set("nlsat.lazy", how == WITHOUT_LEARNING ? "2" : "0");
+    Z3_global_param_set("nlsat.reorder", how == IN_GIVEN_ORDER ? "false" : "true");
+    Z3_global_param_set("nlsat.shuffle_vars", how == IN_OTHER_ORDER ? "true" : "false");
+    Z3_global_param_set("nlsat.seed", how == IN_OTHER_ORDER ? "2" : "0");
     q.real = Z3_mk_real_sort(q.z3);
     q.solver = Z3_mk_solver_for_logic(q.z3, Z3_mk_string_symbol(q.z3, "QF_NRA"));
     Z3_solver_inc_ref(q.z3, q.solver);
     Z3_params params = Z3_mk_params(q.z3);
     Z3_params_inc_ref(q.z3, params);
-    Z3_params_set_uint(q.z3, params, Z3_mk_string_symbol(q.z3, "rlimit"), how == 1 ? WORK_LIMIT / 4 : WORK_LIMIT);
+    Z3_params_set_uint(q.z3, params, Z3_mk_string_symbol(q.z3, "rlimit"), work_limits[how]);
     /* Otherwise Z3 catches SIGINT while it works, and the program does not receive it. */
     Z3_params_set_bool(q.z3, params, Z3_mk_string_symbol(q.z3, "ctrl_c"), false);
     Z3_solver_set_params(q.z3, q.solver, params);
@@ -389,12 +394,18 @@ static ttc_solver_answer ask_once(ttc_witness *point, const ttc_conditions *cond
     return answer;
 }
 
-/* Some versions of Z3 (4.8.12 is one) lose points beside zeros of what they eliminate, depending on the order of the search: that
- * there is no point is believed only if two searches agree, the second in another order if that is not too long. */
+/* Some versions of Z3 (4.8.12 is one) lose points beside zeros of what they eliminate: where a polynomial in the next variable has a
+ * double root, they may learn that it has none. That there is no point is believed only if another search agrees, and neither the one
+ * that does not use what was learned nor the one in another order finds a point; the given order decides where both take too long. */
 ttc_solver_answer ttc_solver_ask(ttc_witness *point, const ttc_conditions *conditions, bool with_functions)
 {
-    ttc_solver_answer answer = ask_once(point, conditions, with_functions, 0);
-    if (answer != TTC_SOLVER_NO_POINT) return answer;
-    answer = ask_once(point, conditions, with_functions, 1);
-    return answer == TTC_SOLVER_SILENT ? ask_once(point, conditions, with_functions, 2) : answer;
+    const ttc_solver_answer first = ask_once(point, conditions, with_functions, AS_MADE);
+    ttc_solver_answer second = TTC_SOLVER_SILENT;
+    if (first != TTC_SOLVER_NO_POINT) return first;
+    for (manner how = WITHOUT_LEARNING; how <= IN_OTHER_ORDER || (how == IN_GIVEN_ORDER && second == TTC_SOLVER_SILENT); how++) {
+        const ttc_solver_answer answer = ask_once(point, conditions, with_functions, how);
+        if (answer == TTC_SOLVER_POINT) return answer;
+        if (answer == TTC_SOLVER_NO_POINT) second = answer;
+    }
+    return second;
 }
