@@ -164,8 +164,8 @@ jlt_exit jlt_motion_no_orbit(jlt_status status, const jlt_system *system, const 
 /** Print "WHAT", which names what only a section with a reversor has, and what may help. Returns JLT_EXIT_INPUT. */
 jlt_exit jlt_motion_no_reversor(const jlt_system *system, const char *what);
 
-/** If the method failed on some of the orbits, print on how many, and in how many of these a state grows without bound, and return
- *  JLT_EXIT_NUMERICAL; else return JLT_EXIT_DONE. */
+/** Print how many of the orbits ended by budget. If the method failed on some, print on how many, and in how many of these a state
+ *  grows without bound, and return JLT_EXIT_NUMERICAL; else return JLT_EXIT_DONE. */
 jlt_exit jlt_motion_failures(const jlt_system *system, const jlt_failures *failures, size_t orbits);
 
 /** Whether a signal has asked the command to finish. */

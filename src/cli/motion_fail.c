@@ -84,6 +84,11 @@ jlt_exit jlt_motion_no_reversor(const jlt_system *system, const char *what)
 
 jlt_exit jlt_motion_failures(const jlt_system *system, const jlt_failures *failures, size_t orbits)
 {
+    if (failures->spent > 0)
+        fprintf(stderr,
+                "jellett: %zu of %zu orbits ended by budget, all steps or time spent on one return: it lasts too long "
+                "(--max-steps allows more), never comes, or the motion is stiff ('jellett simulate' tells which)\n",
+                failures->spent, orbits);
     if (failures->count == 0) return JLT_EXIT_DONE;
     if (failures->unbounded > 0)
         fprintf(stderr, "jellett: in %zu of %zu orbits a state seems to grow without bound: in the first of them %s, towards "

@@ -352,7 +352,7 @@ jlt_exit jlt_motion_surface_system(jlt_system **system, const jlt_motion_options
     JLT_PASS(read_values(values, options, surface));
     jlt_status st = jlt_surface_system(system, surface, values, &options->flow);
     if (st == JLT_OK) st = count_from_starts(*system, options);
-    return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_refuse(surface, values, st, st == JLT_ERR_DOMAIN ? "--set" : NULL);
+    return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_refuse(surface, values, st, NULL);
 }
 
 jlt_exit jlt_motion_surface(jlt_surface *surface, bool *has, const jlt_motion_options *options, const jlt_descriptor *asked)

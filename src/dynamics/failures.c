@@ -2,6 +2,7 @@
 
 void jlt_failures_add(jlt_failures *sum, jlt_fate fate, unsigned unbounded, double t)
 {
+    sum->spent += fate == JLT_FATE_BUDGET;
     if (!jlt_section_failed(fate)) return;
     const bool is_known = unbounded < JLT_CHART_STATES_MAX;
     jlt_failures_join(sum, &(jlt_failures){ .count = 1, .unbounded = is_known, .state = unbounded, .t = t });
@@ -14,5 +15,6 @@ void jlt_failures_join(jlt_failures *sum, const jlt_failures *more)
         sum->t = more->t;
     }
     sum->count += more->count;
+    sum->spent += more->spent;
     sum->unbounded += more->unbounded;
 }

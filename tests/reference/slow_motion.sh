@@ -66,6 +66,7 @@ T
 for start in --start=x=1,vx=0,vy=2 --grid=x=1,vx=0,vy=2; do
     jellett section ./kepler.tt --section y=0 "$start" --returns 2 > out 2> err || fail "$start: $(cat err)"
     tail -1 out | grep -q ',budget$' || fail "$start: $(tail -1 out)"
+    grep -q '1 of 1 orbits ended by budget' err || fail "$start: nothing is said of the budget: $(cat err)"
 done
 
 # Rates so slow or fast that powers of them leave the range of doubles: x(30/k) of x'' = -k^2 x^3 from x = 1, v = 1/2, by Jacobi's
@@ -103,6 +104,7 @@ T
 for start in --start=theta=0,phase=0 --grid=theta=0,phase=0; do
     jellett section ./swing.tt --section v=0 "$start" --returns 1 > out 2> err || fail "$start: $(cat err)"
     tail -1 out | grep -q ',budget$' || fail "$start: $(tail -1 out)"
+    grep -q '1 of 1 orbits ended by budget' err || fail "$start: nothing is said of the budget: $(cat err)"
 done
 # The same beside 32 more states, where no Jacobian is looked at.
 { cat swing.tt; for i in $(seq 32); do printf 'state y%d\neq y%d = -y%d\n' "$i" "$i" "$i"; done; } > company.tt
