@@ -80,8 +80,10 @@ for tolerance in 1e-11 1e-12 1e-13; do
         fail "a centre by $tolerance: $(cat row.csv err)"
 done
 
-# Tori of x'' = -x^3, whose period varies from one to the next: multipliers of their orbits are 1, double, whatever errors of DP make.
-printf '%s\n' 'model quartic' 'state x' 'state v' 'state phi' 'eq x = v' 'eq v = -x^3' 'eq phi = 1/4' 'periodic phi = 2*pi' > quartic.tt
+# Tori of x'' = -x^3, whose period varies from one to the next: a double multiplier 1, whatever errors of DP make of it.
+printf '%s\n' 'model quartic' 'state x' 'state v' 'state phi' 'eq x = v' 'eq v = -x^3' 'eq phi = 1/4' \
+    'periodic phi = 2*pi' > quartic.tt
 expect 0 '' jellett orbits ./quartic.tt --section phi=0 --grid x=-1:3:9,v=-1.1:1:4 --period 1
-awk -F, '/^1,/ { rows++; bad += $12 != "degenerate" } END { exit !(rows > 3 && !bad) }' out || fail "orbits of tori: $(grep '^1,' out)"
+awk -F, '/^1,/ { rows++; bad += $12 != "degenerate" } END { exit !(rows > 3 && !bad) }' out ||
+    fail "orbits of tori: $(grep '^1,' out)"
 exit $status

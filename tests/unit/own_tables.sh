@@ -245,8 +245,8 @@ expect 0 '' jellett simulate ./swing.tt --start x=1,v=0 --times 1 --set c=1
 # What is claimed on a zero level alone has no condition to tell.
 printf '%s\n' 'model level' 'state x' 'state v' 'eq x = v' 'eq v = -v' 'invariant rest = v' 'integral X = x modulo rest' > level.tt
 expect 0 "X is an integral on zero levels of other claims alone" jellett simulate ./level.tt --start x=1,v=0 --times 1
-printf '%s\n' 'model level' 'param c' 'default c = 0' 'state x' 'state v' 'eq x = v' 'eq v = c - v' 'invariant rest = v when c = 0' \
-    'integral X = x when c = 0 modulo rest' 'variant calm : c = 0' > level.tt
+printf '%s\n' 'model level' 'param c' 'default c = 0' 'state x' 'state v' 'eq x = v' 'eq v = c - v' \
+    'invariant rest = v when c = 0' 'integral X = x when c = 0 modulo rest' 'variant calm : c = 0' > level.tt
 expect 0 "X is an integral where c = 0; .* unless it holds on zero levels of other claims alone" \
     jellett simulate ./level.tt --start x=1,v=0 --times 1
 
