@@ -363,11 +363,11 @@ static Z3_context context_of(ttc_ring *ring)
 
 /* How the solver searches: as it is made to; without using what it learns from conflicts until it has a point; with the variables
  * eliminated in an order of chance; in the order of the ring. */
-typedef enum { AS_MADE, WITHOUT_LEARNING, IN_OTHER_ORDER, IN_GIVEN_ORDER, MANNER_COUNT } manner;
+typedef enum { AS_MADE, WITHOUT_LEARNING, IN_OTHER_ORDER, IN_GIVEN_ORDER, STRATEGY_COUNT } strategy;
 
-static ttc_solver_answer ask_once(ttc_witness *point, const ttc_conditions *conditions, bool with_functions, manner how)
+static ttc_solver_answer ask_once(ttc_witness *point, const ttc_conditions *conditions, bool with_functions, strategy how)
 {
-    static const unsigned work_limits[MANNER_COUNT] = { 4000000, 250000, 1000000, 4000000 }; /* some ten seconds at most */
+    static const unsigned work_limits[STRATEGY_COUNT] = { 4000000, 250000, 1000000, 4000000 }; /* some ten seconds at most */
     question q = { .point = point };
     q.variables = calloc(point->ring->variable_count + 1, sizeof(Z3_ast));
     if (q.variables == NULL) return TTC_SOLVER_SILENT;
@@ -402,7 +402,7 @@ ttc_solver_answer ttc_solver_ask(ttc_witness *point, const ttc_conditions *condi
     const ttc_solver_answer first = ask_once(point, conditions, with_functions, AS_MADE);
     ttc_solver_answer second = TTC_SOLVER_SILENT;
     if (first != TTC_SOLVER_NO_POINT) return first;
-    for (manner how = WITHOUT_LEARNING; how <= IN_OTHER_ORDER || (how == IN_GIVEN_ORDER && second == TTC_SOLVER_SILENT); how++) {
+    for (strategy how = WITHOUT_LEARNING; how <= IN_OTHER_ORDER || (how == IN_GIVEN_ORDER && second == TTC_SOLVER_SILENT); how++) {
         const ttc_solver_answer answer = ask_once(point, conditions, with_functions, how);
         if (answer == TTC_SOLVER_POINT) return answer;
         if (answer == TTC_SOLVER_NO_POINT) second = answer;
