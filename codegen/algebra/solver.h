@@ -1,5 +1,5 @@
 /** The solver for nonlinear real arithmetic, Z3 (L. de Moura, N. Bjorner, TACAS 2008; D. Jovanovic, L. de Moura, Solving
- *  Non-linear Arithmetic, IJCAR 2012). Only solver.c calls Z3. */
+ *  Non-linear Arithmetic, IJCAR 2012). Only solver.c and solver_question.c call Z3. */
 #ifndef TTC_SOLVER_H
 #define TTC_SOLVER_H
 

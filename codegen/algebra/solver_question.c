@@ -1,0 +1,328 @@
+#include "algebra/solver_question.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* Larger questions are not asked, as the cost of nonlinear arithmetic is doubly exponential. */
+enum { TERM_LIMIT = 4000, DEGREE_LIMIT = 40, VARIABLE_LIMIT = 40 };
+
+static Z3_ast variable_of(ttc_question *q, slong v)
+{
+    if (q->variables[v] == NULL) {
+        q->variables[v] = Z3_mk_const(q->z3, Z3_mk_int_symbol(q->z3, (int)v), q->real);
+        if (++q->variable_count > VARIABLE_LIMIT) q->too_large = true;
+    }
+    return q->variables[v];
+}
+
+static Z3_ast number_of(ttc_question *q, const fmpz_t value)
+{
+    char *digits = fmpz_get_str(NULL, 10, value);
+    Z3_ast number = Z3_mk_numeral(q->z3, digits, q->real);
+    flint_free(digits);
+    return number;
+}
+
+static Z3_ast term_of(ttc_question *q, const fmpz_mpoly_t polynomial, slong index)
+{
+    Z3_ast factors[DEGREE_LIMIT + 1];
+    unsigned count = 1;
+    fmpz_t coefficient;
+    fmpz_init(coefficient);
+    fmpz_mpoly_get_term_coeff_fmpz(coefficient, polynomial, index, q->point->ring->context);
+    factors[0] = number_of(q, coefficient);
+    for (slong v = 0; v < (slong)q->point->ring->variable_count; v++) {
+        ulong exponent = fmpz_mpoly_get_term_var_exp_ui(polynomial, index, v, q->point->ring->context);
+        if (exponent > DEGREE_LIMIT || count + exponent > DEGREE_LIMIT) {
+            q->too_large = true;
+            break;
+        }
+        while (exponent-- > 0) factors[count++] = variable_of(q, v);
+    }
+    fmpz_clear(coefficient);
+    return count == 1 ? factors[0] : Z3_mk_mul(q->z3, count, factors);
+}
+
+static Z3_ast polynomial_of(ttc_question *q, const fmpz_mpoly_t polynomial)
+{
+    slong length = fmpz_mpoly_length(polynomial, q->point->ring->context);
+    q->terms += (size_t)length;
+    if (q->terms > TERM_LIMIT) q->too_large = true;
+    Z3_ast *terms = q->too_large || length == 0 ? NULL : malloc((size_t)length * sizeof(Z3_ast));
+    if (terms == NULL) {
+        q->too_large |= length > 0;
+        return Z3_mk_numeral(q->z3, "0", q->real);
+    }
+    for (slong i = 0; i < length; i++) terms[i] = term_of(q, polynomial, i);
+    Z3_ast sum = length == 1 ? terms[0] : Z3_mk_add(q->z3, (unsigned)length, terms);
+    free(terms);
+    return sum;
+}
+
+static void state_condition(ttc_question *q, const fmpz_mpoly_t polynomial, ttc_relation relation)
+{
+    Z3_ast left = polynomial_of(q, polynomial), zero = Z3_mk_numeral(q->z3, "0", q->real);
+    Z3_ast statement = Z3_mk_eq(q->z3, left, zero);
+    if (relation == TTC_IS_POSITIVE) statement = Z3_mk_gt(q->z3, left, zero);
+    if (relation == TTC_IS_NONNEGATIVE) statement = Z3_mk_ge(q->z3, left, zero);
+    if (relation == TTC_IS_NONZERO) statement = Z3_mk_not(q->z3, statement);
+    if (!q->too_large) Z3_solver_assert(q->z3, q->solver, statement);
+}
+
+static void state_sign(ttc_question *q, const ttc_generator *generator)
+{
+    fmpz_mpoly_t variable;
+    if (!generator->positive) return;
+    fmpz_mpoly_init(variable, q->point->ring->context);
+    fmpz_mpoly_gen(variable, generator->variable, q->point->ring->context);
+    state_condition(q, variable, TTC_IS_POSITIVE);
+    fmpz_mpoly_clear(variable, q->point->ring->context);
+}
+
+/* State g^2 = square, and g > 0 for a positive root, for all generators that are used; stating one may use others. */
+static void state_generators(ttc_question *q, const ttc_conditions *conditions)
+{
+    const ttc_ring *ring = q->point->ring;
+    bool stated[TTC_GENERATOR_LIMIT] = { false }, again = true;
+    while (again && !q->too_large) {
+        again = false;
+        for (size_t i = 0; i < ring->generator_count; i++) {
+            const ttc_generator *generator = &ring->generators[i];
+            if (stated[i] || q->variables[generator->variable] == NULL) continue;
+            stated[i] = again = true;
+            if (conditions->at_denominator &&
+                (ttc_conditions_signs(conditions, generator->square.denominator) & TTC_CAN_BE_ZERO)) {
+                state_sign(q, generator);
+                continue;
+            }
+            fmpz_mpoly_t relation, variable;
+            fmpz_mpoly_init(relation, ring->context);
+            fmpz_mpoly_init(variable, ring->context);
+            fmpz_mpoly_gen(variable, generator->variable, ring->context);
+            fmpz_mpoly_mul(relation, variable, variable, ring->context);
+            fmpz_mpoly_mul(relation, relation, generator->square.denominator, ring->context);
+            fmpz_mpoly_sub(relation, relation, generator->square.numerator, ring->context);
+            state_condition(q, relation, TTC_IS_ZERO);
+            state_condition(q, generator->square.denominator, TTC_IS_NONZERO);
+            state_sign(q, generator);
+            fmpz_mpoly_clear(variable, ring->context);
+            fmpz_mpoly_clear(relation, ring->context);
+        }
+    }
+}
+
+/* 1 - c^2 >= 0 */
+static void state_cosine(ttc_question *q, const fmpz_mpoly_t cosine)
+{
+    const ttc_ring *ring = q->point->ring;
+    fmpz_mpoly_t rest, one;
+    fmpz_mpoly_init(rest, ring->context);
+    fmpz_mpoly_init(one, ring->context);
+    fmpz_mpoly_one(one, ring->context);
+    fmpz_mpoly_mul(rest, cosine, cosine, ring->context);
+    fmpz_mpoly_sub(rest, one, rest, ring->context);
+    state_condition(q, rest, TTC_IS_NONNEGATIVE);
+    fmpz_mpoly_clear(one, ring->context);
+    fmpz_mpoly_clear(rest, ring->context);
+}
+
+/* To fifty digits. */
+static void state_pi(ttc_question *q, Z3_ast pi)
+{
+    static const char below[] = "3.1415926535897932384626433832795028841971693993751";
+    static const char above[] = "3.1415926535897932384626433832795028841971693993752";
+    Z3_solver_assert(q->z3, q->solver, Z3_mk_gt(q->z3, pi, Z3_mk_numeral(q->z3, below, q->real)));
+    Z3_solver_assert(q->z3, q->solver, Z3_mk_lt(q->z3, pi, Z3_mk_numeral(q->z3, above, q->real)));
+}
+
+/* State the bounds of all variables that are used: signs of parameters and functions, and ends of intervals if they give a sign. */
+static void state_signs(ttc_question *q)
+{
+    const ttc_ring *ring = q->point->ring;
+    const ttc_model *model = ttc_valuation_model(q->point->valuation);
+    fmpz_mpoly_t variable;
+    fmpz_mpoly_init(variable, ring->context);
+    for (slong v = 0; v < (slong)ring->variable_count; v++) {
+        size_t symbol = ttc_valuation_symbol(q->point->valuation, v);
+        if (q->variables[v] == NULL || symbol >= model->symbol_count) continue;
+        const ttc_symbol_entry *entry = &model->symbols[symbol];
+        fmpz_mpoly_gen(variable, v, ring->context);
+        if (entry->kind == TTC_COSINE) state_cosine(q, variable);
+        if (entry->kind == TTC_EXP || entry->kind == TTC_ROOT) state_condition(q, variable, TTC_IS_POSITIVE);
+        if (entry->kind == TTC_PI) state_pi(q, q->variables[v]);
+        if (entry->kind == TTC_PARAM && entry->sign == TTC_POSITIVE) state_condition(q, variable, TTC_IS_POSITIVE);
+        if (entry->kind == TTC_PARAM && entry->sign == TTC_NONNEGATIVE) state_condition(q, variable, TTC_IS_NONNEGATIVE);
+        if (entry->kind == TTC_PARAM && entry->sign == TTC_NONZERO) state_condition(q, variable, TTC_IS_NONZERO);
+        const ttc_id ends[2] = { entry->low, entry->high };
+        for (int i = 0; i < 2 && entry->kind == TTC_STATE; i++) {
+            if (ends[i] == TTC_NONE || ttc_kind_of(model->graph, ends[i]) != TTC_NUMBER) continue;
+            int sign = fmpq_sgn(ttc_coefficient(model->graph, ends[i]));
+            if (i == 0 ? sign < 0 : sign > 0) continue;
+            if (i == 1) fmpz_mpoly_neg(variable, variable, ring->context);
+            state_condition(q, variable, TTC_IS_POSITIVE);
+        }
+    }
+    fmpz_mpoly_clear(variable, ring->context);
+}
+
+/* State bound >= 0, with equality only where `at` is zero: where none of the two has a value, this says nothing. */
+static void state_bound(ttc_question *q, const ttc_ratio *bound, const ttc_ratio *at)
+{
+    const ttc_ring *ring = q->point->ring;
+    Z3_ast zero = Z3_mk_numeral(q->z3, "0", q->real);
+    fmpz_mpoly_t product;
+    fmpz_mpoly_init(product, ring->context);
+    fmpz_mpoly_mul(product, bound->numerator, bound->denominator, ring->context);
+    Z3_ast value = polynomial_of(q, product), ways[3] = { Z3_mk_gt(q->z3, value, zero) };
+    ways[1] = Z3_mk_eq(q->z3, polynomial_of(q, at->numerator), zero);
+    ways[2] = Z3_mk_eq(q->z3, polynomial_of(q, bound->denominator), zero);
+    if (!q->too_large) Z3_solver_assert(q->z3, q->solver, Z3_mk_ge(q->z3, value, zero));
+    if (!q->too_large) Z3_solver_assert(q->z3, q->solver, Z3_mk_or(q->z3, 3, ways));
+    fmpz_mpoly_clear(product, ring->context);
+}
+
+/* State how a = log(e) lies to e: 1 + a <= e, and 1 - a <= 1/e, that is e <= 1 + a e. */
+static void state_exponential(ttc_question *q, const ttc_ratio *a, const ttc_ratio *e)
+{
+    ttc_ring *ring = q->point->ring;
+    ttc_ratio bound, one;
+    ttc_ratio_init(ring, &bound);
+    ttc_ratio_init(ring, &one);
+    ttc_ratio_set_integer(ring, &one, 1);
+    ttc_ratio_subtract(ring, &bound, e, &one);
+    ttc_ratio_subtract(ring, &bound, &bound, a);
+    state_bound(q, &bound, a);
+    ttc_ratio_subtract(ring, &bound, &one, e);
+    ttc_ratio_add_product(ring, &bound, a, e);
+    state_bound(q, &bound, a);
+    ttc_ratio_clear(ring, &one);
+    ttc_ratio_clear(ring, &bound);
+}
+
+/* State that cos(a) >= 1 - a^2/2, or sin(a)^2 <= a^2. */
+static void state_circular(ttc_question *q, const ttc_ratio *a, const ttc_ratio *f, bool is_sine)
+{
+    ttc_ring *ring = q->point->ring;
+    ttc_ratio bound, term;
+    ttc_ratio_init(ring, &bound);
+    ttc_ratio_init(ring, &term);
+    ttc_ratio_multiply(ring, &bound, a, a);
+    ttc_ratio_set_integer(ring, &term, is_sine ? -1 : 2);
+    ttc_ratio_multiply(ring, &term, &term, f);
+    if (is_sine) ttc_ratio_multiply(ring, &term, &term, f);
+    ttc_ratio_add(ring, &bound, &bound, &term);
+    ttc_ratio_set_integer(ring, &term, is_sine ? 0 : -2);
+    ttc_ratio_add(ring, &bound, &bound, &term);
+    state_bound(q, &bound, a);
+    ttc_ratio_clear(ring, &term);
+    ttc_ratio_clear(ring, &bound);
+}
+
+/* Of a variable that is a function: a = log(e), returns TTC_EXP; e = cos(a) or sin(a), returns its kind. Else returns TTC_PI. */
+static ttc_symbol_kind read_function(ttc_question *q, slong v, ttc_ratio *a, ttc_ratio *e)
+{
+    ttc_valuation *valuation = q->point->valuation;
+    if (!ttc_witness_is_function(q->point, v)) return TTC_PI;
+    const ttc_symbol_entry *entry = ttc_valuation_model(valuation)->symbols + ttc_valuation_symbol(valuation, v);
+    if (entry->kind == TTC_PI) return TTC_PI;
+    ttc_evaluate(valuation, entry->kind == TTC_LOG ? e : a, entry->definition);
+    ttc_ratio_set_variable(q->point->ring, entry->kind == TTC_LOG ? a : e, v);
+    return entry->kind == TTC_LOG ? TTC_EXP : entry->kind;
+}
+
+/* Bounds of a function, and of log(e/f) = log(e) - log(f) with others: of two exponentials that is greater whose exponent is. */
+static void state_function(ttc_question *q, slong v, const bool *stated)
+{
+    ttc_ring *ring = q->point->ring;
+    ttc_ratio a, e, b, f;
+    ttc_ratio_init(ring, &a);
+    ttc_ratio_init(ring, &e);
+    ttc_ratio_init(ring, &b);
+    ttc_ratio_init(ring, &f);
+    const ttc_symbol_kind kind = read_function(q, v, &a, &e);
+    if (kind == TTC_EXP) state_exponential(q, &a, &e);
+    else if (kind != TTC_PI) state_circular(q, &a, &e, kind == TTC_SINE);
+    for (slong w = 0; kind == TTC_EXP && w < (slong)ring->variable_count; w++) {
+        if (w == v || !stated[w] || read_function(q, w, &b, &f) != TTC_EXP) continue;
+        ttc_ratio_subtract(ring, &b, &a, &b);
+        ttc_ratio_divide(ring, &f, &e, &f);
+        state_exponential(q, &b, &f);
+    }
+    ttc_ratio_clear(ring, &f);
+    ttc_ratio_clear(ring, &b);
+    ttc_ratio_clear(ring, &e);
+    ttc_ratio_clear(ring, &a);
+}
+
+/* Of functions, and of those that their arguments use. */
+static void state_functions(ttc_question *q)
+{
+    const size_t count = q->point->ring->variable_count;
+    bool *stated = calloc(count + 1, sizeof *stated), again = stated != NULL;
+    while (again && !q->too_large) {
+        again = false;
+        for (size_t v = 0; v < count; v++) {
+            if (stated[v] || q->variables[v] == NULL) continue;
+            stated[v] = again = true;
+            state_function(q, (slong)v, stated);
+        }
+    }
+    free(stated);
+}
+
+void ttc_question_state(ttc_question *q, const ttc_conditions *conditions, bool with_functions)
+{
+    for (size_t i = 0; i < conditions->count; i++)
+        state_condition(q, conditions->items[i].polynomial, conditions->items[i].relation);
+    if (with_functions) state_functions(q);
+    state_generators(q, conditions);
+    state_signs(q);
+}
+
+static bool read_rational(Z3_context z3, Z3_ast value, fmpq_t out)
+{
+    return fmpq_set_str(out, Z3_get_numeral_string(z3, value), 10) == 0;
+}
+
+static bool read_value(Z3_context z3, Z3_ast value, fmpq_t out)
+{
+    if (Z3_is_numeral_ast(z3, value)) return read_rational(z3, value, out);
+    if (!Z3_is_algebraic_number(z3, value)) return false;
+    fmpq_t upper;
+    fmpq_init(upper);
+    bool ok = read_rational(z3, Z3_get_algebraic_number_lower(z3, value, 100), out)
+              && read_rational(z3, Z3_get_algebraic_number_upper(z3, value, 100), upper);
+    fmpq_add(out, out, upper);
+    fmpq_div_2exp(out, out, 1);
+    fmpq_clear(upper);
+    return ok;
+}
+
+static void read_sign(ttc_question *q, slong v, const fmpq_t value)
+{
+    for (size_t i = 0; i < q->point->ring->generator_count; i++)
+        if (q->point->ring->generators[i].variable == v) {
+            q->point->negative &= ~(1u << i);
+            if (fmpq_sgn(value) < 0) q->point->negative |= 1u << i;
+        }
+}
+
+bool ttc_question_read_point(ttc_question *q)
+{
+    Z3_model model = Z3_solver_get_model(q->z3, q->solver);
+    bool ok = model != NULL;
+    fmpq_t value;
+    fmpq_init(value);
+    if (ok) Z3_model_inc_ref(q->z3, model);
+    for (slong v = 0; ok && v < (slong)q->point->ring->variable_count; v++) {
+        Z3_ast said = NULL;
+        if (q->variables[v] == NULL) continue;
+        ok = Z3_model_eval(q->z3, model, q->variables[v], true, &said) && read_value(q->z3, said, value);
+        if (ok && ttc_witness_is_free(q->point, v)) fmpq_set(q->point->values + v, value);
+        if (ok) read_sign(q, v, value);
+    }
+    if (model != NULL) Z3_model_dec_ref(q->z3, model);
+    fmpq_clear(value);
+    ttc_witness_changed(q->point);
+    return ok;
+}
