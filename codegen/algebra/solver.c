@@ -65,9 +65,9 @@ static ttc_solver_answer ask_once(ttc_witness *point, const ttc_conditions *cond
     return answer;
 }
 
-/* Some versions of Z3 (4.8.12 is one) lose points beside zeros of what they eliminate: where a polynomial in the next variable has a
- * double root, they may learn that it has none. That there is no point is believed only if another search agrees, and neither the one
- * that does not use what was learned nor the one in another order finds a point; the given order decides where both take too long. */
+/* Some versions of Z3 (4.8.12 is one) lose points beside zeros of what they eliminate: where a polynomial in the next variable
+ * has a double root, they may learn that it has none. That there is no point is believed only if another search agrees, and neither
+ * that which does not use what was learned nor that in another order finds one. The given order decides if both take too long. */
 ttc_solver_answer ttc_solver_ask(ttc_witness *point, const ttc_conditions *conditions, bool with_functions)
 {
     const ttc_solver_answer first = ask_once(point, conditions, with_functions, AS_MADE);
