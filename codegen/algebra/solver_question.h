@@ -1,4 +1,4 @@
-/** A question to the solver, in its own terms: conditions on the variables of a ring as formulas of Z3, and Z3's model as a point. */
+/** A question to the solver in its own terms: conditions on the variables of a ring as formulas of Z3, its model as a point. */
 #ifndef TTC_SOLVER_QUESTION_H
 #define TTC_SOLVER_QUESTION_H
 
