@@ -79,4 +79,16 @@ for tolerance in 1e-11 1e-12 1e-13; do
     awk -F, '{ exit !($12 == "centre" && ($7^2 + $8^2 - $6)^2 < 1e-30 && ($5 - 2*$7)^2 < 1e-30) }' row.csv ||
         fail "a centre by $tolerance: $(cat row.csv err)"
 done
+# Two multipliers exp(-2 pi a) and exp(-2 pi b), however small, are right to a thousandth, or are not told.
+printf '%s\n' 'model shrinks' 'param a' 'param b' 'state x' 'state y' 'state phi' 'angle c s = cos(phi) sin(phi)' 'eq x = -a*x + c' \
+    'eq y = -b*y' 'eq phi = 1' 'periodic phi = 2*pi' > shrinks.tt
+for rates in '3 4' '5 5.1' '0.1 12' '7 9' '8 8' '60 70'; do
+    for method in gauss dop853; do
+        read -r a b <<< "$rates"
+        jellett orbits ./shrinks.tt --section phi=0 --set "a=$a,b=$b" --start x=0.1,y=0 --method $method > out 2> err
+        tail -1 out | awk -F, -v a="$a" -v b="$b" -v seen="$([ $a != 60 ] && [ $method = dop853 ] && echo 1)" '
+            function off(known, rate) { return known != "" && (known/exp(-6.283185307179586*rate) - 1)^2 > 1e-6 }
+            { exit off($7, a) || off($9, b) || (seen && $7 == "") }' || fail "$method, rates $rates: $(tail -1 out) $(cat err)"
+    done
+done
 exit $status
