@@ -80,8 +80,8 @@ for tolerance in 1e-11 1e-12 1e-13; do
         fail "a centre by $tolerance: $(cat row.csv err)"
 done
 # Two multipliers exp(-2 pi a) and exp(-2 pi b), however small, are right to a thousandth, or are not told.
-printf '%s\n' 'model shrinks' 'param a' 'param b' 'state x' 'state y' 'state phi' 'angle c s = cos(phi) sin(phi)' 'eq x = -a*x + c' \
-    'eq y = -b*y' 'eq phi = 1' 'periodic phi = 2*pi' > shrinks.tt
+printf '%s\n' 'model shrinks' 'param a' 'param b' 'state x' 'state y' 'state phi' 'angle c s = cos(phi) sin(phi)' \
+    'eq x = -a*x + c' 'eq y = -b*y' 'eq phi = 1' 'periodic phi = 2*pi' > shrinks.tt
 for rates in '3 4' '5 5.1' '0.1 12' '7 9' '8 8' '60 70'; do
     for method in gauss dop853; do
         read -r a b <<< "$rates"
