@@ -99,8 +99,8 @@ static jlt_orbit_type classify(const double *re, const double *im, unsigned d, d
     return im[0] == 0 && re[0] < 0 ? JLT_ORBIT_FLIP_SADDLE : JLT_ORBIT_SADDLE;
 }
 
-/* Replace the multipliers that the error of DP changes by more than a thousandth: a single one follows from the determinant, which
- * the divergence gives; several become NaN. */
+/* Replace the multipliers that the error of DP changes by more than a thousandth, as those of two do where its determinant is off
+ * by that: a single one follows from the determinant, which the divergence gives; several become NaN. */
 static void leave_known(jlt_periodic *orbit, double error, unsigned d)
 {
     double rest = orbit->determinant;
@@ -161,7 +161,7 @@ jlt_status jlt_periodic_measure(jlt_map *map, jlt_periodic *io)
     if (d == 2) multiply_to(&orbit);
     orbit.symmetric = is_symmetric(chart, orbit.points, orbit.period);
     orbit.type = classify(orbit.re, orbit.im, d, error);
-    if (d > 2) leave_known(&orbit, error, d);
+    if (d > 2 || (d == 2 && !(fabs(orbit.determinant_slope / orbit.determinant - 1) <= 1e-3))) leave_known(&orbit, error, d);
     *io = orbit;
     return JLT_OK;
 }
