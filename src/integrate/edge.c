@@ -165,7 +165,7 @@ bool jlt_edge_is_ahead(const jlt_stepper *stepper)
 
     if (!stepper->watches) return false;
     for (unsigned i = 0; i < stepper->field->domain.states; i++) x[i] = stepper->x[i] + move * stepper->f[i];
-    return !(distance_of(stepper, x) > 0) || time_ahead(&end, stepper) <= fabs(move); /* a condition may be positive beyond its zero */
+    return !(distance_of(stepper, x) > 0) || time_ahead(&end, stepper) <= fabs(move); /* a square is positive beyond its zero */
 }
 
 static jlt_status leave_interval(double *theta, jlt_stepper *stepper, unsigned state, double end, int side)
