@@ -297,7 +297,8 @@ static jlt_exit ask(json_t **given, const jlt_descriptor **d, options *o, jlt_sy
     else if (st != JLT_OK)
         code = jlt_command_fail(JLT_EXIT_NUMERICAL, "the orbit could not be refined with %zu digits: %s", o->digits,
                                 jlt_status_text(st));
-    else if (code == JLT_EXIT_DONE && strcmp(o->kind, "homoclinic") == 0) code = add_homoclinic(*given, &question, o, system);
+    else if (code == JLT_EXIT_DONE && strcmp(o->kind, "homoclinic") == 0 && question.legs.turns == NULL)
+        code = add_homoclinic(*given, &question, o, system); /* with turns the kind is refused */
     jlt_given_clear(&question);
     return code;
 }

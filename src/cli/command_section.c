@@ -17,8 +17,8 @@ static const struct argp_option option_table[] = {
       "left out", 1 },
     { "returns", 'n', "N", 0, "Follow every orbit for N returns; default 100", 1 },
     { "skip", SKIP, "N|0", 0,
-      "Leave out the rows of the start and of the first N returns; an orbit that ends among them still has its last row; "
-      "default 0", 1 },
+      "Leave out the rows of the start and of N returns before those of --returns; an orbit that ends among them still has its "
+      "last row; default 0", 1 },
     { "backward", BACKWARD, NULL, 0, "Follow orbits backwards in time", 1 },
     { "check", CHECK, NULL, 0,
       "Compute the derivative DP of every return by the variational equations, and compare its determinant with that from "

@@ -94,16 +94,6 @@ bool jlt_edge_is_outside(const jlt_stepper *stepper)
     return stepper->watches && !(distance_of(stepper, stepper->x) > 0);
 }
 
-bool jlt_edge_is_ahead(const jlt_stepper *stepper)
-{
-    const double move = stepper->direction * ahead * fabs(stepper->tau);
-    double x[JLT_DOMAIN_STATES_MAX];
-
-    if (!stepper->watches) return false;
-    for (unsigned i = 0; i < stepper->field->domain.states; i++) x[i] = stepper->x[i] + move * stepper->f[i];
-    return !(distance_of(stepper, x) > 0);
-}
-
 static double along(const double *gradient, const double *f, unsigned count)
 {
     double sum = 0;
@@ -137,7 +127,8 @@ bool jlt_edge_reached(const jlt_stepper *stepper)
     return least_of_conditions(stepper, stepper->x) <= near(stepper) && is_soon(stepper);
 }
 
-bool jlt_edge_ahead(jlt_edge_part *out, const jlt_stepper *stepper)
+/* The time in which the orbit comes to the end *out, the first one, if it goes straight on; INFINITY if it comes to none. */
+static double time_ahead(jlt_edge_part *out, const jlt_stepper *stepper)
 {
     const jlt_domain *domain = &stepper->field->domain;
     const double *x = stepper->x, *f = stepper->f, ahead_of = stepper->direction;
@@ -161,7 +152,20 @@ bool jlt_edge_ahead(jlt_edge_part *out, const jlt_stepper *stepper)
         first = time;
         *out = (jlt_edge_part){ .is_condition = true, .index = k };
     }
-    return first < INFINITY;
+    return first;
+}
+
+bool jlt_edge_ahead(jlt_edge_part *out, const jlt_stepper *stepper) { return time_ahead(out, stepper) < INFINITY; }
+
+bool jlt_edge_is_ahead(const jlt_stepper *stepper)
+{
+    const double move = stepper->direction * ahead * fabs(stepper->tau);
+    double x[JLT_DOMAIN_STATES_MAX];
+    jlt_edge_part end;
+
+    if (!stepper->watches) return false;
+    for (unsigned i = 0; i < stepper->field->domain.states; i++) x[i] = stepper->x[i] + move * stepper->f[i];
+    return !(distance_of(stepper, x) > 0) || time_ahead(&end, stepper) <= fabs(move); /* a square is positive beyond its zero */
 }
 
 static jlt_status leave_interval(double *theta, jlt_stepper *stepper, unsigned state, double end, int side)

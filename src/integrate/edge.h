@@ -23,8 +23,8 @@ bool jlt_edge_is_outside(const jlt_stepper *stepper);
  *  is at most the larger of the tolerance and 2^-46; and a condition, at its rate, as near in time, relative to the step. */
 bool jlt_edge_reached(const jlt_stepper *stepper);
 
-/** Whether the orbit would be outside after going straight on for 1e-8 |tau|: where the field is unbounded at the edge, or has no
- *  values outside, it may be that no step comes nearer. */
+/** Whether the orbit would be outside, or have passed the zero of a condition, after going straight on for 1e-8 |tau|: where the
+ *  field is unbounded at the edge, or has no values outside, it may be that no step comes nearer. */
 bool jlt_edge_is_ahead(const jlt_stepper *stepper);
 
 /** One end of the domain: a condition of its field's table, or an end of a state's interval. */

@@ -159,4 +159,10 @@ T
 expect 0 "" jellett certify sink ./doubled.tt --section phi=0 --period 2 --start th=-0.146721,v=1.924567 -o doubled.json
 expect 0 "but for phi having grown by 2 periods of 2*pi, after" jellett check doubled.json --model ./doubled.tt
 expect 0 "but for these periods: phi 1 at the end of each leg." jellett check doubled.json --model ./doubled.tt
+
+# Other kinds are refused by that, also where a search of their own would come first: x" = x + cos(phi)/100 has a saddle.
+sed 's/^eq v = .*/eq v = x + c\/100\nreversor v -> -v, phi -> -phi/; s/^model forced/model hill/; /k/d' forced.tt > hill.tt
+for kind in symmetric homoclinic; do
+    expect 3 "served as cycle, obstruction and sink" jellett certify $kind ./hill.tt --section phi=0 --start x=-0.005,v=0
+done
 exit $status

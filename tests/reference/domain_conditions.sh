@@ -289,4 +289,14 @@ for method in $methods; do
     jellett simulate ./narrow.tt --start x=1,y=0 --times 2.5 --method "$method" > rows.csv 2> err
     says "a narrow slit by $method" 'apart is lost at t = 1.266103673 ('
 done
+# A fall from rest at distance 1 into a centre of force: the condition is positive beyond its zero, as it is a square.
+printf '%s\n' 'model plunge' 'state x' 'state y' 'state p' 'state q' 'domain apart : x^2 + y^2 > 0' 'root r = sqrt(x^2 + y^2)' \
+    'eq x = p' 'eq y = q' 'eq p = -x/r^3' 'eq q = -y/r^3' > plunge.tt
+for method in $methods; do
+    jellett simulate ./plunge.tt --start x=0.6,y=0.8,p=0,q=0 --times 2 --method "$method" > rows.csv 2> err
+    ends "a fall by $method" rows.csv 1 1.1107207345395915 1e-11
+    says "a fall by $method" 'apart needs x^2 + y^2 > 0'
+done
+jellett fates ./plunge.tt --section p=0 --direction down --grid x=0.6,y=0.8:0.8:2,q=0 --returns 3 > rows.csv 2> err
+ends "a fall in lanes" rows.csv 5 1.1107207345395915 1e-11
 exit $status
