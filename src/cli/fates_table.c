@@ -108,13 +108,14 @@ void jlt_fates_table_shares(FILE *file, FILE *points, const jlt_system *base, co
     for (size_t i = 0; i < TOLD; i++)
         if (can_be(base, told[i])) fprintf(file, ",%zu", sum->all.by_fate[told[i]]);
     fprintf(file, ",%zu", sum->all.failures.count);
-    jlt_fates_share(&share, &error, turns ? &sum->low : &sum->all, turns ? sum->turned : JLT_FATE_ALIVE, false);
-    jlt_fates_share(&kept, &kept_error, &sum->low, sum->turned, true);
+    if (turns) jlt_fates_share(&share, &error, sum->turned.starts, sum->low.starts);
+    else jlt_fates_share(&share, &error, sum->all.by_fate[JLT_FATE_ALIVE], sum->all.starts);
+    jlt_fates_share(&kept, &kept_error, jlt_fates_held(&sum->turned), sum->low.starts);
     if (turns && sum->low.starts > 0) fprintf(file, ",%.9g,%.3g", share, error);
     else if (turns) fputs(",,", file);
     if (turns && has_conditions(base) && sum->low.starts > 0) fprintf(file, ",%.9g", kept);
     else if (turns && has_conditions(base)) fputc(',', file);
-    else if (has_conditions(base)) fprintf(file, ",%zu", jlt_shares_held(sum));
+    else if (has_conditions(base)) fprintf(file, ",%zu", jlt_fates_held(&sum->all));
     fputc('\n', file);
     if (points != NULL) jlt_look_row(points, (const double[]){ values[0], share, error, kept }, 4);
 }
@@ -134,14 +135,14 @@ void jlt_fates_table_summary(FILE *stream, const jlt_motion_options *options, co
         fprintf(stream, "%s %zu %s", first ? "" : ",", sum->all.by_fate[fate], name);
         first = false;
     }
-    jlt_fates_share(&turned, &error, &sum->low, sum->turned, false);
-    jlt_fates_share(&kept, &kept_error, &sum->low, sum->turned, true);
+    jlt_fates_share(&turned, &error, sum->turned.starts, sum->low.starts);
+    jlt_fates_share(&kept, &kept_error, jlt_fates_held(&sum->turned), sum->low.starts);
     if (sum->low.starts > 0)
         fprintf(stream, "; of %zu %s %.4g +- %.2g turn over", sum->low.starts, system->surface->section->turn_meaning, turned,
                 error);
     if (sum->low.starts > 0 && has_conditions(system))
         fprintf(stream, ", %.4g +- %.2g with %s all the way", kept, kept_error, conditions(system));
-    const size_t lost = sum->all.starts - jlt_shares_held(sum) - sum->all.unknown;
+    const size_t lost = sum->all.starts - jlt_fates_held(&sum->all) - sum->all.unknown;
     if (has_conditions(system) && !options->flow.end_where_invalid && lost > 0)
         fprintf(stream, "; %zu lose %s on the way and were followed all the same (--contact end stops them there)", lost,
                 conditions(system));

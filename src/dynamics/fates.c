@@ -37,10 +37,17 @@ void jlt_fates_add(jlt_fates_count *count, const jlt_fates_end *end)
     if (isnan(end->least)) count->unknown++;
 }
 
-void jlt_fates_share(double *share, double *error, const jlt_fates_count *count, jlt_fate fate, bool held)
+size_t jlt_fates_held(const jlt_fates_count *count)
 {
-    const double n = (double)count->starts;
-    const double k = (double)(held ? count->valid[fate] : count->by_fate[fate]);
+    size_t held = 0;
+
+    for (int fate = 0; fate < (int)JLT_FATE_COUNT; fate++) held += count->valid[fate];
+    return held;
+}
+
+void jlt_fates_share(double *share, double *error, size_t number, size_t starts)
+{
+    const double n = (double)starts, k = (double)number;
 
     *share = n > 0 ? k / n : NAN;
     *error = n > 0 ? (fabs(n / 2 - k) / n + sqrt(k * (1 - *share) + 1. / 4)) / (n + 1) : NAN;

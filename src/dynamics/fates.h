@@ -37,9 +37,12 @@ typedef struct {
 /* Count one start. */
 void jlt_fates_add(jlt_fates_count *count, const jlt_fates_end *end);
 
-/** Compute the share, 0 to 1, of all starts with this fate; held: of those on which the model also held throughout. *error: the
+/** The number of starts on which the model held throughout. */
+size_t jlt_fates_held(const jlt_fates_count *count);
+
+/** Compute the share, 0 to 1, that `number` of all starts are. *error: the
  *  distance to the farther end of the interval of all x that differ from *share by at most their standard error,
  *  sqrt(x (1 - x)/starts) (E. B. Wilson, J. Amer. Stat. Assoc. 22 (1927)). Both are NaN for no starts. */
-void jlt_fates_share(double *share, double *error, const jlt_fates_count *count, jlt_fate fate, bool held);
+void jlt_fates_share(double *share, double *error, size_t number, size_t starts);
 
 #endif

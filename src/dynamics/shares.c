@@ -1,22 +1,13 @@
 #include "dynamics/shares.h"
 
-bool jlt_shares_turn(const jlt_system *system)
-{
-    return system->surface != NULL && jlt_surface_turned_at(system) != JLT_FATE_ALIVE;
-}
+bool jlt_shares_turn(const jlt_system *system) { return system->surface != NULL && jlt_surface_turns(system); }
 
 void jlt_shares_add(jlt_shares *sum, const jlt_system *system, const double *q, const jlt_fates_end *end)
 {
+    const bool at_pole = end->fate == JLT_FATE_POLE_PLUS || end->fate == JLT_FATE_POLE_MINUS;
+
     jlt_fates_add(&sum->all, end);
-    if (!jlt_shares_turn(system)) return;
-    sum->turned = jlt_surface_turned_at(system);
-    if (jlt_surface_is_low(system, q)) jlt_fates_add(&sum->low, end);
-}
-
-size_t jlt_shares_held(const jlt_shares *sum)
-{
-    size_t count = 0;
-
-    for (int fate = 0; fate < (int)JLT_FATE_COUNT; fate++) count += sum->all.valid[fate];
-    return count;
+    if (!jlt_shares_turn(system) || !jlt_surface_is_low(system, q)) return;
+    jlt_fates_add(&sum->low, end);
+    if (at_pole && jlt_surface_is_turned(system, end->x)) jlt_fates_add(&sum->turned, end);
 }

@@ -8,9 +8,8 @@
 
 /* All zero: empty. */
 typedef struct {
-    jlt_fates_count all, low;
-    jlt_fate turned; /* the fate of low orbits that turn over */
-    size_t empty;    /* points of a grid without a state */
+    jlt_fates_count all, low, turned; /* all orbits; those that begin low; of these, those that turn over */
+    size_t empty;                     /* points of a grid without a state */
 } jlt_shares;
 
 /** Whether the section's table says which orbits turn over. */
@@ -18,8 +17,5 @@ bool jlt_shares_turn(const jlt_system *system);
 
 /** Count an orbit that started at q, shape (dim,), by its end. */
 void jlt_shares_add(jlt_shares *sum, const jlt_system *system, const double *q, const jlt_fates_end *end);
-
-/** The number of orbits on which the model's conditions held throughout. */
-size_t jlt_shares_held(const jlt_shares *sum);
 
 #endif

@@ -31,27 +31,29 @@ void jlt_surface_off_section(double *q, const jlt_system *system, const double *
         if (chart->section->is_angle[k]) q[k] = NAN;
 }
 
-bool jlt_surface_is_low(const jlt_system *system, const double *q)
+bool jlt_surface_turns(const jlt_system *system)
 {
     const jlt_chart_section *chart = jlt_surface_chart(system);
-    double turn = 0;
 
-    if (chart->section->turn != NULL) chart->section->turn(q, chart->values, &turn);
-    return turn < 0;
+    return chart->section->turn != NULL && chart->base.side != NULL && system->surface->asked->family[0]->pole_count > 0;
 }
 
-/* The pole at which the expression of `turns` is positive: the upper end of the table's first one, or the lower one. */
-jlt_fate jlt_surface_turned_at(const jlt_system *system)
+/* The value of the expression of `turns`. */
+static double turn_at(const jlt_system *system, const double *q)
 {
     const jlt_chart_section *chart = jlt_surface_chart(system);
-    double q[JLT_CHART_COORDINATES_MAX], x[JLT_CHART_STATES_MAX] = { 0 };
+    double turn;
 
-    if (chart->section->turn == NULL || chart->base.side == NULL) return JLT_FATE_ALIVE;
-    const unsigned state = chart->table->poles[0].state;
-    for (unsigned k = 0; k < chart->plain; k++) x[k] = 1; /* any state will do, but for the pole's own */
-    x[state] = chart->table->states[state].high;
-    chart->base.lower(&chart->base, q, NULL, x);
-    if (jlt_surface_is_low(system, q)) x[state] = chart->table->states[state].low;
-    const int side = chart->base.side(&chart->base, x);
-    return side != 0 ? jlt_section_fate_at_pole(side) : JLT_FATE_ALIVE;
+    chart->section->turn(q, chart->values, &turn);
+    return turn;
+}
+
+bool jlt_surface_is_low(const jlt_system *system, const double *q) { return turn_at(system, q) < 0; }
+
+bool jlt_surface_is_turned(const jlt_system *system, const double *x)
+{
+    double q[JLT_CHART_COORDINATES_MAX];
+
+    jlt_surface_off_section(q, system, x);
+    return turn_at(system, q) > 0;
 }

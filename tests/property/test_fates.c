@@ -28,10 +28,10 @@ static void loss_of_contact_ends_orbits_when_asked(void **unused)
     assert_int_equal(end.fate, JLT_FATE_INVALID);
     assert_near(jlt_observed_least(system->observed, NULL, end.x), 0, 1e-10);
     jlt_fates_add(&count, &end);
-    jlt_fates_share(&share, &error, &count, JLT_FATE_POLE_PLUS, false);
+    jlt_fates_share(&share, &error, count.by_fate[JLT_FATE_POLE_PLUS], count.starts);
     assert_near(share, 0.5, 0);
     assert_near(error, sqrt((0.5 + error) * (0.5 - error) / 2), 1e-15); /* the standard error of the interval's end */
-    jlt_fates_share(&share, &error, &count, JLT_FATE_POLE_PLUS, true);
+    jlt_fates_share(&share, &error, count.valid[JLT_FATE_POLE_PLUS], count.starts);
     assert_near(share, 0, 0);
     assert_near(error, sqrt(error * (1 - error) / 2), 1e-15);
     assert_true(error > 0);

@@ -144,6 +144,13 @@ expect 3 'the reduction held sets K of hard to something other' jellett section 
 # A claim that is refuted hides none that is proved.
 sed 's/^reduction held/reduction wrong : by hard.tt with x = -x, p = p, K = K, c = J\/2\n&/' mapped.tt > first.tt
 expect 0 '^# c=1 K=1$' jellett section ./first.tt --start x=-1 --returns 1
+# Orbits turn over at both poles where the clause `turns` is positive at both.
+mkdir tilted
+cp "$JLT_SOURCE_DIR"/codegen/models/spherical_top*.tt tilted
+sed -i 's|^turns .*|turns gamma3^2 - 1/2 "tilted"|' tilted/spherical_top_section.tt
+expect_text 0 'of 24 tilted 1 +- 0.04 turn over' jellett fates tilted/spherical_top.tt --grid 6x6 --set a3=0.2
+[ "$(awk -F, '/,pole[+],/ && $2^2 < 1/2' out | wc -l) $(awk -F, '/,pole-,/ && $2^2 < 1/2' out | wc -l)" = '1 23' ] ||
+    fail "tilted tops end at the poles: $(cat out)"
 # The balanced sphere is embedded into the top with a3 = 0, and describes no section.
 for model in balanced plane; do
     expect 3 'ask spherical_top' jellett section spherical_top_$model --start eta=0.44,gamma3=-0.62 --returns 1
