@@ -17,7 +17,7 @@ static double turn_at(const jlt_system *system, const double *q)
     return turn;
 }
 
-/* Whether an orbit ends at a pole where the expression is positive. Angles have no value there, nor has an expression in them. */
+/* Whether an orbit ends at a pole where the expression is positive. Angles, and expressions in them, have no value there. */
 static bool has_turned(const jlt_system *system, const jlt_fates_end *end)
 {
     double q[JLT_CHART_COORDINATES_MAX];
