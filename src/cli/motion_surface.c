@@ -70,8 +70,8 @@ static jlt_exit refuse_large(const jlt_surface *surface)
     for (unsigned k = 0; k < section->level_count; k++) {
         const char *taken = jlt_surface_taken(surface, section->levels[k].name);
         if (taken != NULL)
-            return jlt_command_fail(JLT_EXIT_INPUT, "the section %s of %s has a level %s, which is %s of %s: rename one of the two, "
-                                    "or ask for a section of the table itself, %s", section->name, table->model,
+            return jlt_command_fail(JLT_EXIT_INPUT, "the section %s of %s has a level %s, which is %s of %s: rename one of the "
+                                    "two, or ask for a section of the table itself, %s", section->name, table->model,
                                     section->levels[k].name, taken, surface->asked->model, own_section(own, surface));
     }
     if (coordinates > JLT_CHART_COORDINATES_MAX)
