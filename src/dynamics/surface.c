@@ -353,3 +353,31 @@ bool jlt_surface_nearest_level(const jlt_surface *surface, const double *values,
     *level = full;
     return true;
 }
+
+/* ---- what is shown ---- */
+
+static void show(double *out, unsigned count, const jlt_system *system, jlt_kernel_function values, const double *x)
+{
+    if (count > 0) values(x, of(system)->rows.values, out);
+    for (unsigned i = 0; i < count; i++)
+        if (!isfinite(out[i])) out[i] = NAN;
+}
+
+void jlt_surface_beside(double *out, const jlt_system *system, const double *x)
+{
+    show(out, system->surface->section->beside_count, system, system->surface->section->beside_values, x);
+}
+
+void jlt_surface_ending(double *out, const jlt_system *system, const double *x)
+{
+    show(out, system->surface->section->ending_count, system, system->surface->section->ending_values, x);
+}
+
+void jlt_surface_off_section(double *q, const jlt_system *system, const double *x)
+{
+    const jlt_chart_section *chart = jlt_surface_chart(system);
+
+    chart->base.lower(&chart->base, q, NULL, x);
+    for (unsigned k = 0; k < chart->base.dim; k++)
+        if (chart->section->is_angle[k]) q[k] = NAN;
+}

@@ -89,14 +89,6 @@ void jlt_surface_ending(double *out, const jlt_system *system, const double *x);
 /** The coordinates, shape (dim,), of a state of a row off the section: angles are NaN. */
 void jlt_surface_off_section(double *q, const jlt_system *system, const double *x);
 
-/** Turning over, by the expression of the clause `turns`: an orbit that begins where it is < 0 and ends at a pole where it is > 0
- *  has turned over. _turns: whether there are such a clause and poles that the asked table names; the others need that. _is_low:
- *  whether the expression is < 0 at q, shape (dim,); _is_turned: whether it is > 0 at the state x of a row at a pole, where angles
- *  have no value, nor has an expression with them. */
-bool jlt_surface_turns(const jlt_system *system);
-bool jlt_surface_is_low(const jlt_system *system, const double *q);
-bool jlt_surface_is_turned(const jlt_system *system, const double *x);
-
 /** Set *level to the value of the first level nearest to values[params] at which the section has states. Returns false if none. */
 bool jlt_surface_nearest_level(const jlt_surface *surface, const double *values, double *level);
 
