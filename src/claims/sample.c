@@ -29,6 +29,7 @@ static void place(jlt_verify_run *run, const ttc_claim *claim, const double *par
 
     jlt_oracle_set_params(run->oracle, params, NULL);
     jlt_oracle_set_states(run->oracle, x, NULL);
+    if (claim == NULL) return;
     for (size_t i = 0; i < claim->when.count; i++)
         ttc_ball_bind(ball, claim->when.items[i].symbol, claim->when.items[i].expression);
     for (size_t i = 0; i < claim->bindings.count; i++)
@@ -75,9 +76,36 @@ static void draw_states(double *x, const jlt_descriptor *d, jlt_random *random, 
     }
 }
 
+/* Take the point of the family with the free states of x and these parameters as far as its condition leaves them; on the whole
+ * domain, x, and the parameters as far as a variant leaves them. */
+static jlt_status settle(jlt_sample *out, const jlt_equilibria *family, const jlt_descriptor *variant, const double *x,
+                         const double *params)
+{
+    const jlt_descriptor *d = variant->family[0];
+    const jlt_kernel_function impose = family != NULL ? family->impose : variant->impose;
+
+    memcpy(out->params, params, d->param_count * sizeof *params);
+    memcpy(out->x, x, d->state_count * sizeof *x);
+    if (impose != NULL)
+        JLT_PASS(jlt_kernel_eval_function(out->params, impose, d->param_count, x, d->state_count, params, d->param_count));
+    if (family == NULL) return JLT_OK;
+    return jlt_kernel_eval_function(out->x, family->point, d->state_count, x, d->state_count, out->params, d->param_count);
+}
+
+/* The variant of the table's own field, the general one among them, that comes at this number. */
+static const jlt_descriptor *variant_at(const jlt_descriptor *general, size_t number)
+{
+    size_t count = 0;
+
+    for (size_t i = 0;; i = general->family[i + 1] == NULL ? 0 : i + 1) {
+        const jlt_descriptor *d = general->family[i];
+        if (d->time[0] == '\0' && d->elimination[0] == '\0' && count++ == number) return d;
+    }
+}
+
 bool jlt_sample_draw(jlt_sample *sample, jlt_verify_run *run, const jlt_sample_subject *subject, size_t number)
 {
-    const jlt_descriptor *d = run->descriptor;
+    const jlt_descriptor *d = run->descriptor, *variant = variant_at(d, number / 4);
 
     for (int attempt = 0; attempt < REDRAWS; attempt++) {
         const unsigned kind = attempt < REDRAWS / 2 ? (unsigned)(number % 4) : 1;
@@ -87,12 +115,8 @@ bool jlt_sample_draw(jlt_sample *sample, jlt_verify_run *run, const jlt_sample_s
         jlt_verify_draw_params(params, d, &run->random, kind);
         draw_states(x, d, &run->random, kind);
         if (jlt_descriptor_check_state(d, x, &index) != JLT_OK) continue;
-        if (jlt_kernel_eval_function(sample->params, subject->family->impose, d->param_count, x, d->state_count, params,
-                                     d->param_count) != JLT_OK ||
-            jlt_kernel_eval_function(sample->x, subject->family->point, d->state_count, x, d->state_count, sample->params,
-                                     d->param_count) != JLT_OK)
-            continue;
-        if (jlt_descriptor_check_params(d, sample->params, &index) == JLT_OK &&
+        if (settle(sample, subject->family, variant, x, params) == JLT_OK &&
+            jlt_descriptor_check_params(d, sample->params, &index) == JLT_OK &&
             jlt_descriptor_check_state(d, sample->x, &index) == JLT_OK &&
             jlt_region_check(&region, &value, d, sample->params, sample->x) == JLT_OK)
             return true;
@@ -108,7 +132,8 @@ jlt_status jlt_sample_enclose(jlt_sample *sample, jlt_verify_run *run, const jlt
     place(run, subject->claim, sample->params, sample->x);
     JLT_PASS(jlt_oracle_estimate(o, sample->jacobian, o->jacobian, n * n));
     JLT_PASS(jlt_oracle_estimate(o, &sample->trace, &o->trace, 1));
-    JLT_PASS(jlt_oracle_estimate(o, sample->gradient, subject->gradients, subject->family->left_null_count * n));
+    if (subject->family != NULL)
+        JLT_PASS(jlt_oracle_estimate(o, sample->gradient, subject->gradients, subject->family->left_null_count * n));
     JLT_PASS(jlt_oracle_estimate(o, sample->field, o->field, n));
     for (size_t i = 0; i < n * n; i++)
         sample->majorant[i] = fmax(fabs(sample->jacobian[i].value), sample->jacobian[i].rounding / (DBL_EPSILON / 2));
@@ -117,18 +142,18 @@ jlt_status jlt_sample_enclose(jlt_sample *sample, jlt_verify_run *run, const jlt
 
 jlt_status jlt_sample_subject_init(jlt_sample_subject *subject, const jlt_verify_run *run, const jlt_equilibria *family)
 {
-    const ttc_model *model = run->oracle->model;
-    const size_t n = model->state_count;
+    const size_t n = run->descriptor->state_count;
 
-    *subject = (jlt_sample_subject){ family, jlt_verify_claim(run, family), NULL };
+    *subject = (jlt_sample_subject){ .family = family };
+    if (family == NULL) return JLT_OK;
+    subject->claim = jlt_verify_claim(run, family);
     if (subject->claim == NULL) return JLT_ERR_UNSUPPORTED;
     subject->gradients = calloc(family->left_null_count * n + 1, sizeof *subject->gradients);
     if (subject->gradients == NULL) return JLT_ERR_NOMEM;
     for (size_t k = 0; k < family->left_null_count; k++) {
-        uint32_t claim = 0;
-        if (!ttc_model_find_claim(model, family->left_null[k].name, &claim)) return JLT_ERR_UNSUPPORTED;
-        for (size_t j = 0; j < n; j++)
-            subject->gradients[k * n + j] = ttc_model_partial(model, model->claims[claim].expression, model->states[j]);
+        const ttc_id *gradient = jlt_oracle_gradient(run->oracle, family->left_null[k].name);
+        if (gradient == NULL) return JLT_ERR_UNSUPPORTED;
+        memcpy(subject->gradients + k * n, gradient, n * sizeof *gradient);
     }
     return JLT_OK;
 }

@@ -1,4 +1,5 @@
-/** Draws random points of a family of equilibria, and encloses in balls all expressions that are compared there. */
+/** Draws random points of a family of equilibria, or of the whole domain, and encloses in balls all expressions that are compared
+ *  there. */
 #ifndef JLT_CLAIMS_SAMPLE_H
 #define JLT_CLAIMS_SAMPLE_H
 
@@ -16,7 +17,7 @@ typedef struct {
                                                                      * max(rounding / 2^-53, |entry|) */
 } jlt_sample;
 
-/* A family, its claim, and the expressions that are enclosed at every sample. */
+/* A family, its claim, and the expressions that are enclosed at every sample; all NULL: the whole domain. */
 typedef struct {
     const jlt_equilibria *family;
     const ttc_claim *claim;
@@ -29,7 +30,8 @@ JLT_CHECKED jlt_status jlt_sample_subject_init(jlt_sample_subject *subject, cons
 void jlt_sample_subject_clear(jlt_sample_subject *subject);
 
 /* Draw sample number `number` inside the domain; number mod 4 selects defaults, moderate values, extreme values, or states near
- * the ends of their intervals; after 500 attempts all are moderate. Returns false if 1000 attempts give none. */
+ * the ends of their intervals; after 500 attempts all are moderate. On the whole domain, each variant of the table's own field has
+ * its turn. Returns false if 1000 attempts give none. */
 bool jlt_sample_draw(jlt_sample *sample, jlt_verify_run *run, const jlt_sample_subject *subject, size_t number);
 
 /** Enclose all expressions of the subject at the sample. Errors: those of jlt_oracle_estimate. */

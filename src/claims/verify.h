@@ -9,9 +9,9 @@
 
 #include <signal.h>
 
-/* One comparison over all samples of a family; it holds if no error exceeds its derived bound. The size of a number is the sum of
- * the moduli of all values rounded on the way to it, each weighted by its influence on the result. An ulp here is 2^-53 of that
- * size, so errors and bounds count roundings, however much cancels. */
+/* One comparison over all samples of the domain or of a family; it holds if no error exceeds its derived bound. The size of
+ * a number is the sum of the moduli of all values rounded on the way to it, each weighted by its influence on the result. An ulp
+ * here is 2^-53 of that size, so errors and bounds count roundings, however much cancels. */
 typedef struct {
     const char *name, *bound; /* what is compared; how the bound is derived */
     size_t compared;          /* numbers compared */
@@ -23,7 +23,8 @@ typedef struct {
 enum { JLT_VERIFY_CHECKS_MAX = 16 };
 
 typedef struct {
-    const jlt_equilibria *family;
+    const jlt_equilibria *family; /* NULL: the whole domain */
+    bool expands; /* kernels may multiply out what the table's expressions factor */
     size_t samples, refused; /* refused: samples at which a kernel reported an error, such as an overflow or underflow */
     jlt_verify_check checks[JLT_VERIFY_CHECKS_MAX];
     size_t check_count;
@@ -53,12 +54,12 @@ typedef struct {
 typedef struct {
     const jlt_descriptor *descriptor; /* general field */
     const char *file;                 /* the user's own table; tables that its claims name lie beside it; NULL: built in */
-    size_t seed, samples;             /* samples: points on each family */
+    size_t seed, samples;             /* samples: points of the domain, and on each family */
     jlt_oracle *oracle;
     jlt_random random;
     const volatile sig_atomic_t *interrupt;
     ttc_proof_report *proofs;
-    jlt_verify_family *families;
+    jlt_verify_family domain, *families;
     size_t family_count;
     jlt_verify_certificate *certificates;
     size_t certificate_count;
@@ -71,8 +72,9 @@ typedef struct {
  *  jlt_verify_clear whatever is returned. Errors: NOMEM; UNSUPPORTED if the embedded table cannot be parsed. */
 JLT_CHECKED jlt_status jlt_verify_prove(jlt_verify_run *run);
 
-/** After jlt_verify_prove, check families of equilibria, certificates and densities through the kernels. Raising *interrupt ends
- *  the sampling early. Errors: UNSUPPORTED (a family with more states or parameters than a sample holds), NOMEM. */
+/** After jlt_verify_prove, check the field on its domain, families of equilibria, certificates and densities through the kernels;
+ *  the domain only of tables that a sample can hold. Raising *interrupt ends the sampling early. Errors: UNSUPPORTED (families of a
+ *  table with more states than a sample holds), NOMEM. */
 JLT_CHECKED jlt_status jlt_verify_measure(jlt_verify_run *run, const volatile sig_atomic_t *interrupt);
 void jlt_verify_clear(jlt_verify_run *run);
 

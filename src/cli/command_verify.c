@@ -40,8 +40,9 @@ static void write_proofs(FILE *stream, const ttc_proof_report *r)
 
 static void write_family(FILE *stream, const jlt_verify_family *f)
 {
-    fprintf(stream, "\n  family %s%s%s: %zu points", f->family->name, f->family->condition[0] == '\0' ? "" : ", when ",
-            f->family->condition, f->samples);
+    if (f->family == NULL) fprintf(stream, "\n  the whole domain: %zu points", f->samples);
+    else fprintf(stream, "\n  family %s%s%s: %zu points", f->family->name, f->family->condition[0] == '\0' ? "" : ", when ",
+                 f->family->condition, f->samples);
     if (f->refused > 0) fprintf(stream, ", %zu refused for overflow or underflow", f->refused);
     fprintf(stream, "\n\n    %-66s %9s %9s %9s %11s\n", "", "numbers", "error/ulp", "bound/ulp", "digits lost");
     for (size_t i = 0; i < f->check_count; i++) {
@@ -52,7 +53,9 @@ static void write_family(FILE *stream, const jlt_verify_family *f)
         fprintf(stream, "    %-66s %9zu %9.3g %9.3g %11s  %s\n", c->name, c->compared, c->error_ulp, c->bound_ulp, lost,
                 verdict(c->worst_part <= 1.0));
     }
-    if (f->samples == f->refused) fprintf(stream, "    nothing could be compared: FAILS\n");
+    if (f->samples == f->refused)
+        fprintf(stream, "    nothing could be compared%s\n", f->samples > 0 || f->family != NULL ? ": FAILS" : "");
+    if (f->family == NULL) return;
     fprintf(stream,
             "    eigenvalues by other routes, largest difference relative to the matrix (measured, not judged: they lose half\n"
             "    the digits where zero is defective): LAPACK without deflation %.2g, ARPACK %.2g at %zu kernels\n",
@@ -112,16 +115,20 @@ static void report_text(FILE *stream, const jlt_verify_run *run)
     fprintf(stream, "%s%s%s\ntable %s, %s; seed %llu, %zu samples\n\n", d->model, *d->title == '\0' ? "" : ": ", d->title,
             d->sha256, d->generator, (unsigned long long)run->seed, run->samples);
     write_proofs(stream, run->proofs);
-    fprintf(stream, "\n(b) Equilibria through the compiled kernels\n");
+    fprintf(stream, "\n(b) The compiled kernels, on the domain and on families of equilibria\n");
+    if (d->state_count > JLT_SAMPLE_STATES_MAX)
+        fprintf(stream, "\n  the domain: not compared, as the table has more than %d states\n", JLT_SAMPLE_STATES_MAX);
+    else write_family(stream, &run->domain);
     if (run->family_count == 0) fprintf(stream, "\n  the table has no family of equilibria\n");
     for (size_t i = 0; i < run->family_count; i++) write_family(stream, &run->families[i]);
-    if (run->family_count > 0)
+    if (run->domain.check_count > 0)
         fprintf(stream,
                 "\n  Shown is the error that comes closest to its bound. An ulp is 2^-53 of all that is rounded on the way to a "
                 "number,\n"
                 "  in modulus and with the weight it has there, so that errors count roundings. Bounds are derived at each point:\n"
-                "  4 ulp for an expression rearranged, 8 for two, 16 in complex arithmetic, 4k(n+3) for the k-th coefficient of a\n"
-                "  polynomial, and for eigenvalues what their condition numbers give, which is much where two nearly meet.\n"
+                "  4 ulp for an expression rearranged, 8 for two, 16 multiplied out or in complex arithmetic, 4k(n+3) for\n"
+                "  the k-th coefficient of a polynomial, and for eigenvalues what their condition numbers give, which is much\n"
+                "  where two nearly meet.\n"
                 "  Digits lost: those that an ulp has more than 2^-53 of the number itself, where it has most, because terms\n"
                 "  cancel in the table's own formula. The points come within 1e-12 of the poles, and sizes range over 1e-8 to "
                 "1e8.\n");
@@ -163,7 +170,8 @@ static json_t *family_json(const jlt_verify_family *f)
                                                 "error_part_of_bound", jlt_json_number(c->worst_part), "digits_lost",
                                                 jlt_json_number(c->lost), "holds", c->worst_part <= 1.0));
     }
-    return json_pack("{s:s,s:s,s:I,s:I,s:o,s:o,s:o}", "family", f->family->name, "when", f->family->condition, "samples",
+    return json_pack("{s:s*,s:s*,s:I,s:I,s:o,s:o,s:o}", "family", f->family != NULL ? f->family->name : NULL, "when",
+                     f->family != NULL ? f->family->condition : NULL, "samples",
                      (json_int_t)f->samples, "refused", (json_int_t)f->refused, "checks", checks,
                      "lapack_undeflated_difference", jlt_json_number(f->lapack_worst), "arpack_difference",
                      jlt_json_number(f->arpack_used > 0 ? f->arpack_worst : NAN));
@@ -201,11 +209,11 @@ static jlt_status report_json(FILE *stream, const jlt_verify_run *run)
     for (size_t i = 0; i < run->certificate_count; i++)
         json_array_append_new(certificates, certificate_json(&run->certificates[i]));
     for (size_t i = 0; i < run->density_count; i++) json_array_append_new(densities, density_json(&run->densities[i]));
-    return jlt_json_write(stream, json_pack("{s:s,s:s,s:I,s:I,s:o,s:o,s:o,s:o,s:{s:I,s:I}}", "model", d->model, "sha256",
+    return jlt_json_write(stream, json_pack("{s:s,s:s,s:I,s:I,s:o,s:o,s:o,s:o,s:o,s:{s:I,s:I}}", "model", d->model, "sha256",
                                             d->sha256, "seed", (json_int_t)run->seed, "samples", (json_int_t)run->samples,
-                                            "proofs", proofs_json(run->proofs), "families", families, "certificates",
-                                            certificates, "densities", densities, "totals", "held", (json_int_t)run->held,
-                                            "failed", (json_int_t)run->failed));
+                                            "proofs", proofs_json(run->proofs), "domain", family_json(&run->domain), "families",
+                                            families, "certificates", certificates, "densities", densities, "totals", "held",
+                                            (json_int_t)run->held, "failed", (json_int_t)run->failed));
 }
 
 enum { KEY_SEED = 256, KEY_SAMPLES, SAMPLES_DEFAULT = 400, SAMPLES_MAX = 10000000 };
@@ -220,7 +228,7 @@ static const struct argp_option option_table[] = {
     { "json", 'j', NULL, 0, "Print JSON", 0 },
     { "seed", KEY_SEED, "N|0", 0,
       "Seed of the random points; with the same seed the output is the same, byte for byte; default 1", 0 },
-    { "samples", KEY_SAMPLES, "N", 0, "Points on each family of equilibria; default 400", 0 },
+    { "samples", KEY_SAMPLES, "N", 0, "Points of the domain, and on each family of equilibria; default 400", 0 },
     { 0 },
 };
 
@@ -244,11 +252,11 @@ static const struct argp parser = {
     option_table, parse, "[MODEL]",
     "Prove what the model claims, and verify it through the compiled kernels."
     "\v(a) Every claim of the table is proved or refuted in exact arithmetic.\n"
-    "(b) Numbers are compared on every family of equilibria, at random and extreme parameters and points. The generated "
-    "Jacobian, divergence and gradients are compared with the table's formulas, with ball enclosures of 256 bits, and with "
-    "complex-step differentiation. Characteristic polynomials by the method of Faddeev and LeVerrier are compared with the "
-    "table's and with the eigenvalues. Where the trace excludes an invariant measure, there are certificates at rational points, "
-    "if any are found.\n"
+    "(b) Numbers are compared on the whole domain, and on every family of equilibria, at random and extreme parameters and points. "
+    "The generated field, integrals and derivatives are compared with ball enclosures of 256 bits; on families also with the "
+    "table's formulas and with complex-step differentiation, and characteristic polynomials by the method of Faddeev and LeVerrier "
+    "with the table's and with the eigenvalues. Where the trace excludes an invariant measure, there are certificates at rational "
+    "points, if any are found.\n"
     "(c) The density of an invariant measure is computed from the divergence alone, where there is one.\n"
     "(d) Totals. The exit status is 0 when everything holds, and 1 when something fails.",
     NULL, NULL, NULL,

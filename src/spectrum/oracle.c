@@ -123,20 +123,30 @@ jlt_status jlt_oracle_estimate(jlt_oracle *oracle, ttc_enclosure *out, const ttc
     return JLT_OK;
 }
 
-jlt_status jlt_oracle_gradient_errors(jlt_oracle *oracle, double *errors, const double *gradients,
-                                      const jlt_named *integrals, size_t count)
+const ttc_id *jlt_oracle_gradient(jlt_oracle *oracle, const char *integral)
 {
     const ttc_model *model = oracle->model;
     const size_t n = model->state_count;
+    uint32_t claim = 0;
+
+    if (!ttc_model_find_claim(model, integral, &claim)) return NULL;
+    ttc_id *gradient = &oracle->gradients[claim * n];
+    for (size_t j = 0; j < n; j++)
+        if (gradient[j] == TTC_NONE) gradient[j] = ttc_model_partial(model, model->claims[claim].expression, model->states[j]);
+    return gradient;
+}
+
+jlt_status jlt_oracle_gradient_errors(jlt_oracle *oracle, double *errors, const double *gradients,
+                                      const jlt_named *integrals, size_t count)
+{
+    const size_t n = oracle->model->state_count;
 
     for (size_t k = 0; k < count; k++) {
-        uint32_t claim = 0;
-        if (!ttc_model_find_claim(model, integrals[k].name, &claim)) return JLT_ERR_UNSUPPORTED;
+        const ttc_id *gradient = jlt_oracle_gradient(oracle, integrals[k].name);
+        if (gradient == NULL) return JLT_ERR_UNSUPPORTED;
         for (size_t j = 0; j < n; j++) {
-            ttc_id *partial = &oracle->gradients[claim * n + j];
             ttc_enclosure exact;
-            if (*partial == TTC_NONE) *partial = ttc_model_partial(model, model->claims[claim].expression, model->states[j]);
-            if (!ttc_ball_enclose(&exact, oracle->ball, *partial)) return JLT_ERR_DOMAIN;
+            if (!ttc_ball_enclose(&exact, oracle->ball, gradient[j])) return JLT_ERR_DOMAIN;
             errors[k * n + j] = jlt_oracle_error(gradients[k * n + j], &exact);
             if (!isfinite(errors[k * n + j])) return JLT_ERR_NONFINITE;
         }

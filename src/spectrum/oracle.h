@@ -36,6 +36,10 @@ JLT_CHECKED jlt_status jlt_oracle_enclose(jlt_oracle *oracle, ttc_enclosure *out
 /** The same, with the rounding errors to be expected of arithmetic in doubles. */
 JLT_CHECKED jlt_status jlt_oracle_estimate(jlt_oracle *oracle, ttc_enclosure *out, const ttc_id *ids, size_t count);
 
+/** The gradient, shape (n,), of the integral that is claimed by this name, which the oracle owns and computes once. NULL: no claim
+ *  has the name. */
+const ttc_id *jlt_oracle_gradient(jlt_oracle *oracle, const char *integral);
+
 /** Bound the errors of computed gradients of integrals against the exact gradients at the values set.
  *  Out: errors, shape (count, n). In: gradients, shape (count, n), as computed; integrals, whose names are claims of the table.
  *  Errors: DOMAIN, UNSUPPORTED (a name that is no claim), NONFINITE. */

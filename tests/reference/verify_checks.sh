@@ -1,11 +1,20 @@
 #!/usr/bin/env bash
-# `jellett verify` makes every comparison it speaks of, at every point: the sleigh has 2 states and 1 integral on its family, so
-# that a point gives 2 numbers of the field, 4 of a Jacobian, 1 trace, 2 of a gradient, 2 coefficients and 2 eigenvalues.
+# `jellett verify` makes every comparison it speaks of, at every point. The sleigh has 2 states, so that a point gives 2 numbers of
+# the field, 4 of a Jacobian, 1 divergence; 1 integral, and 2 more where it is balanced, as the last of 5 points of the domain are,
+# which are compared with the kernels of both fields; and on its family 1 gradient, 2 coefficients and 2 eigenvalues.
 set -euo pipefail
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 samples=5
-while IFS='|' read -r each name; do echo "$((each * samples)) $name"; done > "$scratch/expected" << 'END'
+cat > "$scratch/expected" << 'END'
+12 generated field in ball enclosures of 256 bits
+36 fused field and Jacobian in ball enclosures of 256 bits
+8 integrals in ball enclosures of 256 bits
+16 integrals' gradients in ball enclosures of 256 bits
+24 generated Jacobian in ball enclosures of 256 bits
+6 generated divergence in ball enclosures of 256 bits
+END
+while IFS='|' read -r each name; do echo "$((each * samples)) $name"; done >> "$scratch/expected" << 'END'
 2|field on the family, which is zero
 4|generated Jacobian in ball enclosures of 256 bits
 4|fused field and Jacobian in ball enclosures of 256 bits
@@ -125,3 +134,24 @@ equilibria rest : x = 0, y = 0
 trace rest = 0
 END
 jellett verify --seed=2 "$scratch/steep.tt" > "$scratch/said" || { cat "$scratch/said"; exit 1; }
+
+# A kernel that is wrong off the families alone is found, here by a compiler that reads -x for x in the product of two.
+cat > "$scratch/cubic.tt" << 'END'
+model cubic
+param c
+default c = 1/3
+state x
+state y
+eq x = y
+eq y = -x - c*x^3
+equilibria rest : x = 0, y = 0
+trace rest = 0
+END
+printf '%s\n' '#!/bin/bash' 'for name; do case $name in *.c) sed -i "s/= x\[0\]\*x\[0\];/= -x[0]*x[0];/" "$name" ;; esac; done' \
+    'exec cc "$@"' > "$scratch/wrong"
+chmod +x "$scratch/wrong"
+jellett verify --samples=$samples "$scratch/cubic.tt" > "$scratch/said" || { cat "$scratch/said"; exit 1; }
+code=0
+CC=$scratch/wrong jellett verify --samples=$samples "$scratch/cubic.tt" > "$scratch/said" 2> "$scratch/err" || code=$?
+[ $code = 1 ] && grep -q 'generated field .* FAILS$' "$scratch/said" ||
+    { echo "status $code:"; cat "$scratch/said" "$scratch/err"; exit 1; }
