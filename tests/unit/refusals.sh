@@ -46,7 +46,7 @@ refuse 2 "say where to start" jellett lyapunov lorenz --section z=27
 for range in E E=1 E=1:2:5 E=2:1; do refuse 2 "is no range \(write NAME=LOW:HIGH, LOW below HIGH\)" jellett continue \
     --along $range; done
 refuse 3 "the branch starts at E=2.15: choose LOW:HIGH around it" jellett continue --along E=3:4
-refuse 3 "I1 = -1: spherical_top needs I1 > 0" jellett rod --start "$start" --sweep I1=-1:1:3
+refuse 3 "I1 = -1: spherical_top needs I1 > 0" jellett rod --start "$start" --set I1=-1
 refuse 3 "--sweep: more than 3 names" jellett rod --start "$start" --sweep v_nu=0:1:2,omega_n=1:2:2,gamma3=0:1:2,I1=1:2:2
 refuse 3 "--cells: '0' is no whole number" jellett separation --grid 2x2 --cells 0x0
 refuse 3 "--cells: eta has no width" jellett separation --grid 2x2 --cells eta=0.3,gamma3=-1:1:20
