@@ -1,6 +1,8 @@
 /* Compares what kernels compute, at samples of the domain and of families of equilibria, with enclosures, table formulas and other
  * methods. */
+#include "claims/check.h"
 #include "claims/sample.h"
+#include "claims/stepping.h"
 
 #include "analysis/charpoly.h"
 #include "core/memory.h"
@@ -15,42 +17,10 @@
 
 enum { SIZE = JLT_SAMPLE_STATES_MAX };
 
-static const double roundoff = DBL_EPSILON / 2;
-
-/* Factors by which other arithmetic may exceed the running error bound of the expression as written: the optimizer reassociates
- * and shares subexpressions, which costs a few more operations; complex arithmetic takes up to four times the operations. */
-static const double rearranged = 4.0, in_complex = 16.0;
-
-/* The same where products are multiplied out, and cosines of sums of up to eight angles are sums of products. */
-static const double expanded = 16.0;
-
-static jlt_verify_check *check_named(jlt_verify_family *f, const char *name, const char *bound)
-{
-    for (size_t i = 0; i < f->check_count; i++)
-        if (f->checks[i].name == name) return &f->checks[i];
-    if (f->check_count == JLT_VERIFY_CHECKS_MAX) return &f->checks[JLT_VERIFY_CHECKS_MAX - 1];
-    f->checks[f->check_count] = (jlt_verify_check){ .name = name, .bound = bound };
-    return &f->checks[f->check_count++];
-}
-
-/* Add one comparison. value: the exact number, 0 where it is zero or not known to full precision; size: see jlt_verify_check. */
-static void record(jlt_verify_check *check, double error, double value, double size, double bound)
-{
-    /* Kernels refuse results below the normal range, so rounding there is at most one subnormal, 2^-1074. */
-    const double ratio = error == 0.0 ? 0.0 : error / (bound + 0x1p-1074), part = isnan(ratio) ? INFINITY : ratio;
-    const double ulp = size * roundoff + 0x1p-1074;
-
-    check->compared++;
-    if (value != 0.0 && size > fabs(value)) check->lost = fmax(check->lost, log10(size / fabs(value)));
-    if (part <= check->worst_part && check->bound_ulp > 0.0) return;
-    check->worst_part = part;
-    check->error_ulp = error / ulp;
-    check->bound_ulp = bound / ulp;
-}
+/* Complex arithmetic takes up to four times the operations. */
+static const double in_complex = 16.0;
 
 static const char running_error[] = "4 times the running error of the expression as written (53-bit balls), and a rounding";
-static const char expanded_error[] =
-    "16 times the running error of the expression as written (53-bit balls), values rounded once, and a rounding";
 static const char pair_error[] = "8 times the running error of the expression as written (53-bit balls), 4 for each of the two";
 static const char complex_error[] =
     "16 times the running error of the expression as written (53-bit balls), values rounded once, and a rounding";
@@ -58,26 +28,6 @@ static const char charpoly_error[] = "k(n+3) roundings of the coefficient withou
 static const char root_error[] = "the reported error of each eigenvalue, to first order, and the polynomial's";
 static const char fused_name[] = "fused field and Jacobian in ball enclosures of 256 bits";
 static const char null_error[] = "running errors of gradient and matrix, and n+4 roundings, without cancellation";
-
-/* Running error of the expression, plus one rounding of the result in case the expression itself is free of rounding. */
-static double running(double rounding, const ttc_enclosure *exact)
-{
-    return rounding + roundoff * fabs(exact->value);
-}
-
-/* On a family without angles, kernels are as accurate as the expressions as written. Elsewhere they may lose what expanding one
- * costs, x*(a - b) as x*a - x*b or cos(2a + b) in cosines and sines of a and b: a few times what rounding all values does. */
-static void against_enclosures(jlt_verify_family *f, const char *name, const double *computed, const ttc_enclosure *exact,
-                               size_t count)
-{
-    jlt_verify_check *check = check_named(f, name, f->expands ? expanded_error : running_error);
-
-    for (size_t i = 0; i < count; i++) {
-        const double size = running(f->expands ? exact[i].plain_rounding : exact[i].rounding, &exact[i]);
-        record(check, jlt_oracle_error(computed[i], &exact[i]), exact[i].value, size / roundoff,
-               (f->expands ? expanded : rearranged) * size + exact[i].radius);
-    }
-}
 
 static jlt_status compare_matrix(jlt_verify_family *f, const jlt_sample *s, const jlt_descriptor *d, const double *jacobian)
 {
@@ -87,11 +37,11 @@ static jlt_status compare_matrix(jlt_verify_family *f, const jlt_sample *s, cons
 
     if (f->family->matrix == NULL) return JLT_OK;
     JLT_PASS(jlt_kernel_eval_function(formula, f->family->matrix, n * n, s->x, n, s->params, d->param_count));
-    against_enclosures(f, "table's matrix in ball enclosures of 256 bits", formula, s->jacobian, n * n);
+    jlt_check_enclosures(f, "table's matrix in ball enclosures of 256 bits", formula, s->jacobian, n * n);
     for (size_t i = 0; i < n * n; i++)
-        record(check_named(f, name, pair_error), fabs(formula[i] - jacobian[i]), s->jacobian[i].value,
-               running(s->jacobian[i].rounding, &s->jacobian[i]) / roundoff,
-               2 * rearranged * running(s->jacobian[i].rounding, &s->jacobian[i]));
+        jlt_check_add(jlt_check_named(f, name, pair_error), fabs(formula[i] - jacobian[i]), s->jacobian[i].value,
+                      jlt_check_running(s->jacobian[i].rounding, &s->jacobian[i]) / jlt_roundoff,
+                      2 * jlt_rearranged * jlt_check_running(s->jacobian[i].rounding, &s->jacobian[i]));
     return JLT_OK;
 }
 
@@ -99,7 +49,7 @@ static jlt_status compare_matrix(jlt_verify_family *f, const jlt_sample *s, cons
  * over 1e-8 to 1e8, so that f may vary over lengths far below 2^-50 |x_j|, and h^2 must not show beside their squares. */
 static void compare_complex_step(jlt_verify_family *f, const jlt_sample *s, const jlt_descriptor *d, const double *jacobian)
 {
-    jlt_verify_check *check = check_named(f, "generated Jacobian against complex-step differentiation", complex_error);
+    jlt_verify_check *check = jlt_check_named(f, "generated Jacobian against complex-step differentiation", complex_error);
     const size_t n = d->state_count;
     double complex x[SIZE], out[SIZE];
 
@@ -110,8 +60,9 @@ static void compare_complex_step(jlt_verify_family *f, const jlt_sample *s, cons
         d->rhs_complex(x, s->params, out);
         for (size_t i = 0; i < n; i++) {
             const ttc_enclosure *exact = &s->jacobian[i * n + j];
-            record(check, fabs(cimag(out[i]) / step - jacobian[i * n + j]), exact->value,
-                   running(exact->plain_rounding, exact) / roundoff, in_complex * running(exact->plain_rounding, exact));
+            const double size = jlt_check_running(exact->plain_rounding, exact);
+            jlt_check_add(check, fabs(cimag(out[i]) / step - jacobian[i * n + j]), exact->value,
+                          size / jlt_roundoff, in_complex * size);
         }
     }
 }
@@ -127,9 +78,9 @@ static jlt_status compare_charpoly(jlt_verify_family *f, const jlt_sample *s, co
     if (f->family->charpoly != NULL) {
         JLT_PASS(jlt_kernel_eval_function(formula, f->family->charpoly, n + 1, s->x, n, s->params, d->param_count));
         for (size_t k = 1; k <= n; k++)
-            record(check_named(f, "characteristic polynomial, Faddeev-LeVerrier against the table's", charpoly_error),
-                   fabs(computed[k] - formula[k] / formula[0]), formula[k] / formula[0], scale[k],
-                   rearranged * (double)(k * (n + 3)) * roundoff * scale[k]);
+            jlt_check_add(jlt_check_named(f, "characteristic polynomial, Faddeev-LeVerrier against the table's", charpoly_error),
+                          fabs(computed[k] - formula[k] / formula[0]), formula[k] / formula[0], scale[k],
+                          jlt_rearranged * (double)(k * (n + 3)) * jlt_roundoff * scale[k]);
     }
     for (size_t i = 0; i < n; i++) {
         re[i] = eigen->values[i].re;
@@ -138,9 +89,10 @@ static jlt_status compare_charpoly(jlt_verify_family *f, const jlt_sample *s, co
     }
     JLT_PASS(jlt_charpoly_from_roots(roots, sizes, re, im, n));
     for (size_t k = 1; k <= n; k++)
-        record(check_named(f, "eigenvalues against the characteristic polynomial", root_error),
-               fabs(roots[k] - computed[k]), 0.0, scale[k] + sizes[k],
-               errors * sizes[k - 1] * (double)k + rearranged * (double)(k * (n + 3)) * roundoff * (scale[k] + sizes[k]));
+        jlt_check_add(jlt_check_named(f, "eigenvalues against the characteristic polynomial", root_error),
+                      fabs(roots[k] - computed[k]), 0.0, scale[k] + sizes[k],
+                      errors * sizes[k - 1] * (double)k +
+                          jlt_rearranged * (double)(k * (n + 3)) * jlt_roundoff * (scale[k] + sizes[k]));
     return JLT_OK;
 }
 
@@ -152,20 +104,20 @@ static jlt_status compare_left_null(jlt_verify_family *f, const jlt_sample *s, c
 
     if (count == 0 || f->family->left_null_gradients == NULL) return JLT_OK;
     JLT_PASS(jlt_kernel_eval_function(w, f->family->left_null_gradients, count * n, s->x, n, s->params, d->param_count));
-    against_enclosures(f, "integrals' gradients in ball enclosures of 256 bits", w, s->gradient, count * n);
-    check = check_named(f, "integrals' gradients as left null vectors", null_error);
+    jlt_check_enclosures(f, "integrals' gradients in ball enclosures of 256 bits", w, s->gradient, count * n);
+    check = jlt_check_named(f, "integrals' gradients as left null vectors", null_error);
     for (size_t k = 0; k < count; k++)
         for (size_t j = 0; j < n; j++) {
             double sum = 0.0, terms = 0.0, size = 0.0, bound = 0.0;
             for (size_t i = 0; i < n; i++) {
                 const ttc_enclosure *gradient = &s->gradient[k * n + i], *entry = &s->jacobian[i * n + j];
-                const double weight = fmax(fabs(gradient->value), gradient->rounding / roundoff);
+                const double weight = fmax(fabs(gradient->value), gradient->rounding / jlt_roundoff);
                 sum += w[k * n + i] * jacobian[i * n + j];
                 terms += fabs(w[k * n + i] * jacobian[i * n + j]);
                 size += weight * s->majorant[i * n + j];
-                bound += rearranged * (gradient->rounding * s->majorant[i * n + j] + weight * entry->rounding);
+                bound += jlt_rearranged * (gradient->rounding * s->majorant[i * n + j] + weight * entry->rounding);
             }
-            record(check, fabs(sum), 0.0, size, bound + (double)(n + 4) * roundoff * terms);
+            jlt_check_add(check, fabs(sum), 0.0, size, bound + (double)(n + 4) * jlt_roundoff * terms);
         }
     return JLT_OK;
 }
@@ -212,8 +164,8 @@ static jlt_status compare_integral(jlt_verify_family *f, jlt_oracle *oracle, con
     if (jlt_oracle_estimate(oracle, exact, &model->claims[claim].expression, 1) != JLT_OK ||
         jlt_oracle_estimate(oracle, exact + 1, partials, n) != JLT_OK)
         return JLT_OK;
-    against_enclosures(f, "integrals in ball enclosures of 256 bits", &value, exact, 1);
-    against_enclosures(f, "integrals' gradients in ball enclosures of 256 bits", gradient, exact + 1, n);
+    jlt_check_enclosures(f, "integrals in ball enclosures of 256 bits", &value, exact, 1);
+    jlt_check_enclosures(f, "integrals' gradients in ball enclosures of 256 bits", gradient, exact + 1, n);
     return JLT_OK;
 }
 
@@ -225,8 +177,8 @@ static jlt_status compare_anywhere(jlt_verify_family *f, const jlt_sample *s, jl
     const size_t n = d->state_count;
     double values[SIZE], gradients[SIZE * SIZE];
 
-    against_enclosures(f, "generated field in ball enclosures of 256 bits", field, s->field, n);
-    against_enclosures(f, fused_name, fused, s->field, n);
+    jlt_check_enclosures(f, "generated field in ball enclosures of 256 bits", field, s->field, n);
+    jlt_check_enclosures(f, fused_name, fused, s->field, n);
     if (d->integral_values.call == NULL || d->integral_count > SIZE ||
         jlt_kernel_eval(values, &d->integral_values, s->x, n, special->prepared) != JLT_OK ||
         jlt_instance_gradients(special, gradients, s->x) != JLT_OK)
@@ -253,18 +205,18 @@ static jlt_status compare(jlt_verify_family *f, const jlt_sample *s, jlt_oracle 
     JLT_PASS(jlt_instance_divergence(instance, &divergence, s->x));
     if (f->family == NULL) JLT_PASS(compare_anywhere(f, s, oracle, instance, field, both));
     for (size_t i = 0; f->family != NULL && i < n; i++)
-        record(check_named(f, "field on the family, which is zero", running_error), fabs(field[i]), 0.0,
-               s->field[i].rounding / roundoff, rearranged * s->field[i].rounding);
-    against_enclosures(f, "generated Jacobian in ball enclosures of 256 bits", jacobian, s->jacobian, n * n);
-    against_enclosures(f, fused_name, both + n, s->jacobian, n * n);
-    against_enclosures(f, "generated divergence in ball enclosures of 256 bits", &divergence, &s->trace, 1);
-    if (f->family == NULL) return JLT_OK;
+        jlt_check_add(jlt_check_named(f, "field on the family, which is zero", running_error), fabs(field[i]), 0.0,
+                      s->field[i].rounding / jlt_roundoff, jlt_rearranged * s->field[i].rounding);
+    jlt_check_enclosures(f, "generated Jacobian in ball enclosures of 256 bits", jacobian, s->jacobian, n * n);
+    jlt_check_enclosures(f, fused_name, both + n, s->jacobian, n * n);
+    jlt_check_enclosures(f, "generated divergence in ball enclosures of 256 bits", &divergence, &s->trace, 1);
+    if (f->family == NULL) return jlt_stepping_compare(f, s, oracle, kernels);
     if (f->family->trace != NULL) {
         JLT_PASS(jlt_kernel_eval_function(&trace, f->family->trace, 1, s->x, n, s->params, general->param_count));
-        against_enclosures(f, "table's trace in ball enclosures of 256 bits", &trace, &s->trace, 1);
-        record(check_named(f, "generated divergence against the table's trace", pair_error), fabs(divergence - trace),
-               s->trace.value, running(s->trace.rounding, &s->trace) / roundoff,
-               2 * rearranged * running(s->trace.rounding, &s->trace));
+        jlt_check_enclosures(f, "table's trace in ball enclosures of 256 bits", &trace, &s->trace, 1);
+        jlt_check_add(jlt_check_named(f, "generated divergence against the table's trace", pair_error), fabs(divergence - trace),
+                      s->trace.value, jlt_check_running(s->trace.rounding, &s->trace) / jlt_roundoff,
+                      2 * jlt_rearranged * jlt_check_running(s->trace.rounding, &s->trace));
     }
     JLT_PASS(compare_matrix(f, s, general, jacobian));
     compare_complex_step(f, s, general, jacobian);

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # `jellett verify` makes every comparison it speaks of, at every point. The sleigh has 2 states, so that a point gives 2 numbers of
 # the field, 4 of a Jacobian, 1 divergence; 1 integral, and 2 more where it is balanced, as the last of 5 points of the domain are,
-# which are compared with the kernels of both fields; and on its family 1 gradient, 2 coefficients and 2 eigenvalues.
+# which are compared with the kernels of both fields; a jet gives 2 numbers, stages those of the field with t, 3, and with the
+# variational equations 8; and on its family there are 1 gradient, 2 coefficients and 2 eigenvalues.
 set -euo pipefail
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
@@ -13,6 +14,8 @@ cat > "$scratch/expected" << 'END'
 16 integrals' gradients in ball enclosures of 256 bits
 24 generated Jacobian in ball enclosures of 256 bits
 6 generated divergence in ball enclosures of 256 bits
+12 jets of order 1 in ball enclosures of 256 bits
+66 stages on vectors in ball enclosures of 256 bits
 END
 while IFS='|' read -r each name; do echo "$((each * samples)) $name"; done >> "$scratch/expected" << 'END'
 2|field on the family, which is zero
@@ -155,6 +158,15 @@ code=0
 CC=$scratch/wrong jellett verify --samples=$samples "$scratch/cubic.tt" > "$scratch/said" 2> "$scratch/err" || code=$?
 [ $code = 1 ] && grep -q 'generated field .* FAILS$' "$scratch/said" ||
     { echo "status $code:"; cat "$scratch/said" "$scratch/err"; exit 1; }
+
+# So is one that is wrong on vectors alone.
+printf '%s\n' '#!/bin/bash' \
+    'for name; do case $name in */batch_*.c) sed -i "s/x0\*x0/-x0*x0/" "${name%/*}"/*_lanes.inc ;; esac; done' 'exec cc "$@"' \
+    > "$scratch/wrong"
+code=0
+CC=$scratch/wrong XDG_CACHE_HOME=$scratch/other jellett verify --samples=$samples "$scratch/cubic.tt" > "$scratch/said" || code=$?
+[ $code = 1 ] && [ "$(grep FAILS "$scratch/said" | cut -c5-10)" = stages ] ||
+    { echo "status $code:"; cat "$scratch/said"; exit 1; }
 
 # An integral that is refuted forces no eigenvalue to be zero.
 printf '%s\n' 'model decays' 'param a > 0' 'param b > 0' 'state x' 'state y' 'eq x = -(a + b)*x + b*y' 'eq y = -b*y + b*x' \
