@@ -100,7 +100,7 @@ static jlt_orbit_type classify(const double *re, const double *im, unsigned d, d
 }
 
 /* Replace the multipliers that the error of DP changes by more than a thousandth, as those of two do where its determinant is off
- * by that: a single one follows from the determinant, which the divergence gives; several become NaN. */
+ * by that: a single one follows from the determinant, which the divergence gives; several become NaN, and with all the trace. */
 static void leave_known(jlt_periodic *orbit, double error, unsigned d)
 {
     double rest = orbit->determinant;
@@ -112,6 +112,7 @@ static void leave_known(jlt_periodic *orbit, double error, unsigned d)
         orbit->re[i] = known + 1 == d ? rest : NAN;
         orbit->im[i] = known + 1 == d ? 0 : NAN;
     }
+    if (known == 0) orbit->trace = NAN;
 }
 
 /* Two multipliers whose product is the determinant: the smaller of two real ones keeps its digits through it, and a pair keeps its
