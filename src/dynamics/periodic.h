@@ -13,7 +13,8 @@ typedef enum {
     JLT_ORBIT_FLIP_SADDLE, /* the same, with mu1 real and < 0 */
     JLT_ORBIT_ATTRACTING,  /* all inside the unit circle */
     JLT_ORBIT_REPELLING,   /* all outside */
-    JLT_ORBIT_DEGENERATE   /* a multiplier +-1 within 1e-7, or a double one within the square root of the error of DP */
+    JLT_ORBIT_DEGENERATE   /* a multiplier +-1 within 1e-7, or a double one within the square root of the error of DP, or, where it
+                              is 1, of 1e-9 */
 } jlt_orbit_type;
 
 const char *jlt_periodic_type_name(jlt_orbit_type type);

@@ -86,6 +86,13 @@ printf '%s\n' 'model quartic' 'state x' 'state v' 'state phi' 'eq x = v' 'eq v =
 expect 0 '' jellett orbits ./quartic.tt --section phi=0 --grid x=-1:3:9,v=-1.1:1:4 --period 1
 awk -F, '/^1,/ { rows++; bad += $12 != "degenerate" } END { exit !(rows > 3 && !bad) }' out ||
     fail "orbits of tori: $(grep '^1,' out)"
+# At rest it is an orbit of multiplicity three, which a residual of 1e-13 leaves open by 1e-4: one orbit, and no centre.
+for samples in 0 100; do
+    jellett orbits ./quartic.tt --section phi=0 --mirror v,phi --grid x=-0.5:0.5:5,v=-0.5:0.5:5 --period 1 --samples $samples \
+        > out 2> err
+    awk -F, '/^1,/ && $2^2 + $3^2 < 1e-8 { rows++; bad += $12 != "degenerate" } END { exit !(rows == 1 && !bad) }' out ||
+        fail "orbits at rest, $samples samples: $(grep "e-0[5-9]," out) $(cat err)"
+done
 
 # Two multipliers exp(-2 pi a) and exp(-2 pi b), however small, and their sum are right to a thousandth, or are not told.
 printf '%s\n' 'model shrinks' 'param a' 'param b' 'state x' 'state y' 'state phi' 'angle c s = cos(phi) sin(phi)' \
