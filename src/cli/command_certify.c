@@ -235,9 +235,10 @@ static jlt_exit add_homoclinic(json_t *given, const jlt_given *question, const o
     }
     if (st == JLT_ERR_DOMAIN) return jlt_command_fail(JLT_EXIT_FAILED, unshown, o->motion.starts[0], o->digits, d->model);
     if (st == JLT_ERR_UNSUPPORTED)
-        return jlt_command_fail(JLT_EXIT_NUMERICAL,
-                                "no symmetric homoclinic orbit was found from %s: no proved reversor of %s flips the section's "
-                                "state, which is to be 0, and one other, and takes the levels and the saddle to themselves",
+        return jlt_command_fail(JLT_EXIT_INPUT,
+                                "no symmetric homoclinic orbit is looked for from %s: no proved reversor of %s flips the section's "
+                                "state, which is to be 0, and one other, and takes the levels and the saddle to themselves: write "
+                                "'reversor STATE -> -STATE, ...' in its table, or begin at another saddle",
                                 o->motion.starts[0], d->model);
     return st == JLT_OK ? JLT_EXIT_DONE
                         : jlt_command_fail(JLT_EXIT_NUMERICAL, "no symmetric homoclinic orbit was found from %s: %s",

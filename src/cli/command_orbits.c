@@ -95,9 +95,9 @@ static const struct argp parser = {
     "  residual          the largest distance by which a return misses the next\n"
     "                    point of the orbit\n\n"
     "Distances are in coordinates; a coordinate whose size is not between 1/64 and 64 is divided by its size. det is the "
-    "exponential of the integrated divergence, and the determinant of DP itself is checked against it. Of three multipliers or "
-    "more, those that the errors of DP hide are empty. An orbit that is not symmetric and has det != 1 excludes an invariant "
-    "measure with smooth positive density; its mirror image has 1/det.\n\n"
+    "exponential of the integrated divergence, and the determinant of DP itself is checked against it. Multipliers that the "
+    "errors of DP hide, by more than a thousandth, are empty; with all of them the trace. An orbit that is not symmetric and "
+    "has det != 1 excludes an invariant measure with smooth positive density; its mirror image has 1/det.\n\n"
     "Examples:\n"
     "  jellett orbits --period 4\n"
     "  jellett orbits --set I1=0.591,I3=0.494,a3=0.548 \\\n"
@@ -145,8 +145,7 @@ static jlt_exit held_mask(unsigned char *held, const options *o, const jlt_chart
         const size_t length = strcspn(text, ",");
         unsigned k = 0;
         while (k < chart->dim && (strlen(chart->names[k]) != length || strncmp(chart->names[k], text, length) != 0)) k++;
-        if (k == chart->dim)
-            return jlt_motion_no_coordinate(chart, "--hold", text, length);
+        if (k == chart->dim) return jlt_motion_no_coordinate(chart, "--hold", text, length);
         held[k] = 1;
         text += length;
         if (*text == ',') text++;
@@ -179,6 +178,8 @@ static jlt_exit read_start(jlt_symmetric_line *line, unsigned char *held, const 
     JLT_PASS(jlt_grid_axis_parse(&axis, o->line, strlen(o->line), "--line"));
     while (line->free < chart->dim && strcmp(chart->names[line->free], axis.name) != 0) line->free++;
     if (line->free == chart->dim) return jlt_motion_no_coordinate(chart, "--line", axis.name, strlen(axis.name));
+    if (!(axis.low < axis.high) || axis.count < 2)
+        return jlt_command_fail(JLT_EXIT_INPUT, "--line: %s needs LOW below HIGH, and a COUNT of 2 or more", axis.name);
     line->low = axis.low, line->high = axis.high, line->samples = axis.count;
     return JLT_EXIT_DONE;
 }
@@ -254,8 +255,7 @@ static size_t symmetric_lines_of_grid(jlt_symmetric_line lines[2], const jlt_cha
     if (!chart->reversible || chart->dim != 2 || !(chart->mirror[mirrored] < 0 && chart->mirror[free] > 0)) return 0;
     if (!(axes[free].low < axes[free].high)) return 0;
     lines[0].free = free;
-    lines[0].low = axes[free].low;
-    lines[0].high = axes[free].high;
+    lines[0].low = axes[free].low, lines[0].high = axes[free].high;
     lines[0].samples = samples;
     lines[1] = lines[0];
     lines[1].base[mirrored] = chart->period[mirrored] / 2;

@@ -68,6 +68,8 @@ static double times(const jlt_branch *self, double sigma)
 /* Distance from the saddle from where F^n leads to gamma(sigma). */
 static double distance(const jlt_branch *self, double sigma) { return self->seed * pow(self->lambda, sigma - times(self, sigma)); }
 
+double jlt_branch_blur(const jlt_branch *self, double tolerance) { return tolerance / (self->seed * log(self->lambda)); }
+
 double jlt_branch_bent_sigma(const jlt_branch *self, double sigma)
 {
     return sigma - log1p(self->bend[0] * distance(self, sigma)) / log(self->lambda);

@@ -54,6 +54,10 @@ JLT_CHECKED jlt_status jlt_branch_point(const jlt_branch *self, double q[2], dou
 JLT_CHECKED jlt_status jlt_branch_curve(const jlt_branch *const *branches, jlt_status *status, double *q, const double *sigma,
                                         size_t count);
 
+/** By how much, in sigma, an error of the size of `tolerance` in one F moves a point along the branch: shorter pieces of it show
+ *  the errors of their points alone. */
+double jlt_branch_blur(const jlt_branch *self, double tolerance);
+
 /** About the parameter of gamma(sigma) on the bent branch; NaN if there is none. */
 double jlt_branch_bent_sigma(const jlt_branch *self, double sigma);
 

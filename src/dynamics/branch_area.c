@@ -139,8 +139,9 @@ static double polynomial_area(joint *of, double divided[CORNERS][2], const doubl
 
 /* Set the area of the piece from joint k to the next by interpolation. Returns false, and sets the gap alone, unless the
  * polynomials through more and through fewer corners agree, and the ends are those of the piece, to the tolerance; or that gap is
- * no more than the error that points have at least, and halving has reduced it by less than a factor of 8: it would by 2^6. */
-static bool interpolate(joint *list, size_t joint_count, size_t k, const jlt_chart *chart, double tolerance)
+ * no more than the error that points have at least, and halving has reduced it by less than a factor of 8: it would by 2^6; or the
+ * piece is no wider than `unseen`. */
+static bool interpolate(joint *list, size_t joint_count, size_t k, const jlt_chart *chart, double tolerance, double unseen)
 {
     const double from = list[k].sigma, width = list[k + 1].sigma - from;
     size_t corners[CORNERS];
@@ -164,7 +165,7 @@ static bool interpolate(joint *list, size_t joint_count, size_t k, const jlt_cha
     }
     jlt_chart_scaled(chart, chord, chord);
     const double length = hypot(chord[0], chord[1]);
-    const bool done = gap * length <= enough || gap > tried.gap / 8;
+    const bool done = gap * length <= enough || gap > tried.gap / 8 || width <= unseen;
     if (gap * length > enough) tried.error = fmax(tried.error, gap * length);
     if (done) list[k] = tried;
     list[k].gap = gap <= tolerance ? gap : INFINITY;
@@ -192,10 +193,7 @@ static jlt_status make_samples(samples *self, size_t count, const jlt_branch *br
                        .branches = calloc(count + 1, sizeof(jlt_branch *)),
                        .status = calloc(count + 1, sizeof *self->status),
                        .count = count };
-    if (self->sigma == NULL || self->branches == NULL || self->status == NULL) {
-        clear_samples(self);
-        return JLT_ERR_NOMEM;
-    }
+    if (self->sigma == NULL || self->branches == NULL || self->status == NULL) return JLT_ERR_NOMEM;
     self->q = self->sigma + count;
     self->tangent = self->q + 2 * count;
     for (size_t i = 0; i < count; i++) self->branches[i] = branch;
@@ -207,19 +205,18 @@ static jlt_status make_samples(samples *self, size_t count, const jlt_branch *br
 static jlt_status refine(joint **list, size_t *count, const jlt_branch *branch, double tolerance)
 {
     const jlt_chart *chart = jlt_map_flow(branch->map)->chart;
+    const double unseen = jlt_branch_blur(branch, tolerance);
 
     for (size_t k = 0; k + 1 < *count; k++) (*list)[k].is_open = !(*list)[k].ends && (*list)[k].sigma < (*list)[k + 1].sigma;
     for (int round = 0; round <= REFINEMENTS; round++) {
         size_t left = 0, n = 0;
         for (size_t k = 0; k + 1 < *count; k++)
-            if ((*list)[k].is_open) left += (*list)[k].is_open = !interpolate(*list, *count, k, chart, tolerance);
+            if ((*list)[k].is_open) left += (*list)[k].is_open = !interpolate(*list, *count, k, chart, tolerance, unseen);
         if (left == 0 || round == REFINEMENTS) return JLT_OK;
+        JLT_CLEARED(clear_samples) samples middles = { 0 };
+        JLT_PASS(make_samples(&middles, left, branch));
         joint *finer = calloc(*count + left, sizeof *finer);
-        samples middles;
-        if (finer == NULL || make_samples(&middles, left, branch) != JLT_OK) {
-            free(finer);
-            return JLT_ERR_NOMEM;
-        }
+        if (finer == NULL) return JLT_ERR_NOMEM;
         for (size_t k = 0, of = 0; k + 1 < *count; k++)
             if ((*list)[k].is_open) middles.sigma[of++] = (*list)[k].sigma + ((*list)[k + 1].sigma - (*list)[k].sigma) / 2;
         const jlt_status st = jlt_branch_curve(middles.branches, middles.status, middles.q, middles.sigma, left);
@@ -231,7 +228,6 @@ static jlt_status refine(joint **list, size_t *count, const jlt_branch *branch, 
             memcpy(middle->q, middles.q + 2 * of, sizeof middle->q);
             if (middles.status[of++] != JLT_OK) middle->area = NAN;
         }
-        clear_samples(&middles);
         free(*list);
         *list = finer;
         *count = n;
@@ -256,7 +252,7 @@ static jlt_status take_samples(samples *self, jlt_map_batch *maps)
 /* Set q of the joints where fundamental domains end and begin. */
 static jlt_status find_ends(joint *list, size_t joint_count, const jlt_branch *branch, jlt_map_batch *maps)
 {
-    samples s;
+    JLT_CLEARED(clear_samples) samples s = { 0 };
     size_t i = 0;
 
     JLT_PASS(make_samples(&s, joint_count, branch));
@@ -270,15 +266,15 @@ static jlt_status find_ends(joint *list, size_t joint_count, const jlt_branch *b
         else memcpy(list[k].q, s.q + 2 * of, sizeof list[k].q);
         of++;
     }
-    clear_samples(&s);
     return st;
 }
 
 /* Add the area of a part to its joint's; q, tangent: at the part's nodes. Returns true if the integrated tangents lead to the
  * part's end to the tolerance, or if halving has reduced the gap to the end by less than a factor of 8: it would by 2^11, so that
- * only errors of the points are left. Returns false if the part is to be halved; what is added is then the area between its chord
- * and those of its halves. */
-static bool integrate(joint *of, part *p, const double *q, const double *tangent, const jlt_chart *chart, double tolerance)
+ * only errors of the points are left, as in a part no wider than `unseen`. Returns false if the part is to be halved; what is added
+ * is then the area between its chord and those of its halves. */
+static bool integrate(joint *of, part *p, const double *q, const double *tangent, const jlt_chart *chart, double tolerance,
+                      double unseen)
 {
     const double width = p->sigma[1] - p->sigma[0];
     double chord[2], led[2] = { 0, 0 }, area = 0, length = 0, from[2], step[2];
@@ -295,7 +291,7 @@ static bool integrate(joint *of, part *p, const double *q, const double *tangent
     for (int c = 0; c < 2; c++) led[c] -= chord[c];
     jlt_chart_scaled(chart, led, led);
     const double gap = hypot(led[0], led[1]);
-    const bool done = gap * length <= enough || gap > p->gap / 8;
+    const bool done = gap * length <= enough || gap > p->gap / 8 || width <= unseen;
     p->gap = gap <= fmax(length / 1000, tolerance) ? gap : INFINITY;
     jlt_chart_difference(chart, from, q + 2 * MIDDLE, p->q[0]);
     jlt_chart_difference(chart, step, p->q[1], q + 2 * MIDDLE);
@@ -308,11 +304,13 @@ static bool integrate(joint *of, part *p, const double *q, const double *tangent
 static jlt_status integrate_all(joint *list, part *parts, size_t count, const jlt_branch *branch, jlt_map_batch *maps)
 {
     const jlt_chart *chart = jlt_map_batch_flow(maps)->chart;
+    const double tolerance = jlt_map_batch_tolerance(maps);
+    const double unseen = jlt_branch_blur(branch, tolerance);
     part *now = parts;
     jlt_status st = JLT_OK;
 
     while (st == JLT_OK && count > 0) {
-        samples s;
+        JLT_CLEARED(clear_samples) samples s = { 0 };
         size_t left = 0;
         part *next = calloc(2 * count, sizeof *next);
         st = next != NULL ? make_samples(&s, NODES * count, branch) : JLT_ERR_NOMEM;
@@ -320,14 +318,14 @@ static jlt_status integrate_all(joint *list, part *parts, size_t count, const jl
             const part *p = &now[i / NODES];
             s.sigma[i] = p->sigma[0] + node[i % NODES] * (p->sigma[1] - p->sigma[0]);
         }
-        if (st == JLT_OK && (st = take_samples(&s, maps)) != JLT_OK) clear_samples(&s);
+        if (st == JLT_OK) st = take_samples(&s, maps);
         for (size_t i = 0; st == JLT_OK && i < count; i++) {
             const double *q = s.q + 2 * NODES * i, *middle = q + 2 * MIDDLE;
             bool known = true;
             for (int j = 0; j < NODES; j++) known = known && s.status[NODES * i + (size_t)j] == JLT_OK;
             if (!known) list[now[i].joint].area = NAN;
             const double *tangent = s.tangent + 2 * NODES * i;
-            if (!known || integrate(&list[now[i].joint], &now[i], q, tangent, chart, jlt_map_batch_tolerance(maps))) continue;
+            if (!known || integrate(&list[now[i].joint], &now[i], q, tangent, chart, tolerance, unseen)) continue;
             for (int k = 0; k < 2; k++) {
                 part *half = &next[left++];
                 *half = now[i];
@@ -335,7 +333,6 @@ static jlt_status integrate_all(joint *list, part *parts, size_t count, const jl
                 memcpy(half->q[1 - k], middle, sizeof half->q[1 - k]);
             }
         }
-        if (st == JLT_OK) clear_samples(&s);
         if (now != parts) free(now);
         now = next;
         count = left;

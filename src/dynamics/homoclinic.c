@@ -304,7 +304,10 @@ jlt_status jlt_homoclinic_find(jlt_homoclinic **points, size_t *count, size_t *t
         const size_t first = kept, end = candidates - seen < JLT_HOMOCLINIC_ROW ? candidates : seen + JLT_HOMOCLINIC_ROW;
         JLT_PASS(refine(list + seen, end - seen, branches, fine, 12));
         for (; seen < end; seen++) {
-            if (list[seen].status != JLT_OK || list[seen].best.residual > small_residual) continue;
+            if (list[seen].status != JLT_OK || list[seen].best.residual > small_residual) {
+                apart += list[seen].has_twin ? 2 : 1;
+                continue;
+            }
             has_twin[kept] = list[seen].has_twin;
             found[kept++] = list[seen].best;
         }

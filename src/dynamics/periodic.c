@@ -12,6 +12,8 @@ enum { D = JLT_CHART_DIM_MAX };
 
 static const double same_point = 1e-7;     /* scaled distances under this are one point */
 static const double degenerate = 1e-7;     /* multipliers closer to +-1 than this are not classified */
+/* A product of two multipliers' distances from 1 below which a residual of 1e-13 leaves points open by 1e-4, and so their type. */
+static const double open_points = 1e-9;
 static const double settled = 1e-8;        /* largest step left to Newton's method, relative to what the orbit runs through */
 static const double standstill = 1e-6;     /* orbits that move less, relative to the state, only touch the section */
 /* An orbit lies in the section as far as can be told if no more than this part of its velocity crosses it: at the edge of a level,
@@ -89,7 +91,7 @@ static jlt_orbit_type classify(const double *re, const double *im, unsigned d, d
         const double modulus = hypot(re[i], im[i]), one = copysign(1, re[i]), distance = hypot(re[i] - one, im[i]);
         if (distance < degenerate) return JLT_ORBIT_DEGENERATE;
         for (unsigned k = 0; k < i; k++)
-            if (distance * hypot(re[k] - one, im[k]) < error) return JLT_ORBIT_DEGENERATE;
+            if (distance * hypot(re[k] - one, im[k]) < (one > 0 ? fmax(error, open_points) : error)) return JLT_ORBIT_DEGENERATE;
         if (modulus < 1 - degenerate) inside++;
         else if (modulus > 1 + degenerate) outside++;
     }
@@ -100,7 +102,7 @@ static jlt_orbit_type classify(const double *re, const double *im, unsigned d, d
 }
 
 /* Replace the multipliers that the error of DP changes by more than a thousandth, as those of two do where its determinant is off
- * by that: a single one follows from the determinant, which the divergence gives; several become NaN. */
+ * by that: a single one follows from the determinant, which the divergence gives; several become NaN, and with all the trace. */
 static void leave_known(jlt_periodic *orbit, double error, unsigned d)
 {
     double rest = orbit->determinant;
@@ -112,6 +114,7 @@ static void leave_known(jlt_periodic *orbit, double error, unsigned d)
         orbit->re[i] = known + 1 == d ? rest : NAN;
         orbit->im[i] = known + 1 == d ? 0 : NAN;
     }
+    if (known == 0) orbit->trace = NAN;
 }
 
 /* Two multipliers whose product is the determinant: the smaller of two real ones keeps its digits through it, and a pair keeps its

@@ -13,7 +13,8 @@ typedef enum {
     JLT_ORBIT_FLIP_SADDLE, /* the same, with mu1 real and < 0 */
     JLT_ORBIT_ATTRACTING,  /* all inside the unit circle */
     JLT_ORBIT_REPELLING,   /* all outside */
-    JLT_ORBIT_DEGENERATE   /* a multiplier +-1 within 1e-7, or a double one within the square root of the error of DP */
+    JLT_ORBIT_DEGENERATE   /* a multiplier +-1 within 1e-7, or a double one within the square root of the error of DP, or, where it
+                              is 1, of 1e-9 */
 } jlt_orbit_type;
 
 const char *jlt_periodic_type_name(jlt_orbit_type type);
@@ -24,7 +25,7 @@ typedef struct {
     double points[(size_t)JLT_PERIODIC_MAX * JLT_CHART_DIM_MAX]; /* (period, dim), in the order of the map */
     double T;                                            /* [time] of the whole orbit */
     double slope[4];         /* D(P^period) at the first point, row-major; on sections of two coordinates alone, else unset */
-    double trace;            /* of D(P^period), on any section; of two complex multipliers it is their sum */
+    double trace;            /* of D(P^period), on any section; of two complex multipliers it is their sum; NaN if none is known */
     double determinant;      /* of D(P^period): exp of the integral of the divergence, for the flux is the same at both ends */
     double determinant_slope; /* the same a second way: the product of det DP over the returns */
     double re[JLT_CHART_DIM_MAX], im[JLT_CHART_DIM_MAX]; /* (dim,): multipliers, largest first; NaN: too small to be known */

@@ -87,7 +87,8 @@ refuse() { # STATUS TEXT OPTION...
 }
 refuse 1 'its determinant may be 1' obstruction "${henon[@]}"
 refuse 4 'no symmetric homoclinic orbit' homoclinic "${henon[@]}" --orbit 1000
-refuse 4 'no symmetric homoclinic orbit' homoclinic roessler --section y=0 --direction down --start x=-7.2,z=0.0155
+refuse 3 "write 'reversor STATE -> -STATE, ...' in its table" homoclinic roessler \
+    --section y=0 --direction down --start x=-7.2,z=0.0155
 refuse 2 '--period is an option of cycle' homoclinic "${henon[@]}" --period 2
 lorenz=(obstruction lorenz --section z=27 --period 2 --start x=-13.76,y=-19.58 --digits 12)
 jellett certify "${lorenz[@]}" -o "$scratch/lorenz.json" && jellett check "$scratch/lorenz.json" > "$scratch/out" \

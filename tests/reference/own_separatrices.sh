@@ -39,7 +39,7 @@ jellett manifolds ./well.tt --section phi=0 --start x=1e-9,v=0 --length 2.4 --cr
     cat err
 [ "$(grep -vc '^#' points.csv)" -eq 1 ] ||
     { echo "homoclinic points of an integrable system: $(grep -v '^#' points.csv | head -3)"; status=1; }
-grep -qE 'at [0-9]+ places separatrices touch, or cross by no more than errors tell' err ||
+grep -qE 'at [0-9]+ places separatrices touch, or cross by no more than errors at this --tol tell' err ||
     { echo "nothing is said of touching: $(cat err)"; status=1; }
 
 # Where the saddle hardly stretches there are thousands of such places, each hundreds of returns away: the search ends early.

@@ -90,6 +90,9 @@ refuse 2 "--hold keeps coordinates of --start" jellett orbits --hold eta
 refuse 2 "--start and --grid exclude each other" jellett orbits --start "$point" --grid 3x3
 refuse 2 "--start and --grid exclude each other" jellett lyapunov --start "$point" --grid 3x3
 refuse 3 "--line: the section has no coordinate 'x'; it has eta, gamma3" jellett orbits --start "$point" --line x=0:1:3
+for line in -0.6:-0.6:5 -0.5:-0.6:5 -0.7:-0.6:1; do
+    refuse 3 "--line: gamma3 needs LOW below HIGH, and a COUNT of 2 or more" jellett orbits --start "$point" --line gamma3=$line
+done
 refuse 2 "exclude each other" jellett manifolds --no-crossings --crossings file
 refuse 2 "--times and --until exclude each other" jellett simulate --start "$start" --times 1 --until 2
 refuse 2 "two tables" jellett portrait --level E=1,G=-0.2,F0=0.15 --trajectories -
