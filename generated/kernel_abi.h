@@ -172,7 +172,8 @@ typedef struct {
     const char *condition;   /* the `when` clause, "" when it holds always */
     jlt_proof verdict;
     const char *reason;      /* refuted: what is not zero; not settled: why; "" when proved */
-    const char *target;      /* of what leads to another table: its SHA-256; NULL of other kinds */
+    const char *target;      /* of what leads to another table: its SHA-256; NULL of other kinds, */
+    const char *file;        /* and the name of its file beside the model's */
     const char *renames;     /* of a reduction onto another table: a parameter of that table whose value here has another name, or
                                 none (see jlt_source); NULL: there is none, or the claim is of another kind */
 } jlt_claim;

@@ -211,14 +211,23 @@ static bool stands_for(const jlt_descriptor *built_in, const char *model)
     return true;
 }
 
-/* Whether a built-in table may be used as a way's target: the way holds, which for a larger table includes its reduction to `from`
- * itself, and the table's own records hold beside `model` too. */
-static bool may_stay(const jlt_descriptor *from, const jlt_way *way, const char *model)
+/* Whether a built-in table may be used as a claim's target: the way that the claim defines holds, if it defines one, which for a
+ * larger table includes its reduction to `from` itself, and the table's own records hold beside `model` too. */
+static bool may_stay(const jlt_descriptor *from, const jlt_claim *claim, const jlt_way *way, const char *model)
 {
-    const jlt_descriptor *built_in = jlt_way_target(way, NULL);
+    const jlt_descriptor *built_in = jlt_way_target(&(jlt_way){ .sha256 = claim->target }, NULL);
     const jlt_claim *broken;
 
-    return built_in != NULL && jlt_way_holds(&broken, from, way, built_in) && stands_for(built_in, model);
+    return built_in != NULL && (way == NULL || jlt_way_holds(&broken, from, way, built_in)) && stands_for(built_in, model);
+}
+
+/* Whether a proved claim leads to a table that may serve: by a way, or, where reductions are asked for, by a reduction onto it that
+ * has no condition. Out: *way, NULL if it defines none. */
+static bool leads(const jlt_way **way, const jlt_descriptor *from, const jlt_claim *claim, const char *kind)
+{
+    *way = jlt_way_of(from, claim);
+    if (claim->target == NULL || claim->verdict != JLT_PROVED || (kind != NULL && strcmp(claim->kind, kind) != 0)) return false;
+    return *way != NULL || (kind != NULL && claim->condition[0] == '\0');
 }
 
 jlt_exit jlt_table_others(jlt_way_tables *others, const jlt_descriptor *of, const char *model, const char *kind, bool lanes)
@@ -227,16 +236,15 @@ jlt_exit jlt_table_others(jlt_way_tables *others, const jlt_descriptor *of, cons
 
     *others = (jlt_way_tables){ .count = 0 };
     for (unsigned done = 0; jlt_table_is_file(model) && next != NULL; next = done < others->count ? others->tables[done++] : NULL)
-        for (unsigned i = 0; i < next->way_count && others->count < JLT_WAY_TABLES_MAX; i++) {
-            const jlt_way *way = &next->ways[i];
+        for (const jlt_claim *claim = next->claims; claim->kind != NULL && others->count < JLT_WAY_TABLES_MAX; claim++) {
+            const jlt_way *way;
             char path[PATH_MAX];
-            if (kind != NULL && strcmp(way->kind, kind) != 0) continue;
-            if (next->claims[way->claim].verdict != JLT_PROVED || jlt_way_among(others, way->sha256) != NULL) continue;
-            if (may_stay(next, way, model)) continue;
-            if (!beside(path, sizeof path, model, way->file))
-                return jlt_command_fail(JLT_EXIT_IO, "%s: the path is too long", way->file);
+            if (!leads(&way, next, claim, kind) || jlt_way_among(others, claim->target) != NULL) continue;
+            if (may_stay(next, claim, way, model)) continue;
+            if (!beside(path, sizeof path, model, claim->file))
+                return jlt_command_fail(JLT_EXIT_IO, "%s: the path is too long", claim->file);
             JLT_PASS(load(&others->tables[others->count], &(bool){ false }, path, lanes));
-            if (strcmp(others->tables[others->count++]->sha256, way->sha256) != 0) return was_edited(path);
+            if (strcmp(others->tables[others->count++]->sha256, claim->target) != 0) return was_edited(path);
         }
     return JLT_EXIT_DONE;
 }

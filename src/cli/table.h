@@ -14,9 +14,10 @@ bool jlt_table_is_file(const char *model);
  *  children, keep using the text read then, or refuse with JLT_EXIT_IO if new kernels are needed and the file was edited. */
 jlt_exit jlt_table_open(const jlt_descriptor **descriptor, bool *has_said, const char *model, bool lanes);
 
-/** Open the tables to which the user's own table leads by proved records `reduction` or `lift`, unless they are built in: each is
- *  read, proved and compiled like that table. of: the table's field; model, lanes: as for jlt_table_open. kind: "reduction", only
- *  tables with fewer states; NULL: all. Out: *others, empty if `model` is built in. */
+/** Open the tables to which the user's own table leads by proved records, unless they are built in: each is read, proved and
+ *  compiled like that table. of: the table's field; model, lanes: as for jlt_table_open. kind: "reduction", by reductions, also by
+ *  those `onto` a table without a condition; NULL: by ways, `reduction NAME : by` and `lift`. Out: *others, empty if `model` is
+ *  built in. */
 jlt_exit jlt_table_others(jlt_way_tables *others, const jlt_descriptor *of, const char *model, const char *kind, bool lanes);
 
 /** Open a model for a scene; serves as jlt_scene_program.open. Errors: EMPTY, there is no built-in model of this name; IO, ARG,

@@ -94,7 +94,13 @@ const char *jlt_surface_taken(const jlt_surface *surface, const char *level)
     size_t index;
 
     if (jlt_descriptor_param(surface->asked, level, &index)) return "a parameter";
-    return claim != NULL && claim->condition[0] != '\0' ? "a conditional integral" : NULL;
+    if (claim == NULL) return NULL;
+    if (claim->condition[0] != '\0') return "a conditional integral";
+    for (unsigned i = 1; i < surface->link.count; i++) { /* reductions compare integrals of equal names, one after the other */
+        claim = jlt_descriptor_claim(surface->link.steps[i].from, "integral", level);
+        if (claim == NULL || claim->condition[0] != '\0') return "an integral that no proof compares with it,";
+    }
+    return NULL;
 }
 
 /* Whether proved claims lead from the asked table to this section of `table`; if not, *claim is one that is not proved, or NULL. */

@@ -6,14 +6,6 @@
 
 enum { TABLES_MAX = 64 };
 
-/* The way that belongs to a claim; NULL if it has none. */
-static const jlt_way *way_of(const jlt_descriptor *from, const jlt_claim *claim)
-{
-    for (unsigned i = 0; i < from->way_count; i++)
-        if (&from->claims[from->ways[i].claim] == claim) return &from->ways[i];
-    return NULL;
-}
-
 static bool has_source(const jlt_way *way, jlt_source source)
 {
     for (unsigned i = 0; i < way->param_count; i++)
@@ -23,7 +15,7 @@ static bool has_source(const jlt_way *way, jlt_source source)
 
 const char *jlt_link_renames(const jlt_descriptor *from, const jlt_claim *claim, const jlt_descriptor *to)
 {
-    const jlt_way *way = way_of(from, claim);
+    const jlt_way *way = jlt_way_of(from, claim);
 
     for (unsigned i = 0; way != NULL && i < way->param_count; i++)
         if (way->sources[i] == JLT_SOURCE_OTHER_LEVEL) return to->params[i].name;
@@ -81,7 +73,7 @@ static bool append(jlt_link *out, const jlt_link *link, const jlt_descriptor *fr
     const jlt_claim *claim = leads(&serves, from, to);
 
     if (!serves || link->count == JLT_LINK_STEPS_MAX || to->param_count > JLT_WAY_VALUES_MAX) return false;
-    const jlt_way *way = way_of(from, claim);
+    const jlt_way *way = jlt_way_of(from, claim);
     for (unsigned i = 0; i < link->count; i++) levels |= has_levels(&link->steps[i]);
     if (levels && way != NULL && has_source(way, JLT_SOURCE_PARAMS)) return false;
     *out = *link;

@@ -5,6 +5,13 @@
 
 #include "kernel/descriptor.h"
 
+const jlt_way *jlt_way_of(const jlt_descriptor *from, const jlt_claim *claim)
+{
+    for (unsigned i = 0; i < from->way_count; i++)
+        if (&from->claims[from->ways[i].claim] == claim) return &from->ways[i];
+    return NULL;
+}
+
 const jlt_descriptor *jlt_way_among(const jlt_way_tables *others, const char *sha256)
 {
     for (unsigned i = 0; others != NULL && i < others->count; i++)

@@ -17,6 +17,9 @@ typedef struct {
     const jlt_descriptor *tables[JLT_WAY_TABLES_MAX];
 } jlt_way_tables;
 
+/** The way that a claim of the table `from` defines; NULL if it defines none. */
+const jlt_way *jlt_way_of(const jlt_descriptor *from, const jlt_claim *claim);
+
 /** The table with this digest among `others`; NULL if it is not there, or `others` is NULL. Prefer it to a built-in table of the
  *  same digest: its claims about further tables were proved of the tables loaded beside it. */
 const jlt_descriptor *jlt_way_among(const jlt_way_tables *others, const char *sha256);

@@ -260,6 +260,23 @@ chmod +x editor
 expect 5 'spherical_top_track.tt was edited after this computation had begun with it: begin again' \
     env CC="$PWD/editor" jellett simulate ./spherical_top.tt --start $start --times 1 --track
 
+# A chain of reductions `onto` tables of one's own leads to the section of the last one; but not from the level of an integral that
+# the table between does not have: its value there may be another.
+cp "$JLT_SOURCE_DIR"/tools/docs/henon*.tt .
+sed -i 's/ in (-1, 1)$//' henon_section.tt
+sed 's/^model henon$/model between/; /^reversor/,$d' henon.tt > between.tt
+printf '%s\n' 'state u' 'eq u = x' 'reduction inner : onto henon.tt with x = x, y = y, px = px, py = py' >> between.tt
+sed 's/^model between$/model outer/; s/^reduction.*/state w/; s/^integral H = \(.*\)/integral H = 2*(\1)/' between.tt > outer.tt
+printf '%s\n' 'eq w = u' 'reduction inner : onto between.tt with x = x, y = y, px = px, py = py, u = u' >> outer.tt
+expect 0 '^0,1,' jellett section ./henon.tt --start y=0.1,py=0 --returns 1
+direct=$(last 1-9)
+expect 1 'integral H here - there' ttc prove outer.tt
+sed -i '/^integral H/d' between.tt
+expect 3 'an integral that no proof compares with it' jellett section ./outer.tt --start y=0.1,py=0 --returns 1
+sed -i 's/^integral H = 2\*(\(.*\))/integral J = 2*(\1)/' outer.tt
+expect 0 '^0,1,' jellett section ./outer.tt --start y=0.1,py=0 --returns 1
+[ "$(last 1-9)" = "$direct" ] || fail "a chain of reductions: $(last 1-9), not $direct"
+
 # A claim is about the table of the file's name, whatever model that calls itself.
 printf '%s\n' 'model left' 'state x' 'eq x = -x' 'lift up : into both.tt with X = x, Y = 0' > right.tt
 printf '%s\n' 'model both' 'state X' 'state Y' 'eq X = -X' 'eq Y = -Y' 'reduction other : onto left.tt with x = 2*X' \
