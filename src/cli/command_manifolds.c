@@ -293,8 +293,8 @@ static jlt_exit run(int argc, char **argv)
     const size_t touching = p.touching[0][0] + p.touching[0][1] + p.touching[1][0] + p.touching[1][1];
     if (touching > 0)
         fprintf(stderr,
-                "jellett: at %zu places separatrices touch, or cross by no more than errors at this --tol tell, or follow a row of %d "
-                "such places, behind which none is looked at: they are not listed\n",
+                "jellett: at %zu places separatrices touch, or cross by no more than errors at this --tol tell, or follow a row of "
+                "%d such places, behind which none is looked at: they are not listed\n",
                 touching, JLT_HOMOCLINIC_ROW);
     return st == JLT_OK ? save(&crossings, &o, system, &p, &saddle) : jlt_motion_fail(st, system, o.motion.starts[0]);
 }

@@ -305,7 +305,8 @@ static void write_row(FILE *file, jlt_simulate_request *r, const jlt_course_row 
 }
 
 static const char too_stiff[] = ", in which no state moves by 1e-4 of its size: the motion is stiff, as rates limit steps that it "
-                                "no longer shows, and no --method here is made for that";
+                                "no longer shows, and no --method here is made for that; or a rate jumps there, as where dry "
+                                "friction stops a body, which 'domain moving : u^2 + v^2 - 1e-12 > 0' would end before";
 
 static jlt_exit cannot_go_on(const jlt_simulate_request *r, const jlt_course_row *row, jlt_status st)
 {

@@ -45,8 +45,29 @@ static double look(int count, double a, double fa, double b, double fb)
     return s > fmin(a, b) && s < fmax(a, b) ? s : middle;
 }
 
+/* The place at this part of the way between two others, to which steps from `from` lead, on the cubic through both with their
+ * tangents. */
+static void between(place *out, const place *from, const place *low, const place *high, double part, unsigned d)
+{
+    const double rest = 1 - part, width = high->arc - low->arc;
+    double along[2] = { 0, 0 }; /* cosines of the tangents with that of the steps */
+
+    for (unsigned i = 0; i <= d; i++) {
+        along[0] += from->tangent[i] * low->tangent[i];
+        along[1] += from->tangent[i] * high->tangent[i];
+    }
+    for (unsigned i = 0; i <= d; i++) {
+        const double bend = rest * low->tangent[i] / along[0] - part * high->tangent[i] / along[1];
+        out->u[i] = (1 + 2 * part) * rest * rest * low->u[i] + (1 + 2 * rest) * part * part * high->u[i] +
+                    part * rest * width * bend;
+        out->tangent[i] = rest * low->tangent[i] + part * high->tangent[i];
+    }
+    out->arc = low->arc + part * width;
+}
+
 /* Locate the zero of test k between two places, to which steps from `from` lead. Where steps do not converge, or leave the branch,
- * as may happen at a branch point, the bracket stays as wide as it is. */
+ * as may happen at a branch point, the bracket stays as wide as it is, and the place is the secant's zero if an
+ * orbit is there. */
 static bracket locate(const runner *self, const place *from, const place *before, const place *after, unsigned k)
 {
     const double scale = self->options.scale;
@@ -54,7 +75,7 @@ static bracket locate(const runner *self, const place *from, const place *before
     double a = before->arc - from->arc, b = after->arc - from->arc, fa = before->test[k], fb = after->test[k];
     bracket found = { fabs(fa) < fabs(fb) ? *before : *after, before->u[d] * scale, after->u[d] * scale };
     double failed = NAN; /* a step that did not arrive; the next trials are halfway from it to either end */
-    place next;
+    place next, low = *before, high = *after;
 
     bool ends = false;
     for (int i = 0; i < LOCATE && !ends; i++) {
@@ -68,14 +89,20 @@ static bracket locate(const runner *self, const place *from, const place *before
             continue;
         }
         if (fabs(next.test[k]) <= fabs(found.at.test[k])) found.at = next;
-        if ((next.test[k] > 0) == (fb > 0)) b = s, fb = next.test[k], found.high = next.u[d] * scale;
-        else a = s, fa = next.test[k], found.low = next.u[d] * scale;
+        if ((next.test[k] > 0) == (fb > 0)) b = s, fb = next.test[k], found.high = next.u[d] * scale, high = next;
+        else a = s, fa = next.test[k], found.low = next.u[d] * scale, low = next;
         if (next.test[k] == 0) {
             found.low = found.high = next.u[d] * scale;
             break;
         }
         if (!(failed > fmin(a, b) && failed < fmax(a, b))) failed = NAN;
     }
+    if (isnan(failed)) return found;
+    next = found.at;
+    between(&next, from, &low, &high, fa / (fa - fb), d);
+    bool is_orbit = jlt_continuation_step_evaluate(self, &next.at, next.u) == JLT_OK;
+    for (unsigned i = 0; i < d; i++) is_orbit = is_orbit && fabs(next.at.f[i]) < next.at.noise;
+    if (is_orbit) found.at = next;
     return found;
 }
 

@@ -104,7 +104,8 @@ for rates in '3 4' '5 5.1' '0.1 12' '7 9' '8 8' '60 70'; do
         tail -1 out | awk -F, -v a="$a" -v b="$b" -v seen="$([ $a != 60 ] && [ $method = dop853 ] && echo 1)" '
             function power(rate) { return exp(-6.283185307179586*rate) }
             function off(known, right) { return known != "" && (known/right - 1)^2 > 1e-6 }
-            { exit off($7, power(a)) || off($9, power(b)) || off($5, power(a) + power(b)) || (seen && $7 == "") }' || fail "$method, rates $rates: $(tail -1 out) $(cat err)"
+            { exit off($7, power(a)) || off($9, power(b)) || off($5, power(a) + power(b)) || (seen && $7 == "") }' ||
+            fail "$method, rates $rates: $(tail -1 out) $(cat err)"
     done
 done
 exit $status
