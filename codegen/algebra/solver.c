@@ -38,7 +38,7 @@ typedef enum { AS_MADE, WITHOUT_LEARNING, IN_OTHER_ORDER, IN_GIVEN_ORDER, STRATE
 
 static ttc_solver_answer ask_once(ttc_witness *point, const ttc_conditions *conditions, bool with_functions, strategy how)
 {
-    static const unsigned work_limits[STRATEGY_COUNT] = { 4000000, 250000, 1000000, 4000000 }; /* some ten seconds at most */
+    static const unsigned work_limits[STRATEGY_COUNT] = { 4000000, 1000000, 1000000, 4000000 }; /* some ten seconds at most */
     ttc_question q = { .point = point };
     q.variables = calloc(point->ring->variable_count + 1, sizeof(Z3_ast));
     if (q.variables == NULL) return TTC_SOLVER_SILENT;
