@@ -67,8 +67,9 @@ static jlt_exit refuse_large(const jlt_surface *surface)
     const unsigned values = table->param_count + section->level_count, coordinates = section->coordinate_count;
     char what[160], own[OWN_SECTION];
 
-    for (unsigned k = 0; k < section->level_count; k++) {
-        const char *level = section->levels[k].name, *taken = jlt_surface_taken(surface, level);
+    for (unsigned k = 0; k < values; k++) {
+        const jlt_quantity *q = k < table->param_count ? &table->params[k] : &section->levels[k - table->param_count];
+        const char *level = q->name, *taken = jlt_surface_taken(surface, level);
         if (taken != NULL)
             return jlt_command_fail(JLT_EXIT_INPUT, "the section %s of %s has a level %s, which is %s of %s: rename one of the "
                                     "two, or ask for a section of the table itself, %s", section->name, table->model, level, taken,

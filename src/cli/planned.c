@@ -89,6 +89,14 @@ static jlt_exit show_starts(const jlt_system *system, const jlt_motion_options *
     return JLT_EXIT_DONE;
 }
 
+/* Whether every step to the section's table is one to a tier: a reduction `onto` a table, which tells no way there, is none. */
+static bool leads_by_tiers(const jlt_link *link)
+{
+    for (unsigned i = 0; i < link->count; i++)
+        if (link->steps[i].way == NULL) return false;
+    return true;
+}
+
 jlt_exit jlt_planned_motion(const jlt_system *system, const jlt_motion_options *options)
 {
     static const char *const directions[] = { "downwards", "in both directions", "upwards" };
@@ -113,9 +121,12 @@ jlt_exit jlt_planned_motion(const jlt_system *system, const jlt_motion_options *
                                         .params = params,
                                         .section = !options->looks_at_integrals,
                                         .tier = options->looks_at_integrals ? whole.name : NULL };
-        const jlt_status st = system->surface != NULL ? jlt_plan_make(&plan, &question) : JLT_OK;
+        const bool in_tiers = system->surface != NULL && leads_by_tiers(&system->surface->link);
+        const jlt_status st = in_tiers ? jlt_plan_make(&plan, &question) : JLT_OK;
         if (st == JLT_OK)
-            jlt_planned_show(&plan, options->looks_at_integrals && plan.count > 1 ? "integrals are watched in all states" : NULL);
+            jlt_planned_show(&plan, system->surface != NULL && !in_tiers                ? "its table describes the section"
+                                    : options->looks_at_integrals && plan.count > 1 ? "integrals are watched in all states"
+                                                                                    : NULL);
         code = st == JLT_OK                ? JLT_EXIT_PLANNED
                : st == JLT_ERR_UNSUPPORTED ? jlt_planned_refuse(&plan, &question, st, true)
                                            : jlt_motion_fail(st, system, asked->model);

@@ -277,6 +277,27 @@ sed -i 's/^integral H = 2\*(\(.*\))/integral J = 2*(\1)/' outer.tt
 expect 0 '^0,1,' jellett section ./outer.tt --start y=0.1,py=0 --returns 1
 [ "$(last 1-9)" = "$direct" ] || fail "a chain of reductions: $(last 1-9), not $direct"
 
+# Nor to a level that the section gives by an integral of another name, of this table or the last one; nor to a parameter of the
+# last table that is a level of a table behind the first. The plan says where the others lead.
+sed -i 's/^integral H = \(.*\)/integral E = \1/; s/H = H beside/H = E beside/' henon.tt
+sed -i 's/^reduction/integral H = 2*(px^2 + py^2 + x^2 + y^2) + 4*x^2*y - 4*y^3\/3\n&/' between.tt
+expect 0 '^0,1,' jellett section ./henon.tt --start y=0.1,py=0 --returns 1
+expect 3 'a level H, which is an integral that no proof' jellett section ./between.tt --start y=0.1,py=0 --returns 1
+sed -i 's/^integral E = \(.*\)/&\nintegral H = 2*(\1)/' henon.tt
+expect 3 'a level H, which is an integral that no proof' jellett section ./henon.tt --start y=0.1,py=0 --returns 1
+printf '%s\n' 'model last' 'param G > 0' 'default G = 1' 'state x' 'state p' 'eq x = p' 'eq p = -x*G' \
+    'embedding up : into third.tt with x = x, p = p, z = G' 'section s : by rows.tt at x = 0 with p = p' > last.tt
+printf '%s\n' 'model rows' 'param G > 0' 'default G = 1' 'state p' 'lift into last.tt with x = 0, p = p' > rows.tt
+printf '%s\n' 'model third' 'state x' 'state p' 'state z in (0, inf)' 'eq x = p' 'eq p = -x*z' 'eq z = 0' > third.tt
+sed 's/^model third$/model second/' third.tt > second.tt
+printf '%s\n' 'state u' 'eq u = x' 'reduction down : onto third.tt with x = x, p = p, z = z' >> second.tt
+sed 's/^model second$/model first/; s/^reduction.*/integral G = 4*z\nstate w\neq w = u/' second.tt > first.tt
+echo 'reduction down : onto second.tt with x = x, p = p, z = z, u = u' >> first.tt
+printf '%s\n' 'integral G = z' 'reduction down : by last.tt with x = x, p = p, G = G' >> third.tt
+for table in third second; do expect 0 '^0,1,3.14159' jellett section ./$table.tt --start p=1 --returns 1 --level G=4; done
+expect 0 ' 2  last .*taken: its table describes the section' jellett plan section ./second.tt --start p=1 --level G=4
+expect 3 'a level G, which is an integral that no proof' jellett section ./first.tt --start p=1 --returns 1 --level G=4
+
 # A claim is about the table of the file's name, whatever model that calls itself.
 printf '%s\n' 'model left' 'state x' 'eq x = -x' 'lift up : into both.tt with X = x, Y = 0' > right.tt
 printf '%s\n' 'model both' 'state X' 'state Y' 'eq X = -X' 'eq Y = -Y' 'reduction other : onto left.tt with x = 2*X' \
