@@ -80,10 +80,8 @@ static jlt_status list_values(jlt_surface *out)
         if (is_other) JLT_PASS(add(out, q, q->value, JLT_SURFACE_COMPUTED));
     }
     out->params = out->count;
-    for (unsigned i = 0; i < out->section->level_count; i++) {
-        const jlt_quantity *q = &out->section->levels[i];
-        JLT_PASS(add(out, q, q->value, table->param_count + i));
-    }
+    for (unsigned i = 0; i < out->section->level_count; i++)
+        JLT_PASS(add(out, &out->section->levels[i], out->section->levels[i].value, table->param_count + i));
     JLT_PASS(add_params(out, JLT_SOURCE_LEVEL));
     for (unsigned i = out->params; i < out->count; i++)
         if (jlt_surface_taken(out, out->names[i]) != NULL) return JLT_ERR_UNSUPPORTED;
@@ -97,15 +95,17 @@ const char *jlt_surface_taken(const jlt_surface *surface, const char *level)
     const jlt_claim *claim = jlt_descriptor_claim(surface->asked, "integral", level);
     size_t index;
     const bool is_param = jlt_descriptor_param(surface->table, level, &index);
+    bool passed_on = false; /* from parameter to parameter */
 
     if (is_param && source_of(surface, level) != JLT_SOURCE_LEVEL) return NULL;
     if (jlt_descriptor_param(surface->asked, level, &index)) return "a parameter";
     if (claim == NULL) return NULL;
     if (claim->condition[0] != '\0') return "a conditional integral";
     for (unsigned i = 1; i < surface->link.count; i++) { /* reductions compare integrals of equal names, one after the other */
-        if (is_param && jlt_descriptor_param(surface->link.steps[i].from, level, &index)) return NULL;
-        claim = jlt_descriptor_claim(surface->link.steps[i].from, "integral", level);
-        if (claim == NULL || claim->condition[0] != '\0') return other;
+        const jlt_descriptor *from = surface->link.steps[i].from;
+        passed_on |= is_param && jlt_descriptor_param(from, level, &index);
+        claim = jlt_descriptor_claim(from, "integral", level);
+        if (passed_on ? !jlt_descriptor_param(from, level, &index) : claim == NULL || claim->condition[0] != '\0') return other;
     }
     for (unsigned i = 0; i < section->level_count; i++) /* and the section may give its level by an integral of another name */
         if (strcmp(section->levels[i].name, level) == 0 &&

@@ -297,6 +297,11 @@ printf '%s\n' 'integral G = z' 'reduction down : by last.tt with x = x, p = p, G
 for table in third second; do expect 0 '^0,1,3.14159' jellett section ./$table.tt --start p=1 --returns 1 --level G=4; done
 expect 0 ' 2  last .*taken: its table describes the section' jellett plan section ./second.tt --start p=1 --level G=4
 expect 3 'a level G, which is an integral that no proof' jellett section ./first.tt --start p=1 --returns 1 --level G=4
+# Nor is that level the parameter of its name in a table between, of which it is not made.
+sed -i 's/^state x$/param G > 0\ndefault G = 1\n&/; s/^eq u = x/eq u = G*x/' second.tt
+sed -i 's/^integral G.*/state y in (0, inf)\neq y = 0\neq u = y*x\nintegral G = y/; /^eq u = x/d; s/u = u$/&, G = G/' first.tt
+expect 0 'proved      reduction   down' ttc prove first.tt
+expect 3 'a level G, which is an integral that no proof' jellett section ./first.tt --start p=1 --returns 1 --level G=4
 
 # A claim is about the table of the file's name, whatever model that calls itself.
 printf '%s\n' 'model left' 'state x' 'eq x = -x' 'lift up : into both.tt with X = x, Y = 0' > right.tt
