@@ -249,14 +249,16 @@ jlt_exit jlt_table_others(jlt_way_tables *others, const jlt_descriptor *of, cons
     return JLT_EXIT_DONE;
 }
 
-jlt_status jlt_table_of(const jlt_descriptor **out, const char *model)
+jlt_status jlt_table_of(const jlt_descriptor **out, jlt_way_tables *others, const char *model)
 {
     *out = NULL;
     if (!jlt_table_is_file(model)) {
         *out = jlt_descriptor_find(model, NULL, NULL, NULL);
         return *out != NULL ? JLT_OK : JLT_ERR_EMPTY;
     }
-    switch (jlt_table_open(out, &(bool){ false }, model, false)) {
+    jlt_exit code = jlt_table_open(out, &(bool){ false }, model, false);
+    if (code == JLT_EXIT_DONE) code = jlt_table_others(others, *out, model, "reduction", false);
+    switch (code) {
     case JLT_EXIT_DONE: return JLT_OK;
     case JLT_EXIT_IO: return JLT_ERR_IO;
     case JLT_EXIT_NUMERICAL: return JLT_ERR_NOMEM;

@@ -20,8 +20,8 @@ jlt_exit jlt_table_open(const jlt_descriptor **descriptor, bool *has_said, const
  *  built in. */
 jlt_exit jlt_table_others(jlt_way_tables *others, const jlt_descriptor *of, const char *model, const char *kind, bool lanes);
 
-/** Open a model for a scene; serves as jlt_scene_program.open. Errors: EMPTY, there is no built-in model of this name; IO, ARG,
- *  NOMEM, a table cannot be used, and the reason has been printed. */
-jlt_status jlt_table_of(const jlt_descriptor **out, const char *model);
+/** Open a model for a scene, and those tables beside it that reductions lead to; serves as jlt_scene_program.open. Errors: EMPTY,
+ *  there is no built-in model of this name; IO, ARG, NOMEM, a table cannot be used, and the reason has been printed. */
+jlt_status jlt_table_of(const jlt_descriptor **out, jlt_way_tables *others, const char *model);
 
 #endif

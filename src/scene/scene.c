@@ -169,7 +169,7 @@ static jlt_status read_all(jlt_value_reader *r, jlt_scene *scene, const config_s
     if (count == 0) return jlt_value_complain(r, jlt_value_line(compute), "'compute' is empty");
     (void)config_setting_lookup_string(root, "title", &title);
     (void)config_setting_lookup_string(root, "model", &model);
-    const jlt_status st = r->program->open(&r->model, model);
+    const jlt_status st = r->program->open(&r->model, &r->others, model);
     if (st == JLT_ERR_EMPTY)
         return jlt_value_complain(r, jlt_value_line(config_setting_get_member(root, "model")),
                         "there is no model '%s' ('jellett models' lists those that are built in)", model);

@@ -19,6 +19,7 @@
 #define JLT_SCENE_SCENE_H
 
 #include "core/status.h"
+#include "kernel/way.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -55,9 +56,9 @@ typedef struct {
 typedef struct {
     /** The name of command number `index`, and its options; NULL beyond the last command. */
     const char *(*command)(const struct argp **options, size_t index);
-    /** The general field of the model of this name. Errors: EMPTY, there is none; any other error was printed by the callback, and
-     *  ends the reading with an empty message. */
-    jlt_status (*open)(const struct jlt_descriptor **out, const char *model);
+    /** The general field of the model of this name, and the tables beside it in which its section may be. Errors: EMPTY, there is
+     *  no such model; any other error was printed by the callback, and ends the reading with an empty message. */
+    jlt_status (*open)(const struct jlt_descriptor **out, jlt_way_tables *others, const char *model);
 } jlt_scene_program;
 
 /** Read and check a scene. Out: message, shape (JLT_SCENE_MESSAGE_MAX,), on failure one line "FILE:LINE: error: ..." without the

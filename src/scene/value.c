@@ -84,7 +84,7 @@ static void meet_all(names *self, const jlt_value_reader *r, const jlt_key *key)
     const jlt_descriptor *model = r->model;
     const jlt_claim *broken;
     jlt_surface surface;
-    const bool plane = r->section != NULL || jlt_surface_find(&surface, &broken, model, NULL, r->named) != JLT_OK;
+    const bool plane = r->section != NULL || jlt_surface_find(&surface, &broken, model, &r->others, r->named) != JLT_OK;
     const bool levels = (key->names & JLT_NAMES_LEVELS) != 0, coordinates = (key->names & JLT_NAMES_COORDINATES) != 0;
     const bool methods = (key->names & JLT_NAMES_METHODS) != 0;
 

@@ -5,6 +5,7 @@
 #include <libconfig.h>
 
 #include "core/status.h"
+#include "kernel/way.h"
 #include "kernel_abi.h"
 #include "scene/scene.h"
 #include "scene/schema.h"
@@ -15,7 +16,8 @@ typedef struct {
     const char *file;
     char *message;               /* shape (JLT_SCENE_MESSAGE_MAX,) */
     const jlt_scene_program *program;
-    const jlt_descriptor *model; /* what names of states and parameters are checked against */
+    const jlt_descriptor *model; /* what names of states and parameters are checked against; */
+    jlt_way_tables others;       /* with those tables beside it in which it may find its section */
     const config_setting_t *section, *solve; /* the groups `section` and `solve` of the entry; section NULL: the section is one that
                                                 tables describe, */
     const char *named;                       /* of this name; NULL: the first one */

@@ -278,7 +278,7 @@ expect 0 '^0,1,' jellett section ./outer.tt --start y=0.1,py=0 --returns 1
 [ "$(last 1-9)" = "$direct" ] || fail "a chain of reductions: $(last 1-9), not $direct"
 
 # Nor to a level that the section gives by an integral of another name, of this table or the last one; nor to a parameter of the
-# last table that is a level of a table behind the first. The plan says where the others lead.
+# last table that is a level of a table behind the first. Plans and scenes follow the others.
 sed -i 's/^integral H = \(.*\)/integral E = \1/; s/H = H beside/H = E beside/' henon.tt
 sed -i 's/^reduction/integral H = 2*(px^2 + py^2 + x^2 + y^2) + 4*x^2*y - 4*y^3\/3\n&/' between.tt
 expect 0 '^0,1,' jellett section ./henon.tt --start y=0.1,py=0 --returns 1
@@ -295,6 +295,9 @@ sed 's/^model second$/model first/; s/^reduction.*/integral G = 4*z\nstate w\neq
 echo 'reduction down : onto second.tt with x = x, p = p, z = z, u = u' >> first.tt
 printf '%s\n' 'integral G = z' 'reduction down : by last.tt with x = x, p = p, G = G' >> third.tt
 for table in third second; do expect 0 '^0,1,3.14159' jellett section ./$table.tt --start p=1 --returns 1 --level G=4; done
+printf '%s\n' 'model = "./second.tt"; levels = { G = 4; };' \
+    'compute = ({ what = "section"; start = { p = 1; }; returns = 1; });' > second.scene
+expect 0 '^0,1,3.14159' jellett run second.scene
 expect 0 ' 2  last .*taken: its table describes the section' jellett plan section ./second.tt --start p=1 --level G=4
 expect 3 'a level G, which is an integral that no proof' jellett section ./first.tt --start p=1 --returns 1 --level G=4
 # Nor is that level the parameter of its name in a table between, of which it is not made.
