@@ -23,6 +23,10 @@ jlt_exit jlt_motion_fail(jlt_status status, const jlt_system *system, const char
                                 "%s: Newton's method finds no state with these levels there: try another guess in "
                                 "--solve, or other coordinates",
                                 what);
+    if (status == JLT_ERR_EMPTY && system == NULL)
+        return jlt_command_fail(JLT_EXIT_INPUT,
+                                "%s: the levels do not determine the states of --solve: one follows from the others, or a state is "
+                                "in none of their integrals", what);
     if (status == JLT_ERR_NO_CONVERGENCE && system != NULL && system->flow.chart->solved_count > 0)
         return jlt_command_fail(JLT_EXIT_NUMERICAL,
                                 "%s: %s, or a return left the branch of --solve: try another --direction or section", what,

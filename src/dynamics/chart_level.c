@@ -38,23 +38,28 @@ static double look(const jlt_chart_level *self, double *off, double *sizes, doub
     return worst;
 }
 
-/* The unknowns' change for which the levels change by `off`, to first order. Levels count in their sizes, and each unknown so that
- * its largest effect is 1: units of neither make the matrix look singular. */
-static jlt_status correct(double *change, const double *by_solved, const double *off, const double *sizes, unsigned count)
+/* The matrix of gradients by the unknowns where levels count in their sizes, and each unknown so that its largest effect, which is
+ * left in `effect`, (count,), is 1: units of neither make the matrix look singular. */
+static void scale_matrix(double *matrix, double *effect, const double *by_solved, const double *sizes, unsigned count)
 {
-    double matrix[M * M] = { 0 }, right[M] = { 0 }, effect[M] = { 0 };
-
-    for (unsigned i = 0; i < count; i++) {
-        const double size = sizes[i] > 0 ? sizes[i] : 1;
-        right[i] = off[i] / size;
+    for (unsigned j = 0; j < count; j++) effect[j] = 0;
+    for (unsigned i = 0; i < count; i++)
         for (unsigned j = 0; j < count; j++) {
-            matrix[i * count + j] = by_solved[i * count + j] / size;
+            matrix[i * count + j] = by_solved[i * count + j] / (sizes[i] > 0 ? sizes[i] : 1);
             effect[j] = fmax(effect[j], fabs(matrix[i * count + j]));
         }
-    }
     for (unsigned i = 0; i < count; i++)
         for (unsigned j = 0; j < count; j++)
             if (effect[j] > 0) matrix[i * count + j] /= effect[j];
+}
+
+/* The unknowns' change for which the levels change by `off`, to first order. */
+static jlt_status correct(double *change, const double *by_solved, const double *off, const double *sizes, unsigned count)
+{
+    double matrix[M * M] = { 0 }, right[M] = { 0 }, effect[M];
+
+    for (unsigned i = 0; i < count; i++) right[i] = off[i] / (sizes[i] > 0 ? sizes[i] : 1);
+    scale_matrix(matrix, effect, by_solved, sizes, count);
     JLT_PASS(jlt_eigen_least_squares(change, matrix, right, count, count, singular));
     for (unsigned j = 0; j < count; j++)
         if (effect[j] > 0) change[j] /= effect[j];
@@ -245,4 +250,21 @@ jlt_status jlt_chart_level_init(jlt_chart_level *out, const jlt_chart *plane, co
     out->base.side = roots > 0 ? side : NULL;
     out->base.follows = count > 0 ? follows : NULL;
     return JLT_OK;
+}
+
+bool jlt_chart_level_determines(const jlt_chart_level *self, bool *known, const double *x)
+{
+    static const double independent = 1e-10; /* of numbers of the order of 1, which rounding changes by some 1e-15 */
+    const unsigned count = unknowns(&self->base);
+    double off[M], sizes[M], by_solved[M * M], matrix[M * M], effect[M];
+
+    (void)look(self, off, sizes, by_solved, NULL, x);
+    for (unsigned i = 0; i < count; i++) { /* the sizes of levels elsewhere tell nothing here */
+        sizes[i] = 0;
+        for (unsigned j = 0; j < count; j++) sizes[i] = fmax(sizes[i], fabs(by_solved[i * count + j]));
+    }
+    scale_matrix(matrix, effect, by_solved, sizes, count);
+    const double determinant = jlt_linear_determinant(matrix, count);
+    *known |= isfinite(determinant);
+    return fabs(determinant) > independent;
 }

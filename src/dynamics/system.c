@@ -247,6 +247,19 @@ static bool keeps_levels(const jlt_system *self, const jlt_chart *plane, const j
     return true;
 }
 
+/* Whether the levels determine the states solved for at some test point, if their gradients are known at any. */
+static bool determines(const jlt_system *self)
+{
+    double x[JLT_CHART_STATES_MAX];
+    bool known = false;
+
+    for (int k = 0; k < POINTS; k++) {
+        point_number(self, x, k);
+        if (jlt_chart_level_determines(&self->chart.level, &known, x)) return true;
+    }
+    return !known;
+}
+
 jlt_status jlt_system_levels(jlt_system *self, const jlt_level *levels, unsigned count)
 {
     const jlt_instance *told = self->told;
@@ -258,6 +271,7 @@ jlt_status jlt_system_levels(jlt_system *self, const jlt_level *levels, unsigned
     plane.dim += plane.roots; /* as before add_roots */
     JLT_TRY(invariants_of(&integrals, &plane_of(self)->told_conserved, told));
     JLT_TRY(jlt_chart_level_init(&self->chart.level, &plane, &integrals, levels, count, told->descriptor, told->params));
+    if (!determines(self)) st = JLT_ERR_EMPTY;
     if (plane.reversible) self->chart.level.base.reversible &= keeps_levels(self, &plane, &integrals, levels, count);
 done:
     if (st != JLT_OK) self->chart.plane = before;

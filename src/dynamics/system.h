@@ -50,7 +50,8 @@ JLT_CHECKED jlt_status jlt_system_angles(jlt_system *self, const double *periods
 bool jlt_system_is_reversed(const jlt_system *self, const int *signs);
 
 /** Restrict a plane section to levels (count,) of its table's integrals; on failure it stays as it was. Errors: ARG, as
- *  jlt_chart_level_init; UNSUPPORTED, as jlt_system_invariants. */
+ *  jlt_chart_level_init; EMPTY, at five test points the levels do not determine the states solved for; UNSUPPORTED, as
+ *  jlt_system_invariants. */
 JLT_CHECKED jlt_status jlt_system_levels(jlt_system *self, const jlt_level *levels, unsigned count);
 
 /** Let the flow of a plane section, whose angles and levels are set, count in units of the problem (jlt_instance_units) where
