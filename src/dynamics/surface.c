@@ -90,16 +90,13 @@ static jlt_status list_values(jlt_surface *out)
 
 const char *jlt_surface_taken(const jlt_surface *surface, const char *level)
 {
-    const jlt_claim *claim = jlt_descriptor_claim(surface->asked, "integral", level);
     size_t index;
 
     if (jlt_descriptor_param(surface->asked, level, &index)) return "a parameter";
-    if (claim == NULL) return NULL;
-    if (claim->condition[0] != '\0') return "a conditional integral";
-    for (unsigned i = 1; i < surface->link.count; i++) { /* reductions compare integrals of equal names, one after the other */
-        claim = jlt_descriptor_claim(surface->link.steps[i].from, "integral", level);
-        if (claim == NULL || claim->condition[0] != '\0') return "an integral that no proof compares with it,";
-    }
+    if (jlt_descriptor_claim(surface->asked, "integral", level) == NULL) return NULL;
+    if (!jlt_descriptor_lists(surface->asked->family[0], level)) return "a conditional integral";
+    for (unsigned i = 1; i < surface->link.count; i++) /* reductions compare integrals of equal names, one after the other */
+        if (!jlt_descriptor_lists(surface->link.steps[i].from, level)) return "an integral that no proof compares with it,";
     return NULL;
 }
 
