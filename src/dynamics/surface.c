@@ -92,20 +92,19 @@ const char *jlt_surface_taken(const jlt_surface *surface, const char *level)
 {
     static const char other[] = "an integral that no proof compares with it,";
     const jlt_section_chart *section = surface->section;
-    const jlt_claim *claim = jlt_descriptor_claim(surface->asked, "integral", level);
     size_t index;
     const bool is_param = jlt_descriptor_param(surface->table, level, &index);
     bool passed_on = false; /* from parameter to parameter */
 
     if (is_param && source_of(surface, level) != JLT_SOURCE_LEVEL) return NULL;
     if (jlt_descriptor_param(surface->asked, level, &index)) return "a parameter";
-    if (claim == NULL) return NULL;
-    if (claim->condition[0] != '\0') return "a conditional integral";
+    if (jlt_descriptor_claim(surface->asked, "integral", level) == NULL) return NULL;
+    if (!jlt_descriptor_lists(surface->asked->family[0], level)) return "a conditional integral";
     for (unsigned i = 1; i < surface->link.count; i++) { /* reductions compare integrals of equal names, one after the other */
         const jlt_descriptor *from = surface->link.steps[i].from;
-        passed_on |= is_param && jlt_descriptor_param(from, level, &index);
-        claim = jlt_descriptor_claim(from, "integral", level);
-        if (passed_on ? !jlt_descriptor_param(from, level, &index) : claim == NULL || claim->condition[0] != '\0') return other;
+        const bool has_param = jlt_descriptor_param(from, level, &index);
+        passed_on |= is_param && has_param;
+        if (passed_on ? !has_param : !jlt_descriptor_lists(from, level)) return other;
     }
     for (unsigned i = 0; i < section->level_count; i++) /* and the section may give its level by an integral of another name */
         if (strcmp(section->levels[i].name, level) == 0 &&

@@ -138,11 +138,17 @@ const jlt_claim *jlt_descriptor_doubted_integral(const jlt_descriptor *of)
     return NULL;
 }
 
+bool jlt_descriptor_lists(const jlt_descriptor *of, const char *integral)
+{
+    for (unsigned i = 0; i < of->integral_count; i++)
+        if (strcmp(of->integrals[i].name, integral) == 0) return true;
+    return false;
+}
+
 bool jlt_descriptor_follows(const jlt_descriptor *of, const char *integral)
 {
     for (const jlt_descriptor *const *d = of->family; *d != NULL; d++)
-        for (unsigned i = 0; i < (*d)->integral_count; i++)
-            if (strcmp((*d)->integrals[i].name, integral) == 0) return true;
+        if (jlt_descriptor_lists(*d, integral)) return true;
     return false;
 }
 

@@ -50,6 +50,10 @@ bool jlt_descriptor_has_poles(const jlt_descriptor *of);
 /** The claim of the first of a descriptor's integrals that is not proved; NULL if all are proved. */
 const jlt_claim *jlt_descriptor_doubted_integral(const jlt_descriptor *of);
 
+/** Whether this field has kernels of the integral of this name; the general field has those of all that are claimed without `when`
+ *  and `modulo`. */
+bool jlt_descriptor_lists(const jlt_descriptor *of, const char *integral);
+
 /** Whether some field of the model, in any variant, has kernels of the integral of this name. */
 bool jlt_descriptor_follows(const jlt_descriptor *of, const char *integral);
 

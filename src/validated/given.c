@@ -96,14 +96,6 @@ static bool read_section(jlt_given *self, const json_t *given, slong bits, char 
            || jlt_refuse(problem, "section: no value");
 }
 
-/* Whether the descriptor lists an integral, as it does those that hold without `when` or `modulo`. */
-static bool is_listed(const jlt_descriptor *d, const char *integral)
-{
-    for (unsigned i = 0; i < d->integral_count; i++)
-        if (strcmp(d->integrals[i].name, integral) == 0) return true;
-    return false;
-}
-
 /* Read levels of integrals that are proved for all parameters. */
 static bool read_levels(jlt_given *self, const json_t *given, slong bits, char *problem)
 {
@@ -117,7 +109,7 @@ static bool read_levels(jlt_given *self, const json_t *given, slong bits, char *
         return jlt_refuse(problem, "levels: more than %d", JLT_FORMULAS_LEVELS_MAX);
     json_object_foreach((json_t *)(uintptr_t)levels, name, value) {
         const jlt_claim *claim = jlt_descriptor_claim(d, "integral", name);
-        if (claim == NULL || claim->verdict != JLT_PROVED || !is_listed(d, name))
+        if (claim == NULL || claim->verdict != JLT_PROVED || !jlt_descriptor_lists(d, name))
             return jlt_refuse(problem, "levels: %s is no integral of %s that is proved without a condition%s%s%s", name, d->model,
                               claim != NULL && claim->condition[0] != '\0' ? ": write a table in which it is one, with " : "",
                               claim != NULL ? claim->condition : "",

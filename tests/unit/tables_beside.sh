@@ -276,6 +276,11 @@ expect 3 'an integral that no proof compares with it' jellett section ./outer.tt
 sed -i 's/^integral H = 2\*(\(.*\))/integral J = 2*(\1)/' outer.tt
 expect 0 '^0,1,' jellett section ./outer.tt --start y=0.1,py=0 --returns 1
 [ "$(last 1-9)" = "$direct" ] || fail "a chain of reductions: $(last 1-9), not $direct"
+# Nor is an integral compared that is claimed only where another quantity vanishes.
+sed 's/^model henon$/model outer/; /^reversor/,$d; s/^integral H = \(.*\)/integral H = 2*(\1) modulo Z/' henon.tt > outer.tt
+printf '%s\n' 'state u' 'eq u = x*u' 'invariant Z = u' >> outer.tt
+echo 'reduction inner : onto henon.tt with x = x, y = y, px = px, py = py' >> outer.tt
+expect 3 'a level H, which is a conditional integral of outer' jellett section ./outer.tt --start y=0.1,py=0 --returns 1
 
 # Nor to a level that the section gives by an integral of another name, of this table or the last one; nor to a parameter of the
 # last table that is a level of a table behind the first. Plans and scenes follow the others.
