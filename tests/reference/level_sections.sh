@@ -148,4 +148,17 @@ atom() { # LABEL...: the units of m, k, x, p
 }
 atom '' '' '' ''
 atom '[kg]' '[kg*m^3/s^2]' '[m]' '[kg*m/s]'
+
+# Levels that leave a freedom to the states they are to determine: one follows from the others, or a state is in none.
+undetermined='the levels do not determine the states of --solve'
+sed 's/^integral E = \(.*\)/&\nintegral E2 = (\1)^2/' henon_heiles.tt > squared.tt
+for command in 'section --returns 1' 'orbits --period 1' 'lyapunov --returns 1'; do
+    expect 3 "$undetermined" jellett ${command% --*} ./squared.tt --section x=0 --level E=1/8,E2=1/64 --solve px=0.4,py=0.1 \
+        --start y=0.1 --${command##* --}
+done
+printf '%s\n' 'model apart' 'state x' 'state p' 'state y' 'state q' 'eq x = p' 'eq p = -x' 'eq y = q' 'eq q = -2*y' \
+    'integral E = x^2 + p^2' 'integral F = 2*y^2 + q^2' > apart.tt
+expect 3 "$undetermined" jellett section ./apart.tt --section x=0 --level E=1 --solve q=0.3 --start p=1,y=0 --returns 1
+expect 3 "$undetermined" jellett section ./apart.tt --section x=0 --level E=1,F=1 --solve y=0.3,q=0.3 --start p=1 --returns 1
+expect 0 '^0,1,' jellett section ./apart.tt --section x=0 --level E=1,F=1 --solve p=0.3,q=0.3 --start y=0.1 --returns 1
 exit $status

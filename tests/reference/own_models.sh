@@ -22,7 +22,7 @@ awk -F, '/^0,0,/ { bad = ($13 + 0.93240737)^2 > 1e-15 || ($14 + 0.86473146)^2 > 
 expect 0 '^8,' jellett lyapunov ./figure_eight.tt --section y3=0 --direction down --start $free,u3=-0.93240737,v3=-0.86473146 \
     --returns 8
 awk -F, '/^8,/ { exit !(NF == 14 && $14 == 0) }' out || fail "exponents of twelve states: $(tail -1 out)"
-expect 0 '17 checks hold, 0 fail' jellett verify ./figure_eight.tt
+expect 0 '19 checks hold, 0 fail' jellett verify ./figure_eight.tt
 
 # Suslov with levels: without the products of inertia the flow keeps volume, whose flux through the section has the density
 # gamma1'/det d(E, gamma)/d(omega1, gamma3) = -omega2/(2 omega1) in (omega2, gamma2): det DP is the ratio of it. The fifth return
