@@ -142,6 +142,9 @@ void jlt_motion_caption(jlt_plot *plot, const jlt_system *system, const char *sw
 /** Print "WHAT: reason". Returns the exit status that the library's status calls for. */
 jlt_exit jlt_motion_fail(jlt_status status, const jlt_system *system, const char *what);
 
+/** The same where no system was made of a section STATE=VALUE. EMPTY: its levels do not determine what is solved for. */
+jlt_exit jlt_motion_no_plane(jlt_status status, const char *what);
+
 /** Find the section described by tables that the options ask for, by its name or by default. Out: *surface, if *has is true; *has
  *  is false if --section STATE=VALUE asks for a plane section, or tables describe none. Fails if the section rests on a claim that
  *  is not proved of the table asked for. */

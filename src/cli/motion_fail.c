@@ -23,10 +23,6 @@ jlt_exit jlt_motion_fail(jlt_status status, const jlt_system *system, const char
                                 "%s: Newton's method finds no state with these levels there: try another guess in "
                                 "--solve, or other coordinates",
                                 what);
-    if (status == JLT_ERR_EMPTY && system == NULL)
-        return jlt_command_fail(JLT_EXIT_INPUT,
-                                "%s: the levels do not determine the states of --solve: one follows from the others, or a state is "
-                                "in none of their integrals", what);
     if (status == JLT_ERR_NO_CONVERGENCE && system != NULL && system->flow.chart->solved_count > 0)
         return jlt_command_fail(JLT_EXIT_NUMERICAL,
                                 "%s: %s, or a return left the branch of --solve: try another --direction or section", what,
@@ -54,6 +50,13 @@ jlt_exit jlt_motion_fail(jlt_status status, const jlt_system *system, const char
                                       "--contact report", system->instance->descriptor->model)
                    : jlt_common_no_kernels(system->instance->descriptor, system->flow.method);
     return jlt_command_fail(jlt_command_exit(status), "%s: %s", what, jlt_status_text(status));
+}
+
+jlt_exit jlt_motion_no_plane(jlt_status status, const char *what)
+{
+    if (status != JLT_ERR_EMPTY) return jlt_motion_fail(status, NULL, what);
+    return jlt_command_fail(JLT_EXIT_INPUT, "%s: the levels do not determine the states of --solve: one follows from the others, "
+                            "or a state is in none of their integrals", what);
 }
 
 /* Whether the table proves a reversor that takes the section to itself, whatever it does to the coordinates. */

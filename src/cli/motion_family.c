@@ -48,7 +48,7 @@ jlt_exit jlt_motion_family_fail(const jlt_motion_family *self, jlt_status status
                                 jlt_descriptor_condition(&self->plane.descriptor->params[index]));
     if (status == JLT_ERR_DOMAIN && jlt_region_check(&region, &value, self->plane.descriptor, self->plane.params, NULL) == status)
         return jlt_assign_refuse_region(where, self->plane.descriptor, region, value);
-    return jlt_motion_fail(status, NULL, where);
+    return jlt_motion_no_plane(status, where);
 }
 
 /* Refuse a name that cannot run, and print those that can. */

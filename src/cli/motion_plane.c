@@ -379,7 +379,7 @@ jlt_exit jlt_motion_plane_system(jlt_system **system, const jlt_motion_options *
         if (no_angle < descriptor->state_count)
             code = jlt_command_fail(JLT_EXIT_INPUT, "--modulo: %s is no angle: the field of %s changes when it grows by %.17g",
                                     descriptor->states[no_angle].name, descriptor->model, plane.periods[no_angle]);
-        else if (st != JLT_OK) code = jlt_motion_fail(st, NULL, descriptor->model);
+        else if (st != JLT_OK) code = jlt_motion_no_plane(st, descriptor->model);
         else if (options->mirror != NULL && plane.mirrored && !jlt_system_is_reversed(*system, plane.signs))
             code = jlt_command_fail(JLT_EXIT_INPUT, "--mirror %s: the field of %s is not reversed where these states change signs",
                                     options->mirror, descriptor->model);
