@@ -143,7 +143,7 @@ P
     esac
 done
 sed -i '/^reversor x/d' two.tt
-expect_text 4 "no proved reversor of henon flips the section's state" jellett certify homoclinic "${homoclinic[@]}"
+expect_text 3 "no proved reversor of henon flips the section's state" jellett certify homoclinic "${homoclinic[@]}"
 
 # A wall 1e-9 beside the orbit, which comes as far as y = 2.67844147915...; and one among whose places some are too near. None is
 # said to be passed.
