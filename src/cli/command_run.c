@@ -148,11 +148,11 @@ static jlt_exit run(int argc, char **argv)
     int ending = 0;
 
     ttc_options_parse(&parser, argc, argv, &o);
-    JLT_PASS(jlt_job_open(&scene, o.scene));
-    jlt_exit code = scene->over == NULL ? jlt_job_set(scene, &o.set)
-                                        : jlt_command_fail(JLT_EXIT_INPUT,
-                                                           "%s:%u: error: 'over' is of a study: type 'jellett sweep %s'",
-                                                           scene->file, scene->over_line, o.scene);
+    jlt_exit code = jlt_job_open(&scene, o.scene);
+    if (code == JLT_EXIT_DONE && scene->over != NULL)
+        code = jlt_command_fail(JLT_EXIT_INPUT, "%s:%u: error: 'over' is of a study: type 'jellett sweep %s'", scene->file,
+                                scene->over_line, o.scene);
+    if (code == JLT_EXIT_DONE) code = jlt_job_set(scene, &o.set);
     if (code == JLT_EXIT_DONE && o.into != NULL) code = fix_tables(scene);
     if (code == JLT_EXIT_DONE) code = run_jobs(&ending, scene, &o);
     jlt_scene_destroy(scene);

@@ -41,8 +41,8 @@ static const struct argp_option contact_table[] = {
     { "contact", CONTACT, "ignore|report|end", 0,
       "What to do with an orbit where a condition of the model breaks (`valid` in its table; for the spherical top, "
       "contact: the plane would have to pull). ignore (default): follow it, and report at the end how many orbits there "
-      "were. report: also write a column with the condition's least value, to a millionth of it. end: end the orbit there, "
-      "as lost_NAME", 11 },
+      "were. report: also write a column with the condition's least value, to a millionth of it; beside a pole of the "
+      "condition, a value that it falls below. end: end the orbit there, as lost_NAME", 11 },
     { 0 },
 };
 

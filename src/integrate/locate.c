@@ -64,7 +64,8 @@ jlt_status jlt_locate_refine(jlt_crossing *crossing, double *x, double *slope_wo
                                jlt_stepper *stepper)
 {
     double *f = slope_work, *theta = &crossing->theta;
-    double lo = fmax(*theta - 0.5, -0.01), hi = fmin(*theta + 0.5, 1.01); /* shrinks about the sign change */
+    const double reach = event->loss ? 0x1p-10 : 0.5; /* beside a pole there may be other zeros, and slopes tell nothing */
+    double lo = fmax(*theta - reach, -0.01), hi = fmin(*theta + reach, 1.01); /* shrinks about the sign change */
     const double span = fabs(stepper->h), turn = crossing->direction * stepper->direction;
     if (*theta == 0) lo = -jlt_larger(1, stepper->h_next / span), hi = 1; /* found as the orbit left the noise */
     double best = *theta, least = INFINITY;
@@ -79,7 +80,7 @@ jlt_status jlt_locate_refine(jlt_crossing *crossing, double *x, double *slope_wo
             best = *theta;
         }
         const double g = crossing->residual, move = -g / crossing->slope, near = fabs(move) / span;
-        const bool downhill = crossing->slope * stepper->direction * turn > 0;
+        const bool downhill = !event->loss && crossing->slope * stepper->direction * turn > 0;
         if (g == 0 || (downhill && fabs(move) <= DBL_EPSILON * span)) return JLT_OK;
         if (nudged == 3) return JLT_OK; /* at the rounding level of g */
         /* On steps that gauss takes, nudge errs by less than a third of the cube of its move. */

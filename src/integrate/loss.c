@@ -102,8 +102,8 @@ static void rates(double rate[2], const jlt_stepper *stepper, const jlt_event *e
     rate[1] = stepper->h * jlt_locate_slope(event, stepper, stepper->x, stepper->f);
 }
 
-/* Whether the cubic polynomial through values and slopes, in Bernstein form, is above zero by more than its error, estimated as
- * 1/32 of its terms of second and third order: it is w""h^4/384 at most, 1/192 of the former where w"" = w"/h^2. */
+/* Whether the cubic polynomial through values and slopes, in Bernstein form, is above zero by more than its terms of second and
+ * third order. Its error is w""h^4/384 at most, 1/192 of the former where w"" = w"/h^2; one with a pole varies more. */
 static bool stays_above(const jlt_stepper *stepper, const jlt_event *event, double w0, double w1)
 {
     double rate[2];
@@ -111,7 +111,7 @@ static bool stays_above(const jlt_stepper *stepper, const jlt_event *event, doub
     rates(rate, stepper, event);
     const double bend = fabs(3 * (w1 - w0) - 2 * rate[0] - rate[1]) + fabs(rate[0] + rate[1] - 2 * (w1 - w0));
     const double least = jlt_smaller(jlt_smaller(w0, w1), jlt_smaller(w0 + rate[0] / 3, w1 - rate[1] / 3));
-    return least > bend / 32;
+    return least > bend;
 }
 
 static bool stands_still(const jlt_stepper *stepper, const jlt_event *event, double w0, double w1)
@@ -123,12 +123,12 @@ static bool stands_still(const jlt_stepper *stepper, const jlt_event *event, dou
     return rate[0] == 0 && rate[1] == 0;
 }
 
-/* Whether a function is above zero by more than it varies, as seen at both ends and at two nodes between: a cubic polynomial
- * through four such values goes below the least of them by two fifths of that at most. */
+/* Whether a function is above zero by four times as much as it varies, as seen at both ends and at two nodes between: a cubic
+ * polynomial through four such values goes below the least of them by two fifths of that at most, and one with a pole by more. */
 static bool stays_far(double w0, double left, double right, double w1)
 {
     const double least = fmin(fmin(w0, w1), fmin(left, right)), most = fmax(fmax(w0, w1), fmax(left, right));
-    return least > most - least;
+    return least > 4 * (most - least);
 }
 
 /* Whether a function with the values w at both ends and all nodes is above zero between them as well. It goes below the line
@@ -187,12 +187,22 @@ jlt_status jlt_loss_first(double *theta, jlt_stepper *stepper, const jlt_event *
     const double w0 = jlt_locate_value(event, stepper->x_start), w1 = jlt_locate_value(event, stepper->x);
     double first = INFINITY;
 
-    if (!(w0 > 0) || !(w1 > 0) || holds_between(stepper, event, w0, w1)) return JLT_OK;
+    if (!(w0 > 0) || isnan(w1) || (w1 > 0 && holds_between(stepper, event, w0, w1))) return JLT_OK;
     JLT_PASS(jlt_loss_zero(&first, stepper, event, 1));
-    if (first <= 1 && value_at(stepper, event, first) > 0) { /* of the polynomial alone, maybe */
+    if (!(w1 > 0)) {
+        first = jlt_smaller(first, 1);
+    } else if (first <= 1 && value_at(stepper, event, first) > 0) { /* of the polynomial alone, maybe */
         const double before = jlt_larger(first - 0.5 / SAMPLES, 0);
         if (jlt_loss_least(stepper, event, before).value > 0) return JLT_OK;
     }
     *theta = jlt_smaller(first, *theta);
+    return JLT_OK;
+}
+
+jlt_status jlt_loss_step(const jlt_event *event, jlt_stepper *stepper, jlt_crossing *list, unsigned *count)
+{
+    *list = (jlt_crossing){ .theta = INFINITY, .direction = stepper->direction > 0 ? JLT_FALLING : JLT_RISING };
+    JLT_PASS(jlt_loss_first(&list->theta, stepper, event));
+    *count = list->theta <= 1;
     return JLT_OK;
 }

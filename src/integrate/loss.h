@@ -12,12 +12,15 @@
  *  by that of the zero if that is smaller. Errors and cost: as jlt_edge_left (edge.h). */
 JLT_CHECKED jlt_status jlt_loss_zero(double *theta, jlt_stepper *stepper, const jlt_event *event, int side);
 
-/** As jlt_loss_zero, for the function of an event that is positive at both ends of the step. In/out: *theta, replaced by the first
- *  theta at which the function is not positive, if that is smaller. Errors: as jlt_stepper_dense.
- *  Cost: four values of the function, and six more where it varies by more than the least of them; by methods without nodes
- *  (method.h) two of values and slopes; and where that does not tell, jlt_stepper_dense and 30 of values; or
- *  175 if the polynomial has a zero that the function has not. */
+/** As jlt_loss_zero, for the function of an event that is positive at the start of the step. In/out: *theta, replaced by the first
+ *  theta at which the function is not positive, if that is smaller; a function that is NaN at the end is not looked at. Errors: as
+ *  jlt_stepper_dense. Cost, where it is positive at the end too: four values of the function, and six more where it varies by
+ *  more than a fourth of the least of them; by methods without nodes (method.h) two of values and slopes; and where that does
+ *  not tell, jlt_stepper_dense and 30 of values; or 175 if the polynomial has a zero that the function has not. */
 JLT_CHECKED jlt_status jlt_loss_first(double *theta, jlt_stepper *stepper, const jlt_event *event);
+
+/** As jlt_watch_step (watch.h) for an event of such a function, of which the first loss on the last step is the only crossing. */
+JLT_CHECKED jlt_status jlt_loss_step(const jlt_event *event, jlt_stepper *stepper, jlt_crossing *list, unsigned *count);
 
 /** The least value of such a function from theta on, until it rises again, on the polynomial of the last step; call
  *  jlt_stepper_dense before. Cost: at most 145 values of the function. */

@@ -135,12 +135,6 @@ jlt_status jlt_orbit_value(jlt_orbit *self, double *value, const jlt_event *even
     return JLT_OK;
 }
 
-jlt_status jlt_orbit_zero(jlt_orbit *self, double *theta, const jlt_event *event)
-{
-    *theta = INFINITY;
-    return jlt_loss_zero(theta, self->stepper, event, 1);
-}
-
 void jlt_orbit_drift(const jlt_orbit *self, double *drift)
 {
     memcpy(drift, self->invariants.drift, self->options.invariants.count * sizeof *drift);
@@ -149,8 +143,8 @@ void jlt_orbit_drift(const jlt_orbit *self, double *drift)
 static bool same_event(const jlt_event *a, const jlt_event *b)
 {
     return a->value == b->value && a->context == b->context && a->rate == b->rate && a->longest_step == b->longest_step
-           && a->direction == b->direction && a->grazing == b->grazing && a->column == b->column && !(a->level < b->level)
-           && !(a->level > b->level);
+           && a->direction == b->direction && a->grazing == b->grazing && a->loss == b->loss && a->column == b->column
+           && !(a->level < b->level) && !(a->level > b->level);
 }
 
 /* Crossings of all events on the last step, merged in order. */
@@ -161,7 +155,8 @@ static jlt_status locate_step(jlt_orbit *self)
     self->pending_count = self->next_pending = 0;
     for (unsigned e = 0; e < self->watch_count; e++) {
         unsigned count;
-        JLT_PASS(jlt_watch_step(&self->watch[e], self->stepper, list, &count));
+        if (self->watch[e].event.loss) JLT_PASS(jlt_loss_step(&self->watch[e].event, self->stepper, list, &count));
+        else JLT_PASS(jlt_watch_step(&self->watch[e], self->stepper, list, &count));
         for (unsigned i = 0; i < count; i++) {
             unsigned at = self->pending_count++;
             list[i].event = e;

@@ -100,7 +100,7 @@ JLT_CHECKED jlt_status jlt_orbit_sample(jlt_orbit *self, double *states, size_t 
 
 const jlt_stepper *jlt_orbit_stepper(const jlt_orbit *self); /* the point now, the last step, counters */
 
-/** Find where in the last step the function of an event, positive at both ends of it, first comes to zero. Out: *theta, in [0, 1],
+/** Find where in the last step the function of an event, positive at its start, first comes to zero. Out: *theta, in [0, 1],
  *  or INFINITY: nowhere; else *least, its least value from there on until it rises again, and jlt_stepper_values may be called.
  *  Errors and cost: those of jlt_loss_first, jlt_loss_least (loss.h). */
 JLT_CHECKED jlt_status jlt_orbit_loss(jlt_orbit *self, double *theta, jlt_event_least *least, const jlt_event *event);
@@ -112,10 +112,6 @@ jlt_event_least jlt_orbit_least(jlt_orbit *self, const jlt_event *event);
 /** The value of an event's function at the fraction theta of the last step, by a partial step: without the polynomial's error.
  *  Errors: the step's. */
 JLT_CHECKED jlt_status jlt_orbit_value(jlt_orbit *self, double *value, const jlt_event *event, double theta);
-
-/** Find the first zero in the last step of the function of an event, positive at its start. Out: *theta, in [0, 1], or INFINITY:
- *  none. Where there is one, jlt_stepper_values may be called. Errors and cost: those of jlt_edge_left, for one condition. */
-JLT_CHECKED jlt_status jlt_orbit_zero(jlt_orbit *self, double *theta, const jlt_event *event);
 
 /** Largest |F_i - F_i(start)| / max(1, |F_i(start)|) over accepted points since the start. drift: (invariants.count,). */
 void jlt_orbit_drift(const jlt_orbit *self, double *drift);

@@ -58,7 +58,8 @@ static double break_within(jlt_event_least *least, watched *one, const jlt_stepp
         return jlt_orbit_loss(one->leg->orbit, &theta, least, &event) == JLT_OK ? theta : INFINITY;
     *least = jlt_orbit_least(one->leg->orbit, &event);
     if (starts_broken) return INFINITY;
-    return jlt_orbit_zero(one->leg->orbit, &theta, &event) == JLT_OK && theta < 1 ? theta : 1;
+    jlt_event_least from_there;
+    return jlt_orbit_loss(one->leg->orbit, &theta, &from_there, &event) == JLT_OK && theta < 1 ? theta : 1;
 }
 
 void jlt_course_conditions_look_within(jlt_course_conditions *self, const jlt_leg *leg)

@@ -127,4 +127,33 @@ for how in "" "--method gauss" "--method dop853" "--method taylor" "--method rk8
             END { exit bad || n < 2 }' out || fail "$contact by ${how:-lanes}: the least value is not 1, 0.88196601125: $(cat out)"
     done
 done
+
+# Conditions with poles. On x = A cos(t), 2 + c/(x - c) goes to minus infinity at the pole, 5 - 1/(x - c)^2 to zero before it, and
+# 1/(x - c)^2 has no zero. Where a step has the pole in its middle, both its ends are positive.
+for condition in '2 + c/q' '5 - 1/q^2' '1/q^2'; do
+    cat > circle.tt <<EOF
+model circle
+param c
+default c = 1/2
+state x
+state y
+let q = x - c
+eq x =
+    - y
+eq y =
+    + x
+valid v : $condition > 0
+EOF
+    case $condition in 2*) edge=0 ;; 5*) edge=0.44721359549995794 ;; *) edge=none ;; esac
+    for start in 1 3 3.5 3.9; do
+        for method in gauss dop853 taylor rk8pd rkf45 msadams; do
+            jellett section ./circle.tt --section y=0 --start x=$start --returns 1 --contact end --method $method 2> err | tail -1 \
+                | awk -F, -v start=$start -v edge=$edge '{
+                    cosine = (0.5 + edge)/start; t = atan2(sqrt(1 - cosine^2), cosine); wrong = $3 - t
+                    exit !(edge == "none" ? $NF == "alive" : $NF == "lost_v" && wrong^2 < 1e-20) }' \
+                || fail "$condition from x=$start by $method: not lost where it is"
+        done
+    done
+done
+
 exit $status
