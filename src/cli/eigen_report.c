@@ -2,6 +2,7 @@
 #include "cli/eigen.h"
 
 #include "core/digits.h"
+#include "kernel/descriptor.h"
 #include "report/csv.h"
 #include "report/decimal.h"
 #include "report/json.h"
@@ -103,7 +104,15 @@ static void write_eigenvalue(FILE *stream, const jlt_linearization *r, size_t wh
     else fputs(isnan(value->condition) ? "not defined\n" : "infinite: defective\n", stream);
 }
 
-static void write_matrix(FILE *stream, const jlt_linearization *r)
+/* What the table's formula of this kind for the family is worth, after its value. */
+static const char *standing(const jlt_descriptor *d, const jlt_linearization *r, const char *kind)
+{
+    static const char *const words[] = { [JLT_PROVED] = "", [JLT_REFUTED] = ", a refuted claim", [JLT_UNSETTLED] = ", not proved" };
+    const jlt_claim *claim = r->family == NULL ? NULL : jlt_descriptor_claim(d, kind, r->family->name);
+    return claim == NULL ? "" : words[claim->verdict];
+}
+
+static void write_matrix(FILE *stream, const jlt_descriptor *d, const jlt_linearization *r)
 {
     const size_t n = r->n;
 
@@ -124,14 +133,15 @@ static void write_matrix(FILE *stream, const jlt_linearization *r)
             fputs("   ", stream);
             jlt_decimal_write_error(stream, r->charpoly_error[k]);
         }
-        if (!isnan(r->charpoly_formula[k])) fprintf(stream, "   formula %.17g", r->charpoly_formula[k]);
+        if (!isnan(r->charpoly_formula[k]))
+            fprintf(stream, "   formula %.17g%s", r->charpoly_formula[k], standing(d, r, "charpoly"));
         fputc('\n', stream);
     }
     fputs("\ntrace        ", stream);
     write_number(stream, 0, 17, r->texts == NULL ? NULL : r->texts->trace, r->trace);
     if (r->texts == NULL) fputs(", ", stream);
     if (r->texts == NULL) jlt_decimal_write_error(stream, r->trace_error);
-    if (!isnan(r->trace_formula)) fprintf(stream, "; formula %.17g", r->trace_formula);
+    if (!isnan(r->trace_formula)) fprintf(stream, "; formula %.17g%s", r->trace_formula, standing(d, r, "trace"));
     fputc('\n', stream);
 }
 
@@ -160,7 +170,7 @@ void jlt_eigen_write_text(FILE *stream, const jlt_eigen_row *row)
             r->family == NULL ? "" : r->family->condition);
     fprintf(stream, "residual     %.3g (relative %.2g; refused above %.0e)\n", r->residual, r->residual_ratio,
             JLT_LINEARIZATION_TOLERANCE);
-    write_matrix(stream, r);
+    write_matrix(stream, d, r);
     fprintf(stream, "\neigenvalues, with %ld bits%s\n", r->precision,
             r->texts != NULL && !r->sure ? ", which leave digits open: they are left out, and 0 may be small" : "");
     for (size_t i = 0; i < r->n; i++) write_eigenvalue(stream, r, i);

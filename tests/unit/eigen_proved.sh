@@ -216,4 +216,10 @@ printf '%s\n' 'model node' 'state x' 'state y' 'eq x = -x' 'eq y = -y' 'integral
     'equilibria rest : x = 0, y = 0' > node.tt
 says 'verdict stable' node.tt --at x=0,y=0
 jellett verify node.tt > out 2>&1 || fail "jellett verify node.tt: $(cat out)"
+
+# A formula whose claim is refuted is shown as that, beside the value.
+printf '%s\n' 'model doubted' 'param k > 0' 'default k = 2' 'state x' 'state y' 'eq x = y - k*x' 'eq y = -y' \
+    'equilibria rest : x = 0, y = 0' '  trace rest = -k' '  charpoly rest = lambda^2 + (k + 1)*lambda + k' > doubted.tt
+says 'trace -3, exactly; formula -2, a refuted claim' doubted.tt --at x=0,y=0
+says ' lambda^1 3 formula 3' doubted.tt --at x=0,y=0
 exit $status
