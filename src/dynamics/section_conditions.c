@@ -73,8 +73,11 @@ static void look_within(jlt_section_conditions *self, jlt_orbit *orbit, double b
 
     for (; of.one.index < count; of.one.index++) {
         jlt_event_least least;
+        double value = NAN;
         if (!dips(&least, orbit, &event, hold)) continue;
-        if (self->seeks_least && jlt_orbit_value(orbit, &least.value, &event, least.theta) != JLT_OK) continue;
+        if (self->seeks_least && jlt_orbit_value(orbit, &value, &event, least.theta) != JLT_OK) continue;
+        /* Without the polynomial's error the state may be on the other side of a pole. */
+        if (value < jlt_locate_value(&event, jlt_orbit_stepper(orbit)->x)) least.value = value;
         if (least.value + bound >= before) continue;
         before = least.value + bound;
         self->dip = (jlt_section_least){ before, of.one.index };

@@ -154,6 +154,12 @@ EOF
                 || fail "$condition from x=$start by $method: not lost where it is"
         done
     done
+    for method in gauss dop853 taylor rk8pd rkf45 msadams; do
+        jellett fates ./circle.tt --section y=0 --grid x=1:3.9:30 --returns 1 --contact report --method $method --tol 1e-9 2> err \
+            | awk -F, -v edge=$edge '/^[0-9]/ { all++; lost += $NF <= 0 }
+                END { exit !(all == 30 && lost == (edge == "none" ? 0 : 30)) }' \
+            || fail "$condition by $method: not told of where it is lost"
+    done
 done
 
 exit $status
