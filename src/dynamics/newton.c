@@ -16,6 +16,7 @@ static const double fallen = 1e-6;         /* and relative to the first one, unl
 static const double null_cutoff = 1e-11;   /* singular values of I - DP below this, relative to I or to I - DP if that is larger,
                                               count as 0: the orbit belongs to a family. But none above this: */
 static const double contracting = 1e-2;    /* in a direction that contracts, I - DP is about 1, */
+static const double stretching = 1e6;      /* |I - DP| above which a small residual may leave a large step, */
 static const double drowned = 1e14;        /* which rounding drowns where |I - DP| is above this */
 
 /* With delta_(i+1) = A_i delta_i + r_i and delta_p = delta_0: (I - A_(p-1)..A_0) delta_0 = sum of the propagated r_i. */
@@ -119,7 +120,7 @@ static bool new_step(jlt_newton *self)
     if (self->iteration++ == ITERATIONS || !(self->now.residual > 0)) return judge(self, JLT_ERR_NO_CONVERGENCE);
     const jlt_status st = step(self->delta, &length, &self->now, d, self->period, self->held);
     if (st != JLT_OK) return end(self, st);
-    self->doubt = length > drowned ? INFINITY : null_cutoff * length > contracting ? fmax(1, 10 * self->noise * length) : 0;
+    self->doubt = length > drowned ? INFINITY : length > stretching ? fmax(1, 10 * self->noise * length) : 0;
     for (size_t k = 0; k < self->period; k++) longest = fmax(longest, jlt_linear_length(self->delta + k * d, d));
     self->factor = longest > longest_step ? longest_step / longest : 1;
     self->halving = 0;

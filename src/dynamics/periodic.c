@@ -1,5 +1,6 @@
 #include "dynamics/periodic.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -14,7 +15,8 @@ static const double same_point = 1e-7;     /* scaled distances under this are on
 static const double degenerate = 1e-7;     /* multipliers closer to +-1 than this are not classified */
 /* A product of two multipliers' distances from 1 below which a residual of 1e-13 leaves points open by 1e-4, and so their type. */
 static const double open_points = 1e-9;
-static const double settled = 1e-8;        /* largest step left to Newton's method, relative to what the orbit runs through */
+static const double settled = 1e-8;        /* largest step left to Newton's method, relative to what the orbit runs through, */
+static const double closed = 1e-6;         /* and largest distance by which a point is missed, relative to the same */
 static const double standstill = 1e-6;     /* orbits that move less, relative to the state, only touch the section */
 /* An orbit lies in the section as far as can be told if no more than this part of its velocity crosses it: at the edge of a level,
  * where a state varies as the square root of coordinates, a residual of 1e-10 in these leaves an error of 1e-5. */
@@ -27,25 +29,30 @@ const char *jlt_periodic_type_name(jlt_orbit_type type)
     return (unsigned)type < sizeof names / sizeof *names ? names[type] : "unknown";
 }
 
-/* Where DP stretches a lot, whether the step that is left is small in the orbit's own sizes. A residual as large as the errors of
- * the map allow says nothing there, least of all in sizes of a start whose motion ran far off. */
+/* Where DP stretches a lot, whether the step that is left, and the residual, are small in the orbit's own sizes. A residual as
+ * large as the errors of the map allow says nothing there, least of all in sizes of a start whose motion ran far off, or along a
+ * coordinate much smaller than 1; and the step leaves out what counts as a family. */
 static jlt_status check_step(jlt_map *map, const jlt_newton *newton)
 {
     const unsigned d = newton->chart->dim;
-    double size[D] = { 0 }, step[D] = { 0 }, moves[D + 1], left[D];
+    double size[D] = { 0 }, step[D] = { 0 }, miss[D] = { 0 }, moves[D + 1], left[D], missed[D];
 
     if (newton->doubt == 0) return JLT_OK;
     for (size_t i = 0; i < newton->period; i++) {
         const double *q = newton->points + i * d;
         JLT_PASS(jlt_scale_moves(moves, map, q));
         jlt_chart_unscaled(newton->chart, left, newton->delta + i * d);
+        jlt_chart_unscaled(newton->chart, missed, newton->now.miss + i * d);
         for (unsigned k = 0; k < d; k++) {
             size[k] = fmax(size[k], newton->chart->period[k] != 0 ? 1 : fmax(fabs(q[k]), moves[k]));
             step[k] = fmax(step[k], fabs(left[k]));
+            miss[k] = fmax(miss[k], fabs(missed[k]));
         }
     }
     for (unsigned k = 0; k < d; k++)
-        if (!(newton->doubt * step[k] <= settled * size[k])) return JLT_ERR_NO_CONVERGENCE;
+        if (!(newton->doubt * step[k] <= settled * size[k])
+            || !(miss[k] <= closed * size[k] + ldexp(DBL_EPSILON, newton->chart->unit[k])))
+            return JLT_ERR_NO_CONVERGENCE;
     return JLT_OK;
 }
 

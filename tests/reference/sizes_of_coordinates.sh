@@ -215,6 +215,18 @@ jellett continue ./steep.tt --section phi=0 --along a=2:5 --set a=2 --start x=0,
 awk -F, '{ bad += ($5*(1 + $2*$2) + 1)^2 + ($6*(1 + $2*$2))^2 > (26*1e-8)^2; last = $2 }
     END { exit !(last > 4 && !bad) }' rows.csv ||
     fail "a branch: $(awk -F, '{ print $2, $5*(1 + $2*$2) + 1, $6 }' rows.csv | tail -3; cat err)"
+# A coordinate of size k beside one of size 1: what Newton's method from a start finds is the orbit through Y = 0.25480616 k,
+# py = 0, or nothing, though any Y is missed by less than 1e-9 where k is smaller. A grid knows the sizes, and finds it.
+printf '%s\n' 'model uneven' 'param k > 0' 'state x' 'state Y' 'state px' 'state py' 'let y = Y/k' 'eq x = px' 'eq Y = k*py' \
+    'eq px = -x - 2*x*y' 'eq py = -y - x^2 + y^2' 'integral H = (px^2 + py^2 + x^2 + y^2)/2 + x^2*y - y^3/3' > uneven.tt
+of=(./uneven.tt --section x=0 --level H=1/12 --solve px=0.3 --period 1)
+for e in e-3 e-7 e-9 e-10 e-12; do
+    k=1$e
+    jellett orbits "${of[@]}" --set k=$k --start Y=0.2$e,py=0.05 2> err | sed "s/$/,$k/" | grep '^1,' > rows.csv
+    jellett orbits "${of[@]}" --set k=$k --grid Y=-0.3$e:0.3$e:9,py=-0.2:0.2:9 2> err | sed "s/$/,$k/" | grep '^1,' > grid.csv
+    awk -F, '{ other = ($2/$NF - 0.2548061629624)^2 > 1e-20 } FILENAME == "rows.csv" { bad += other; next } !other { found++ }
+        END { exit bad || !found }' rows.csv grid.csv || fail "k = $k: $(cat rows.csv grid.csv err)"
+done
 # A proof takes as many steps by a slow clock: x at phi = 0 is 1/2, and the multiplier exp(-2 pi).
 timeout 60 jellett certify cycle ./clock.tt --set e=1e-11 --section phi=0 --start x=0.5 > out 2> err
 grep -q 'That point is x = 0.5000' out || fail "e = 1e-11, a proof: $(cat err)"
