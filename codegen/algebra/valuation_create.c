@@ -3,8 +3,9 @@
 
 #include <stdlib.h>
 
-static const char *const spare_names[TTC_SPARE_VARIABLES] = { "root1", "root2", "root3",  "root4",  "root5",  "root6",
-                                                              "root7", "root8", "root9", "root10", "root11", "root12" };
+/* Names that no quantity of a table can have. */
+static const char *const spare_names[TTC_SPARE_VARIABLES] = { "root[1]", "root[2]", "root[3]",  "root[4]",  "root[5]",  "root[6]",
+                                                              "root[7]", "root[8]", "root[9]", "root[10]", "root[11]", "root[12]" };
 
 static const ttc_function_value functions[TTC_PI + 1] = {
     [TTC_COSINE] = ttc_valuation_angle_value, [TTC_SINE] = ttc_valuation_angle_value, [TTC_EXP] = ttc_valuation_exp_value,

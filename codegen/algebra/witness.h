@@ -61,7 +61,7 @@ void ttc_witness_enclose(arb_t out, ttc_witness *point, const ttc_ratio *ratio, 
 bool ttc_witness_coordinate(fmpq_t out, ttc_witness *point, slong variable);
 
 /** The point as "NAME = VALUE, ..." over parameters, levels and states, for free(): rational numbers exactly, others as
- *  expressions in roots, which follow as "root1 = sqrt(2)", or by their first digits. NULL when memory is out. */
+ *  expressions in roots, which follow as "root[1] = sqrt(2)", or by their first digits. NULL when memory is out. */
 char *ttc_witness_text(ttc_witness *point);
 
 #endif

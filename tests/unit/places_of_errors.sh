@@ -97,4 +97,10 @@ for command in check prove cost; do
     jq -e 'if type == "array" then .[0] else . end | .problems[0].message | contains("cannot open")' out > /dev/null ||
         fail "$command --json does not say that the file is missing"
 done
+
+# A root that a point needs has no name that a quantity of the table may have.
+printf '%s\n' 'model named' 'state root1' 'state y' 'eq root1 = 0' 'eq y = 0' 'integral L = root1^2 + root1*y - 3' \
+    'equal apart : root1 = 0 modulo L' > named.tt
+expect 1 '' ttc prove named.tt
+grep -qF 'root1 = root[1] - 1/2, y = 1, root[1] = sqrt(13/4)' out || fail "a root that a point needs is called: $(grep at out)"
 exit $status
