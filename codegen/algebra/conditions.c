@@ -162,6 +162,24 @@ static unsigned told_signs(const ttc_conditions *c, const fmpz_mpoly_struct *pol
     return signs;
 }
 
+bool ttc_conditions_clash(const ttc_conditions *c)
+{
+    const fmpz_mpoly_ctx_struct *context = c->ring->context;
+    bool clash = c->contradictory;
+    fmpz_mpoly_t sum;
+    fmpz_mpoly_init(sum, context);
+    for (size_t i = 0; i < c->count; i++)
+        for (size_t k = 0; k < i && !clash; k++) {
+            const unsigned a = ttc_conditions_signs_in(c->items[i].relation), b = ttc_conditions_signs_in(c->items[k].relation);
+            if ((a & b) == 0) clash = fmpz_mpoly_equal(c->items[i].polynomial, c->items[k].polynomial, context);
+            if ((a & opposite(b)) != 0 || clash) continue;
+            fmpz_mpoly_add(sum, c->items[i].polynomial, c->items[k].polynomial, context);
+            clash = fmpz_mpoly_is_zero(sum, context);
+        }
+    fmpz_mpoly_clear(sum, context);
+    return clash;
+}
+
 static unsigned signs_of_factors(const ttc_conditions *c, const fmpz_mpoly_struct *polynomial)
 {
     enum { LONGEST = 64 };
@@ -188,8 +206,32 @@ unsigned ttc_conditions_signs_of_ratio(const ttc_conditions *c, const ttc_ratio 
     return ttc_conditions_signs_of_product(signs_of_factors(c, ratio->numerator), below);
 }
 
-static void require(ttc_conditions *c, const fmpz_mpoly_t polynomial, ttc_relation relation, bool of_quotient)
+/* Divide by the number that divides all coefficients, and by variables that divide all terms and have one sign. */
+static void divide_by_signed_content(const ttc_conditions *c, fmpz_mpoly_t polynomial)
 {
+    const fmpz_mpoly_ctx_struct *context = c->ring->context;
+    fmpz_mpoly_t content;
+    if (fmpz_mpoly_is_zero(polynomial, context)) return;
+    fmpz_mpoly_init(content, context);
+    fmpz_mpoly_term_content(content, polynomial, context);
+    ulong *exponents = flint_calloc(c->ring->variable_count + 1, sizeof *exponents);
+    bool negative = false;
+    fmpz_mpoly_get_term_exp_ui(exponents, content, 0, context);
+    for (slong v = 0; v < (slong)c->ring->variable_count; v++) {
+        const unsigned signs = signs_of_variable(c, v);
+        if (signs == TTC_CAN_BE_NEGATIVE) negative ^= exponents[v] % 2 == 1;
+        else if (signs != TTC_CAN_BE_POSITIVE) exponents[v] = 0;
+    }
+    fmpz_mpoly_set_term_exp_ui(content, 0, exponents, context);
+    fmpz_mpoly_divides(polynomial, polynomial, content, context);
+    if (negative) fmpz_mpoly_neg(polynomial, polynomial, context);
+    flint_free(exponents);
+    fmpz_mpoly_clear(content, context);
+}
+
+static void require(ttc_conditions *c, fmpz_mpoly_t polynomial, ttc_relation relation, bool of_quotient)
+{
+    divide_by_signed_content(c, polynomial);
     unsigned possible = ttc_conditions_signs(c, polynomial);
     if ((possible & ttc_conditions_signs_in(relation)) == 0 && !of_quotient) c->contradictory = true;
     if ((possible & ~ttc_conditions_signs_in(relation)) != 0) append(c, polynomial, relation, of_quotient, false);

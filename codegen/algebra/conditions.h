@@ -57,6 +57,10 @@ unsigned ttc_conditions_signs_of_sum(unsigned a, unsigned b);
 unsigned ttc_conditions_signs_of_power(unsigned signs, unsigned long exponent);
 unsigned ttc_conditions_signs(const ttc_conditions *conditions, const fmpz_mpoly_t polynomial);
 
+/* Returns true if no point meets the conditions, by the signs of terms, or because two of them contradict each other about one
+ * polynomial. */
+bool ttc_conditions_clash(const ttc_conditions *conditions);
+
 /* The signs that a ratio can have where the conditions hold, as far as they tell signs of its factors: 1 - z^2 = (1 - z) (1 + z) is
  * positive where both ends of an interval say so. */
 unsigned ttc_conditions_signs_of_ratio(const ttc_conditions *conditions, const ttc_ratio *ratio);

@@ -97,7 +97,7 @@ static bool try_numbers(ttc_witness *point, const ttc_conditions *conditions, un
 
 ttc_search_result ttc_search_point(ttc_witness *point, const ttc_conditions *conditions)
 {
-    if (conditions->contradictory) return TTC_POINT_IMPOSSIBLE;
+    if (ttc_conditions_clash(conditions)) return TTC_POINT_IMPOSSIBLE;
     if (conditions->failed) return TTC_POINT_NOT_DECIDED;
     if (try_numbers(point, conditions, 0, EARLY_ATTEMPTS)) return TTC_POINT_FOUND;
     choose(point, 0); /* simple values for variables that no condition uses, which the solver leaves as they are */

@@ -7,13 +7,12 @@
 typedef enum {
     TTC_POINT_FOUND,       /* and verified, exactly or in balls */
     TTC_POINT_IMPOSSIBLE,  /* there is none, by the signs of terms or factors */
-    TTC_POINT_EXCLUDED,    /* there is none, according to the solver for nonlinear real arithmetic */
+    TTC_POINT_EXCLUDED,    /* there is none, according to the solvers for nonlinear real arithmetic */
     TTC_POINT_NOT_DECIDED
 } ttc_search_result;
 
-/** Try small rational numbers, then ask the solver, within a fixed amount of work, so that the answer is the same on every
- *  machine. point: initialized for the valuation of the conditions; meaningful if FOUND. To the solver, functions
- *  are numbers within bounds: it may fail to exclude a point, but never excludes one that exists. */
+/** Try small rational numbers, then ask the solver. point: initialized for the valuation of the conditions; meaningful if FOUND.
+ *  To the solver, functions are numbers within bounds: it may fail to exclude a point, but never excludes one that exists. */
 ttc_search_result ttc_search_point(ttc_witness *point, const ttc_conditions *conditions);
 
 #endif

@@ -4,6 +4,7 @@
 #include <string.h>
 #include <time.h>
 
+#include "algebra/qepcad.h"
 #include "algebra/solver_question.h"
 #include "base/sha256.h"
 
@@ -18,20 +19,6 @@ static bool is_settled(const char *question)
     for (size_t i = 0; i < SETTLED_MAX; i++)
         if (strcmp(settled[i], question) == 0) return true;
     return false;
-}
-
-static ttc_solver_answer ask(ttc_question *q, const ttc_conditions *conditions, bool with_functions, char question[DIGEST_SIZE])
-{
-    ttc_question_state(q, conditions, with_functions);
-    if (q->too_large) return TTC_SOLVER_SILENT;
-    const char *text = Z3_solver_to_string(q->z3, q->solver);
-    ttc_sha256(question, text, strlen(text));
-    if (is_settled(question)) return TTC_SOLVER_NO_POINT;
-    switch (Z3_solver_check(q->z3, q->solver)) {
-    case Z3_L_FALSE: return TTC_SOLVER_NO_POINT;
-    case Z3_L_TRUE: return ttc_question_read_point(q) ? TTC_SOLVER_POINT : TTC_SOLVER_SILENT;
-    default: return TTC_SOLVER_SILENT;
-    }
 }
 
 static void ignore_errors(Z3_context z3, Z3_error_code code) { (void)z3, (void)code; }
@@ -51,67 +38,122 @@ static Z3_context context_of(ttc_ring *ring)
     return ring->solver;
 }
 
-/* How the solver searches: as it is made to; without using what it learns from conflicts until it has a point; with the variables
- * eliminated in an order of chance; in the order of the ring. */
-typedef enum { AS_MADE, WITHOUT_LEARNING, IN_OTHER_ORDER, IN_GIVEN_ORDER } strategy;
+/* In Z3's own units, of which a second has some ten thousand to some million; in seconds. */
+enum { WORK = 4000000, SECONDS_TO_FIND = 6, SECONDS_OF_QEPCAD = 3 };
 
-/* One search, of at most so many of the solver's own units of work. */
-static ttc_solver_answer ask_once(ttc_witness *point, const ttc_conditions *conditions, bool with_functions, strategy how,
-                                  unsigned work, char question[DIGEST_SIZE])
+/* It works as long as it may, at most so many milliseconds if these are not zero. */
+static Z3_solver make_solver(Z3_context z3, unsigned milliseconds)
 {
-    ttc_question q = { .point = point };
-    q.variables = calloc(point->ring->variable_count + 1, sizeof(Z3_ast));
-    if (q.variables == NULL) return TTC_SOLVER_SILENT;
-    q.z3 = context_of(point->ring);
-    /* As parameters of one solver, some versions of Z3 (4.13 is one) do not know them, and ask nothing then. */
-    Z3_global_param_set("nlsat.randomize", how == AS_MADE ? "true" : "false");
-    Z3_global_param_set("nlsat.lazy", how == WITHOUT_LEARNING ? "2" : "0");
-    Z3_global_param_set("nlsat.reorder", how == IN_GIVEN_ORDER ? "false" : "true");
-    Z3_global_param_set("nlsat.shuffle_vars", how == IN_OTHER_ORDER ? "true" : "false");
-    Z3_global_param_set("nlsat.seed", how == IN_OTHER_ORDER ? "2" : "0");
-    q.real = Z3_mk_real_sort(q.z3);
-    q.solver = Z3_mk_solver_for_logic(q.z3, Z3_mk_string_symbol(q.z3, "QF_NRA"));
-    Z3_solver_inc_ref(q.z3, q.solver);
-    Z3_params params = Z3_mk_params(q.z3);
-    Z3_params_inc_ref(q.z3, params);
-    Z3_params_set_uint(q.z3, params, Z3_mk_string_symbol(q.z3, "rlimit"), work);
+    Z3_solver solver = Z3_mk_solver_for_logic(z3, Z3_mk_string_symbol(z3, "QF_NRA"));
+    Z3_solver_inc_ref(z3, solver);
+    Z3_params params = Z3_mk_params(z3);
+    Z3_params_inc_ref(z3, params);
+    Z3_params_set_uint(z3, params, Z3_mk_string_symbol(z3, "rlimit"), WORK);
+    if (milliseconds > 0) Z3_params_set_uint(z3, params, Z3_mk_string_symbol(z3, "timeout"), milliseconds);
     /* Otherwise Z3 catches SIGINT while it works, and the program does not receive it. */
-    Z3_params_set_bool(q.z3, params, Z3_mk_string_symbol(q.z3, "ctrl_c"), false);
-    Z3_solver_set_params(q.z3, q.solver, params);
-    ttc_solver_answer answer = ask(&q, conditions, with_functions, question);
-    Z3_params_dec_ref(q.z3, params);
-    Z3_solver_dec_ref(q.z3, q.solver);
-    free(q.variables);
-    return answer;
+    Z3_params_set_bool(z3, params, Z3_mk_string_symbol(z3, "ctrl_c"), false);
+    Z3_solver_set_params(z3, solver, params);
+    Z3_params_dec_ref(z3, params);
+    return solver;
 }
 
-enum { LEAST_WORK = 250000, MUCH_WORK = 4000000, MOST_WORK = 30000000 };
-
-/* The search that uses nothing learned. Where its units of work are short, it has more of them, some two seconds in all. */
-static ttc_solver_answer ask_without_learning(ttc_witness *point, const ttc_conditions *conditions, bool with_functions,
-                                              char question[DIGEST_SIZE])
+static double seconds_now(void)
 {
-    const clock_t begin = clock();
-    const ttc_solver_answer answer = ask_once(point, conditions, with_functions, WITHOUT_LEARNING, LEAST_WORK, question);
-    const double work = LEAST_WORK * 2.0 * CLOCKS_PER_SEC / (double)(clock() - begin + 1);
+    struct timespec time;
+    clock_gettime(CLOCK_MONOTONIC, &time);
+    return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
+}
 
-    if (answer != TTC_SOLVER_SILENT || work < 2 * LEAST_WORK) return answer;
-    return ask_once(point, conditions, with_functions, WITHOUT_LEARNING, work < MOST_WORK ? (unsigned)work : MOST_WORK, question);
+typedef struct {
+    Z3_ast statement;
+    size_t length;
+} condition;
+
+static int compare_lengths(const void *left, const void *right)
+{
+    const condition *a = left, *b = right;
+    return (a->length > b->length) - (a->length < b->length);
+}
+
+static bool contradict(Z3_context z3, const condition *conditions, size_t count, unsigned milliseconds)
+{
+    Z3_solver solver = make_solver(z3, milliseconds);
+    for (size_t i = 0; i < count; i++) Z3_solver_assert(z3, solver, conditions[i].statement);
+    const bool none = Z3_solver_check(z3, solver) == Z3_L_FALSE;
+    Z3_solver_dec_ref(z3, solver);
+    return none;
+}
+
+/* Find conditions that contradict each other, short ones first, and put them first: with all that stand before it, the last that is
+ * needed for a contradiction is one of them; then those before it are searched with it alone. Returns their number. */
+static size_t find_contradiction(Z3_context z3, condition *conditions, size_t count, double seconds)
+{
+    const double end = seconds_now() + SECONDS_TO_FIND;
+    const unsigned milliseconds = (unsigned)(50 + 2000 * seconds);
+    qsort(conditions, count, sizeof *conditions, compare_lengths);
+    for (size_t found = 0; found < count; found++) {
+        size_t k = found;
+        while (k < count && !contradict(z3, conditions, k, milliseconds)) k++;
+        if (k == found && k > 0) return found;
+        if (seconds_now() > end) break;
+        const condition last = conditions[k - 1];
+        memmove(conditions + found + 1, conditions + found, (k - 1 - found) * sizeof last);
+        conditions[found] = last;
+        count = k;
+    }
+    return count;
+}
+
+/* What contradicts itself has few variables once the rest is left out, few enough for QEPCAD in nearly all cases. */
+static bool qepcad_agrees(const ttc_question *q, double seconds)
+{
+    Z3_ast_vector stated = Z3_solver_get_assertions(q->z3, q->solver);
+    Z3_ast_vector_inc_ref(q->z3, stated);
+    size_t count = Z3_ast_vector_size(q->z3, stated);
+    condition *conditions = calloc(count + 1, sizeof *conditions);
+    Z3_ast *kept = calloc(count + 1, sizeof *kept);
+    for (size_t i = 0; conditions != NULL && i < count; i++) {
+        conditions[i].statement = Z3_ast_vector_get(q->z3, stated, (unsigned)i);
+        conditions[i].length = strlen(Z3_ast_to_string(q->z3, conditions[i].statement));
+    }
+    bool none = conditions != NULL && kept != NULL;
+    if (none) {
+        count = find_contradiction(q->z3, conditions, count, seconds);
+        for (size_t i = 0; i < count; i++) kept[i] = conditions[i].statement;
+        none = ttc_qepcad_finds_none(q->z3, kept, count, q->point->ring->variable_count, SECONDS_OF_QEPCAD);
+    }
+    free(kept);
+    free(conditions);
+    Z3_ast_vector_dec_ref(q->z3, stated);
+    return none;
+}
+
+static ttc_solver_answer check(ttc_question *q)
+{
+    char question[DIGEST_SIZE];
+    const char *text = Z3_solver_to_string(q->z3, q->solver);
+    ttc_sha256(question, text, strlen(text));
+    if (is_settled(question)) return TTC_SOLVER_NO_POINT;
+    const double begin = seconds_now();
+    const Z3_lbool answer = Z3_solver_check(q->z3, q->solver);
+    if (answer == Z3_L_TRUE && ttc_question_read_point(q)) return TTC_SOLVER_POINT;
+    if (answer != Z3_L_FALSE || !qepcad_agrees(q, seconds_now() - begin)) return TTC_SOLVER_SILENT;
+    memcpy(settled[settled_count++ % SETTLED_MAX], question, DIGEST_SIZE);
+    return TTC_SOLVER_NO_POINT;
 }
 
 /* Some versions of Z3 (4.8.12 is one) lose points beside zeros of what they eliminate: where a polynomial in the next variable
- * has a double root, they may learn that it has none. That there is no point is believed only if another search agrees, and neither
- * that which does not use what was learned nor that in another order finds one. The given order decides if both take too long. */
+ * has a double root, they may learn that it has none. Hence that there is no point is believed only if QEPCAD finds the same. */
 ttc_solver_answer ttc_solver_ask(ttc_witness *point, const ttc_conditions *conditions, bool with_functions)
 {
-    char question[DIGEST_SIZE];
-    ttc_solver_answer answer = ask_once(point, conditions, with_functions, AS_MADE, MUCH_WORK, question);
-    if (answer != TTC_SOLVER_NO_POINT) return answer;
-    const ttc_solver_answer second = ask_without_learning(point, conditions, with_functions, question);
-    if (second == TTC_SOLVER_POINT) return second;
-    answer = ask_once(point, conditions, with_functions, IN_OTHER_ORDER, MUCH_WORK / 4, question);
-    if (answer == TTC_SOLVER_SILENT) answer = second;
-    if (answer == TTC_SOLVER_SILENT) answer = ask_once(point, conditions, with_functions, IN_GIVEN_ORDER, MUCH_WORK, question);
-    if (answer == TTC_SOLVER_NO_POINT) memcpy(settled[settled_count++ % SETTLED_MAX], question, DIGEST_SIZE);
+    ttc_question q = { .point = point, .z3 = context_of(point->ring) };
+    q.variables = calloc(point->ring->variable_count + 1, sizeof(Z3_ast));
+    if (q.variables == NULL) return TTC_SOLVER_SILENT;
+    q.real = Z3_mk_real_sort(q.z3);
+    q.solver = make_solver(q.z3, 0);
+    ttc_question_state(&q, conditions, with_functions);
+    const ttc_solver_answer answer = q.too_large ? TTC_SOLVER_SILENT : check(&q);
+    Z3_solver_dec_ref(q.z3, q.solver);
+    free(q.variables);
     return answer;
 }

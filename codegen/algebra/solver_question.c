@@ -132,7 +132,7 @@ static void state_pi(ttc_question *q, Z3_ast pi)
     static const char below[] = "3.1415926535897932384626433832795028841971693993751";
     static const char above[] = "3.1415926535897932384626433832795028841971693993752";
     Z3_solver_assert(q->z3, q->solver, Z3_mk_gt(q->z3, pi, Z3_mk_numeral(q->z3, below, q->real)));
-    Z3_solver_assert(q->z3, q->solver, Z3_mk_lt(q->z3, pi, Z3_mk_numeral(q->z3, above, q->real)));
+    Z3_solver_assert(q->z3, q->solver, Z3_mk_gt(q->z3, Z3_mk_numeral(q->z3, above, q->real), pi));
 }
 
 /* State the bounds of all variables that are used: signs of parameters and functions, and ends of intervals if they give a sign. */

@@ -1,4 +1,5 @@
 /* ttc, the term-table compiler: command line and dispatch. */
+#include "algebra/qepcad.h"
 #include "base/exhaustion.h"
 #include "base/options.h"
 #include "base/output.h"
@@ -72,29 +73,30 @@ typedef struct {
     int (*run)(const ttc_options *options);
     const struct argp_option *options;
     const char *help;
+    bool proves;
 } command;
 
 static const command commands[] = {
     { "check", "read tables and report what is wrong with them", ttc_command_check, check_options,
       "Read each table and report every error and warning as FILE:LINE:COLUMN, with the line and a caret. Nothing is "
-      "proved and nothing is written." },
+      "proved and nothing is written.", false },
     { "prove", "prove or refute every claim of tables, exactly", ttc_command_prove, prove_options,
       "Prove or refute every claim of each table in exact arithmetic, at all points of its domain at once, and that its "
       "variants, times and eliminations follow from it. A refuted claim is printed with its place and the expression that is "
-      "not zero. A claim that holds at no point at all, as on an empty zero level, says nothing, and is not settled." },
+      "not zero. A claim that holds at no point at all, as on an empty zero level, says nothing, and is not settled.", true },
     { "show", "print equations and Jacobian as text, LaTeX or a graph", ttc_command_show, show_options,
       "Print the right-hand side of each equation and every entry of the Jacobian that is not zero, differentiated "
-      "exactly." },
+      "exactly.", false },
     { "generate", "write C kernels", ttc_command_generate, generate_options,
       "Write kernels for every variant, time and elimination of each table, the registry of all of them, a manifest and "
       "operation counts. Claims are proved first: if a kernel rests on a claim that is refuted or not settled, nothing is "
-      "written. The output depends on the tables and options alone; after an error no file is changed." },
+      "written. The output depends on the tables and options alone; after an error no file is changed.", true },
     { "build", "compile a table to a shared object, and print its path", ttc_command_build, build_options,
       "Write kernels by --effort quick and compile them, with the compiler that CC names, else cc. The object is kept in "
       "$XDG_CACHE_HOME/jellett, else ~/.cache/jellett, under a key of table, ttc, compiler and flags, and is not compiled again; "
-      "jellett does this for tables that it is given. Kernels that rest on claims without a proof are marked." },
+      "jellett does this for tables that it is given. Kernels that rest on claims without a proof are marked.", true },
     { "cost", "print operation counts of all kernels", ttc_command_cost, cost_options,
-      "Print the operations, depth and live temporaries of every kernel, as generated and as the table has its terms." },
+      "Print the operations, depth and live temporaries of every kernel, as generated and as the table has its terms.", false },
     { "discover", "find integrals and densities that a table does not claim", ttc_command_discover, discover_options,
       "Look for first integrals, for polynomials P that the motion multiplies by a number, P' = c P, for invariant lines, planes "
       "and conics, whose cofactor K in P' = K P may be any ratio, and for invariant densities.\n\n"
@@ -104,7 +106,7 @@ static const command commands[] = {
       "  ttc discover --when a3=0 codegen/models/spherical_top.tt\n"
       "  ttc discover --degree 6 --seek integrals my.tt\n"
       "  ttc discover --denominator x*y,1+z^2 my.tt\n"
-      "  ttc discover --json my.tt | jq -r '.[].claims[].text'" },
+      "  ttc discover --json my.tt | jq -r '.[].claims[].text'", true },
 };
 
 enum { COMMAND_COUNT = sizeof commands / sizeof *commands };
@@ -112,7 +114,8 @@ enum { COMMAND_COUNT = sizeof commands / sizeof *commands };
 static const char exit_text[] =
     "\vExit status: 0 done; 1 a claim is refuted, a mutant survives, or kernels that generate should write rest on a claim that is "
     "not proved; 2 the command line is wrong; 3 a table is wrong, or a claim is not settled; 4 memory is out; "
-    "5 a file cannot be read or written; 70 a point contradicts a verdict, which is an error of this program.";
+    "5 a file cannot be read or written, or the program qepcad is missing; 70 a point contradicts a verdict, which is an error of "
+    "this program.";
 
 static uint64_t parse_number(const char *option, const char *text, uint64_t least, uint64_t most, struct argp_state *state)
 {
@@ -248,6 +251,12 @@ static int run_command(const command *chosen, int argc, char **argv)
     argp_err_exit_status = TTC_EXIT_USAGE;
     setenv("ARGP_HELP_FMT", "no-dup-args-note", 0); /* the note is about short options, which help here does not show with values */
     ttc_options_parse(&argp, argc - 1, argv + 1, &options);
+    if (chosen->proves && !ttc_qepcad_is_there()) {
+        fprintf(stderr, "%s: the program qepcad is not in PATH: install it (Debian's package qepcad), for that conditions have no "
+                        "real point is believed only if it agrees with Z3\n", name);
+        status = TTC_EXIT_IO;
+        goto done;
+    }
     status = flushed(chosen->run(&options));
 done:
     free(options.files);

@@ -19,13 +19,14 @@ set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PROGRAMS_DESCRIPTION "ttc proves what a table of terms claims of a mechanical system, and compiles
 it to C. jellett follows orbits of such systems, their Poincare maps, periodic
 orbits, separatrices and bifurcations.")
-# `ttc build` runs a C compiler, with Arb's headers where they are there; pictures are drawn by gnuplot.
+# `ttc prove` runs QEPCAD, `ttc build` a C compiler, with Arb's headers where they are there; pictures are drawn by gnuplot.
 # Where Arb is not a part of FLINT (before its version 3) it has headers of its own.
 if(Arb_LIBRARY)
   set(flint "libflint-dev, libflint-arb-dev")
 else()
   set(flint "libflint-dev")
 endif()
+set(CPACK_DEBIAN_PROGRAMS_PACKAGE_DEPENDS qepcad)
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_RECOMMENDS "gcc, libc6-dev, ${flint}, gnuplot-nox")
 
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libjellett0)

@@ -1,0 +1,19 @@
+/** QEPCAD B, which decides questions about real polynomials by cylindrical algebraic decomposition (C. W. Brown, QEPCAD B: a
+ *  program for computing with semi-algebraic sets using CADs, SIGSAM Bulletin 37, 2003): a second witness for what Z3 says. It is a
+ *  program of its own, found in PATH; no text of a table reaches it. */
+#ifndef TTC_QEPCAD_H
+#define TTC_QEPCAD_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <z3.h>
+
+/** Returns true if QEPCAD finds that no real point meets all `count` conditions: sums of products of numbers and variables
+ *  compared with numbers, and what `not` and `or` make of these. Variables are integer symbols below variable_count. False if
+ *  there is a point, if QEPCAD does not know within `seconds` of a processor, or if it is not there. */
+bool ttc_qepcad_finds_none(Z3_context z3, const Z3_ast *conditions, size_t count, size_t variable_count, unsigned seconds);
+
+/** Returns true if PATH leads to QEPCAD. */
+bool ttc_qepcad_is_there(void);
+
+#endif

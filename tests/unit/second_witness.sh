@@ -1,0 +1,53 @@
+#!/usr/bin/env bash
+# That conditions have no real point is believed if Z3 and QEPCAD both find it: not with a QEPCAD that finds a point, that is not
+# sure, that says nothing or breaks off, and nothing is proved without one. What signs of terms decide needs neither.
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
+
+cat > asked.tt <<'TABLE'
+model asked
+state x
+state y
+eq x = y
+eq y = -x
+positive asked : x^2 - x*y + y^2 + 1/8
+positive by_terms : x^4 + x^2 + 1
+TABLE
+mkdir bin empty
+real=$(command -v qepcad) || fail "qepcad is not in PATH"
+
+verdicts() { # WORDS, of "asked" and of "by_terms"
+    PATH=$PWD/bin:$PATH ttc prove asked.tt > out 2> err
+    local said
+    said=$(sed -nE 's/^(proved|refuted|not settled) +positive .*/\1/p' out | paste -sd,)
+    [ "$said" = "$1" ] || fail "'$(sed -n 2,9p bin/qepcad)': $said, not $1"
+}
+other() { # COMMANDS: what stands in for QEPCAD
+    printf '#!/bin/sh\n%s\n' "$1" > bin/qepcad
+    chmod +x bin/qepcad
+}
+
+other "exec '$real' \"\$@\""
+verdicts "proved,proved"
+other 'cat > question; printf "An equivalent quantifier-free formula:\n\nTRUE\n"'
+verdicts "not settled,proved"
+grep -q '^(E x' question || fail "the question is not one for QEPCAD: $(cat question)"
+other 'printf "An equivalent quantifier-free formula:\n\nFALSE\n"'
+verdicts "proved,proved"
+other 'printf "Warning! The projection may not be valid.\nAn equivalent quantifier-free formula:\n\nFALSE\n"'
+verdicts "not settled,proved"
+other 'printf "FALSE\n"'
+verdicts "not settled,proved"
+other 'kill -9 $$'
+verdicts "not settled,proved"
+other 'while :; do :; done'
+verdicts "not settled,proved"
+
+ttc=$(command -v ttc)
+for command in prove "generate --out folder" discover build; do
+    # shellcheck disable=SC2086
+    PATH=$PWD/empty "$ttc" $command asked.tt > out 2> err
+    [ $? -eq 5 ] || fail "ttc $command without qepcad: not status 5"
+    grep -q 'install it' err || fail "ttc $command without qepcad: says '$(cat err)'"
+done
+PATH=$PWD/empty "$ttc" check asked.tt || fail "ttc check without qepcad fails"
+exit $status
