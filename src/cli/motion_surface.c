@@ -172,15 +172,20 @@ static jlt_exit refuse_broken(const jlt_surface *surface, const jlt_claim *broke
                             surface->section->name, own_section(own, surface));
 }
 
-/* If a proved reduction gives a parameter in a way that sections cannot follow, print it. Returns whether it does. */
-static bool renames(const jlt_descriptor *table, const jlt_claim *claim, const jlt_way_tables *others)
+/* If sections cannot follow a proved reduction, which holds under a condition or gives a parameter by what has another name, print
+ * it. Returns whether that is so. */
+static bool tell_unfollowed(const jlt_descriptor *table, const jlt_claim *claim, const char *of, const jlt_way_tables *others)
 {
-    const bool leads = claim->target != NULL && strcmp(claim->kind, "reduction") == 0 && claim->condition[0] == '\0';
+    const bool leads = claim->target != NULL && strcmp(claim->kind, "reduction") == 0;
+    const bool is_bound = leads && claim->condition[0] != '\0' && jlt_way_of(table, claim) == NULL;
     const jlt_descriptor *to = leads ? jlt_way_target(&(jlt_way){ .sha256 = claim->target }, others) : NULL;
-    const char *renamed = to != NULL ? jlt_link_renames(table, claim, to) : NULL;
+    const char *renamed = to != NULL && claim->condition[0] == '\0' ? jlt_link_renames(table, claim, to) : NULL;
 
     if (renamed != NULL) tell_renamed(table, claim, renamed, to);
-    return renamed != NULL;
+    if (is_bound)
+        jlt_command_fail(JLT_EXIT_INPUT, "the reduction %s of %s holds only where %s, and no section is taken from its table",
+                         claim->name, of, claim->condition);
+    return renamed != NULL || is_bound;
 }
 
 /* Print the claims of a table that would lead to a section but are not proved or not followed. Returns whether there are any. */
@@ -190,7 +195,7 @@ static bool tell_lost(const jlt_descriptor *table, const char *of, const jlt_way
 
     for (const jlt_claim *claim = table->claims; claim->kind != NULL; claim++) {
         const bool leads = strcmp(claim->kind, "reduction") == 0 || strcmp(claim->kind, "section") == 0;
-        if (claim->verdict == JLT_PROVED) is_lost |= renames(table, claim, others);
+        if (claim->verdict == JLT_PROVED) is_lost |= tell_unfollowed(table, claim, of, others);
         if (!leads || claim->verdict == JLT_PROVED) continue;
         jlt_command_fail(JLT_EXIT_INPUT, "%s %s is not proved of %s: %s", claim->kind, claim->name, of, claim->reason);
         is_lost = true;
@@ -247,14 +252,22 @@ static jlt_exit refuse_larger(const jlt_descriptor *asked, const jlt_way_tables 
                             asked->model, surface.section->name, larger->model);
 }
 
-/* Refuse a section whose table has other conditions (`valid`) than the table asked for, if that has any: orbits are followed in the
- * section's table, which must tell where the model asked for ceases to hold. */
+/* Refuse a section whose table has a wider domain than the table asked for, or other conditions (`valid`), if that has any: orbits
+ * are followed in the section's table, which must tell where the model asked for ends or ceases to hold. */
 static jlt_exit refuse_unwatched(const jlt_surface *surface, const jlt_descriptor *asked)
 {
     const jlt_descriptor *table = surface->table;
+    const jlt_link_step *step;
+    const char *bound = jlt_link_widens(&step, &surface->link);
     char own[OWN_SECTION];
     unsigned k;
 
+    if (bound != NULL)
+        return jlt_command_fail(JLT_EXIT_INPUT,
+                                "the section %s lies behind the reduction %s of %s onto %s, where %s does not bound the motion "
+                                "as it does here: ask for a section of the table itself, %s",
+                                surface->section->name, step->claim->name, step->from->model, step->to->model, bound,
+                                own_section(own, surface));
     for (unsigned i = 0; i < asked->valid_count; i++) {
         for (k = 0; k < table->valid_count && strcmp(table->valids[k].name, asked->valids[i].name) != 0; k++) { }
         if (k == table->valid_count)
@@ -375,26 +388,4 @@ jlt_exit jlt_motion_surface(jlt_surface *surface, bool *has, const jlt_motion_op
     return jlt_command_fail(JLT_EXIT_USAGE,
                             "--section: '%s' is no section (write STATE=VALUE); no table describes one of this name of %s",
                             options->section, asked->model);
-}
-
-jlt_exit jlt_motion_default_start(jlt_motion_options *options, const jlt_system *system, jlt_surface_start purpose,
-                                  const char *wanted)
-{
-    static const char *const names[JLT_STARTS] = { "regular", "chaotic", "saddle" };
-    const jlt_section_chart *section = system->surface != NULL ? system->surface->section : NULL;
-    const char **start = &options->starts[0];
-    size_t used = 0;
-
-    for (unsigned i = 0; *start == NULL && section != NULL && i < section->start_count; i++) {
-        if (strcmp(section->starts[i].name, names[purpose]) != 0) continue;
-        for (unsigned k = 0; k < section->coordinate_count && used < sizeof options->start; k++) {
-            char digits[JLT_DIGITS_SIZE];
-            jlt_digits_shortest(digits, section->starts[i].point[k]);
-            used += (size_t)snprintf(options->start + used, sizeof options->start - used, "%s%s=%s", k == 0 ? "" : ",",
-                                     section->coordinates[k].name, digits);
-        }
-        *start = options->start;
-    }
-    if (*start != NULL) return JLT_EXIT_DONE;
-    return jlt_command_fail(JLT_EXIT_USAGE, "%s, with all coordinates of the section", wanted);
 }

@@ -1,5 +1,6 @@
 #include "kernel/link.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "kernel/descriptor.h"
@@ -149,4 +150,34 @@ void jlt_link_params(const jlt_link *link, double *out, const double *params)
         memcpy(now, next, last->param_count * sizeof *now);
     }
     if (last != NULL) memcpy(out, now, last->param_count * sizeof *out);
+}
+
+/* What bounds the states of one table and not, by the same words, those of the other; NULL: nothing. */
+static const char *bound_lost(const jlt_descriptor *from, const jlt_descriptor *to)
+{
+    size_t same;
+
+    for (unsigned i = 0; i < from->state_count; i++) {
+        const jlt_quantity *q = &from->states[i];
+        if (isinf(q->low) && isinf(q->high)) continue;
+        if (!jlt_descriptor_state(to, q->name, &same) || to->states[same].low != q->low || to->states[same].high != q->high)
+            return q->name;
+    }
+    for (unsigned i = 0; i < from->domain_count; i++) {
+        unsigned k = 0;
+        while (k < to->domain_count && strcmp(from->domains[i].text, to->domains[k].text) != 0) k++;
+        if (k == to->domain_count && !from->domains[i].of_params) return from->domains[i].name;
+    }
+    return NULL;
+}
+
+const char *jlt_link_widens(const jlt_link_step **step, const jlt_link *link)
+{
+    const char *bound = NULL;
+
+    for (unsigned i = 0; i < link->count && bound == NULL; i++) {
+        *step = &link->steps[i];
+        if ((*step)->way == NULL) bound = bound_lost((*step)->from, (*step)->to);
+    }
+    return bound;
 }

@@ -1,8 +1,8 @@
 /** Finds smaller tables whose motions are, by proof, the motions of a given table, and that may serve in its place.
  *
  *  A link is one claim or a chain of them. A claim links a table to a smaller one if it is a reduction onto it without a
- *  condition, is proved, and the proof was made for exactly that table (its SHA-256 is compared). An embedding is no link: it
- *  leads into a larger table, and may fix the parameters of that one. */
+ *  condition (`when`, `modulo`), is proved, and the proof was made for exactly that table (its SHA-256 is compared). An embedding
+ *  is no link: it leads into a larger table, and may fix the parameters of that one. */
 #ifndef JLT_KERNEL_LINK_H
 #define JLT_KERNEL_LINK_H
 
@@ -39,6 +39,11 @@ jlt_source jlt_link_source(const jlt_link *link, const char *name);
 /** The name of a parameter of the table `to` whose value under this reduction cannot be followed by name: in `from` the value has
  *  another name, or none, or the name means something else; NULL if there is no such parameter. */
 const char *jlt_link_renames(const jlt_descriptor *from, const jlt_claim *claim, const jlt_descriptor *to);
+
+/** The name of a state with an interval, or of a `domain` record with states, that a table has from which a reduction without a way
+ *  leads, and that the next table does not have in the same words: motions may go on there beyond their end. NULL if there is none.
+ *  Out: *step, that reduction. Where a way leads back, by proof, the domains are one. */
+const char *jlt_link_widens(const jlt_link_step **step, const jlt_link *link);
 
 /** Whether any parameter of the last table is JLT_SOURCE_PARAMS. */
 bool jlt_link_computes(const jlt_link *link);

@@ -311,6 +311,28 @@ sed -i 's/^integral G.*/state y in (0, inf)\neq y = 0\neq u = y*x\nintegral G = 
 expect 0 'proved      reduction   down' ttc prove first.tt
 expect 3 'a level G, which is an integral that no proof' jellett section ./first.tt --start p=1 --returns 1 --level G=4
 
+# Nor does a chain lead past a reduction that holds on zero levels alone: no orbit of first.tt, where z > 0, is one of last.tt. Nor
+# past one onto a table whose domain is wider: there motions go on where those of the asked table have ended.
+printf '%s\n' 'model last' 'state x' 'state p' 'eq x = p' 'eq p = -x' 'section s : by rows.tt at x = 0 with p = p' > last.tt
+printf '%s\n' 'model rows' 'state p' 'lift into last.tt with x = 0, p = p' > rows.tt
+printf '%s\n' 'model second' 'state x' 'state p' 'state z' 'eq x = (1 + z)*p' 'eq p = -(1 + z)*x' 'eq z = 0' 'integral Z = z' \
+    'reduction on : onto last.tt with x = x, p = p modulo Z' > second.tt
+sed 's/^model second/model first/; s/^state z/& in (0, inf)/; /^integral/,$d' second.tt > first.tt
+echo 'reduction down : onto second.tt with x = x, p = p, z = z' >> first.tt
+for table in first second; do
+    expect 3 'the reduction on of .* holds only where Z = 0' jellett section ./$table.tt --start p=1 --returns 1
+done
+sed -i 's/^eq z = 0/eq z = x/; s/(1 + z)\*//' first.tt
+sed -i '/^reduction/d; s/^model first/model second/; s/ in (0, inf)//' first.tt
+echo 'reduction on : onto last.tt with x = x, p = p' >> first.tt
+expect 0 '^0,1,6.28318530' jellett section ./first.tt --start p=1 --returns 1
+for bound in 's/^state z/& in (-1, 1)/' 's/^state x/& in (-2, 2)/' '/^state z/a domain z : 1 - z^2 > 0'; do
+    sed "$bound" first.tt > second.tt
+    expect 0 'proved      reduction   on' ttc prove second.tt
+    expect 3 'the reduction on of second onto last, where [xz] does not bound the motion' \
+        jellett section ./second.tt --start p=1 --returns 1
+done
+
 # A claim is about the table of the file's name, whatever model that calls itself.
 printf '%s\n' 'model left' 'state x' 'eq x = -x' 'lift up : into both.tt with X = x, Y = 0' > right.tt
 printf '%s\n' 'model both' 'state X' 'state Y' 'eq X = -X' 'eq Y = -Y' 'reduction other : onto left.tt with x = 2*X' \
