@@ -143,49 +143,45 @@ jlt_exit jlt_motion_refuse_point(const jlt_surface *surface, const double *q, co
     return JLT_EXIT_DONE;
 }
 
-/* Print that a claim of a table gives the parameter `name` of the table `to` by something other than what has that name. */
-static void tell_renamed(const jlt_descriptor *table, const jlt_claim *claim, const char *name, const jlt_descriptor *to)
+/* If sections cannot follow a proved reduction of a table onto `to` (NULL: not known), print why. Returns whether that is so. */
+static bool tell_unfollowed(const jlt_descriptor *table, const jlt_claim *claim, const jlt_descriptor *to)
 {
-    jlt_command_fail(JLT_EXIT_INPUT, "the %s %s sets %s of %s to something other than %s of %s: rename one of the two, or ask %s",
-                     claim->kind, claim->name, name, to->model, name, table->model, to->model);
+    const bool is_bound = claim->condition[0] != '\0', is_known = to != NULL && !is_bound;
+    const char *renamed = is_known ? jlt_link_renames(table, claim, to) : NULL;
+    const char *wider = is_known ? jlt_link_widens(table, claim, to) : NULL;
+
+    if (is_bound && jlt_way_of(table, claim) == NULL)
+        jlt_command_fail(JLT_EXIT_INPUT, "the %s %s of %s holds only where %s, and no section is taken from its table", claim->kind,
+                         claim->name, table->model, claim->condition);
+    else if (renamed != NULL)
+        jlt_command_fail(JLT_EXIT_INPUT, "the %s %s sets %s of %s to something other than %s of %s: rename one of the two, or ask "
+                         "%s", claim->kind, claim->name, renamed, to->model, renamed, table->model, to->model);
+    else if (wider != NULL)
+        jlt_command_fail(JLT_EXIT_INPUT, "the %s %s of %s leads onto %s, where %s does not bound the motion by the same words",
+                         claim->kind, claim->name, table->model, to->model, wider);
+    else return false;
+    return true;
 }
 
 /* Refuse a section that rests on an unproved claim: its levels must be integrals, and its table stand for the asked one. */
 static jlt_exit refuse_broken(const jlt_surface *surface, const jlt_claim *broken, const jlt_descriptor *asked)
 {
     const jlt_descriptor *table = surface->table;
-    const char *renamed = broken->verdict == JLT_PROVED ? jlt_link_renames(asked, broken, table) : NULL;
+    const bool unfollowed = broken->verdict == JLT_PROVED && tell_unfollowed(asked, broken, table->family[0]);
     bool told = false;
     char own[OWN_SECTION];
 
-    if (renamed != NULL) tell_renamed(asked, broken, renamed, table);
-    for (unsigned i = surface->params; renamed == NULL && i < surface->count; i++) {
+    for (unsigned i = surface->params; !unfollowed && i < surface->count; i++) {
         const jlt_claim *claim = jlt_descriptor_claim(asked, "integral", surface->names[i]);
         if (claim == NULL || claim->verdict == JLT_PROVED) continue;
         jlt_command_fail(JLT_EXIT_INPUT, "%s is no integral of this table any more: %s", claim->name, claim->reason);
         told = true;
     }
-    if (renamed == NULL && !told)
+    if (!unfollowed && !told)
         jlt_command_fail(JLT_EXIT_INPUT, "%s %s is not proved of this table: %s", broken->kind, broken->name, broken->reason);
     return jlt_command_fail(JLT_EXIT_INPUT, "there is no section %s, then: ask for one of the table itself, %s, with all "
                                             "other states as coordinates (--level and --solve leave fewer)",
                             surface->section->name, own_section(own, surface));
-}
-
-/* If sections cannot follow a proved reduction, which holds under a condition or gives a parameter by what has another name, print
- * it. Returns whether that is so. */
-static bool tell_unfollowed(const jlt_descriptor *table, const jlt_claim *claim, const char *of, const jlt_way_tables *others)
-{
-    const bool leads = claim->target != NULL && strcmp(claim->kind, "reduction") == 0;
-    const bool is_bound = leads && claim->condition[0] != '\0' && jlt_way_of(table, claim) == NULL;
-    const jlt_descriptor *to = leads ? jlt_way_target(&(jlt_way){ .sha256 = claim->target }, others) : NULL;
-    const char *renamed = to != NULL && claim->condition[0] == '\0' ? jlt_link_renames(table, claim, to) : NULL;
-
-    if (renamed != NULL) tell_renamed(table, claim, renamed, to);
-    if (is_bound)
-        jlt_command_fail(JLT_EXIT_INPUT, "the reduction %s of %s holds only where %s, and no section is taken from its table",
-                         claim->name, of, claim->condition);
-    return renamed != NULL || is_bound;
 }
 
 /* Print the claims of a table that would lead to a section but are not proved or not followed. Returns whether there are any. */
@@ -195,7 +191,8 @@ static bool tell_lost(const jlt_descriptor *table, const char *of, const jlt_way
 
     for (const jlt_claim *claim = table->claims; claim->kind != NULL; claim++) {
         const bool leads = strcmp(claim->kind, "reduction") == 0 || strcmp(claim->kind, "section") == 0;
-        if (claim->verdict == JLT_PROVED) is_lost |= tell_unfollowed(table, claim, of, others);
+        if (claim->verdict == JLT_PROVED && claim->target != NULL && strcmp(claim->kind, "reduction") == 0)
+            is_lost |= tell_unfollowed(table, claim, jlt_way_target(&(jlt_way){ .sha256 = claim->target }, others));
         if (!leads || claim->verdict == JLT_PROVED) continue;
         jlt_command_fail(JLT_EXIT_INPUT, "%s %s is not proved of %s: %s", claim->kind, claim->name, of, claim->reason);
         is_lost = true;
@@ -252,22 +249,14 @@ static jlt_exit refuse_larger(const jlt_descriptor *asked, const jlt_way_tables 
                             asked->model, surface.section->name, larger->model);
 }
 
-/* Refuse a section whose table has a wider domain than the table asked for, or other conditions (`valid`), if that has any: orbits
- * are followed in the section's table, which must tell where the model asked for ends or ceases to hold. */
+/* Refuse a section whose table has other conditions (`valid`) than the table asked for, if that has any: orbits are followed in the
+ * section's table, which must tell where the model asked for ceases to hold. */
 static jlt_exit refuse_unwatched(const jlt_surface *surface, const jlt_descriptor *asked)
 {
     const jlt_descriptor *table = surface->table;
-    const jlt_link_step *step;
-    const char *bound = jlt_link_widens(&step, &surface->link);
     char own[OWN_SECTION];
     unsigned k;
 
-    if (bound != NULL)
-        return jlt_command_fail(JLT_EXIT_INPUT,
-                                "the section %s lies behind the reduction %s of %s onto %s, where %s does not bound the motion "
-                                "as it does here: ask for a section of the table itself, %s",
-                                surface->section->name, step->claim->name, step->from->model, step->to->model, bound,
-                                own_section(own, surface));
     for (unsigned i = 0; i < asked->valid_count; i++) {
         for (k = 0; k < table->valid_count && strcmp(table->valids[k].name, asked->valids[i].name) != 0; k++) { }
         if (k == table->valid_count)

@@ -27,7 +27,8 @@ typedef struct {
 
 /** Find the shortest chain from one table to the other. Only tables that are built in or in `others` (NULL for none) may stand
  *  between the two. Returns whether there is a chain. Out: *link, empty if there is none; *broken, if there is none: a claim of the
- *  first table that leads to the other, but is unproved, or whose parameters cannot be followed by name; or NULL. */
+ *  first table that leads to the other, but is unproved, or whose parameters cannot be followed by name, or beyond which
+ *  the domain is wider; or NULL. */
 bool jlt_link_find(jlt_link *link, const jlt_claim **broken, const jlt_descriptor *from, const jlt_descriptor *to,
                    const jlt_way_tables *others);
 
@@ -40,10 +41,10 @@ jlt_source jlt_link_source(const jlt_link *link, const char *name);
  *  another name, or none, or the name means something else; NULL if there is no such parameter. */
 const char *jlt_link_renames(const jlt_descriptor *from, const jlt_claim *claim, const jlt_descriptor *to);
 
-/** The name of a state with an interval, or of a `domain` record with states, that a table has from which a reduction without a way
- *  leads, and that the next table does not have in the same words: motions may go on there beyond their end. NULL if there is none.
- *  Out: *step, that reduction. Where a way leads back, by proof, the domains are one. */
-const char *jlt_link_widens(const jlt_link_step **step, const jlt_link *link);
+/** The name of a state with an interval, or of a record `domain`, that bounds the states of `from` and not, in the same words,
+ *  those of `to`: after this reduction motions would be followed beyond their end; NULL if there is none. None is lost where the claim
+ *  defines a way, which leads back by proof. */
+const char *jlt_link_widens(const jlt_descriptor *from, const jlt_claim *claim, const jlt_descriptor *to);
 
 /** Whether any parameter of the last table is JLT_SOURCE_PARAMS. */
 bool jlt_link_computes(const jlt_link *link);

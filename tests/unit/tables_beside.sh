@@ -306,8 +306,8 @@ expect 0 '^0,1,3.14159' jellett run second.scene
 expect 0 ' 2  last .*taken: its table describes the section' jellett plan section ./second.tt --start p=1 --level G=4
 expect 3 'a level G, which is an integral that no proof' jellett section ./first.tt --start p=1 --returns 1 --level G=4
 # Nor is that level the parameter of its name in a table between, of which it is not made.
-sed -i 's/^state x$/param G > 0\ndefault G = 1\n&/; s/^eq u = x/eq u = G*x/' second.tt
-sed -i 's/^integral G.*/state y in (0, inf)\neq y = 0\neq u = y*x\nintegral G = y/; /^eq u = x/d; s/u = u$/&, G = G/' first.tt
+sed -i 's/^state x$/param G\ndefault G = 1\n&/; s/^eq u = x/eq u = G*x/' second.tt
+sed -i 's/^integral G.*/state y\neq y = 0\neq u = y*x\nintegral G = y/; /^eq u = x/d; s/u = u$/&, G = G/' first.tt
 expect 0 'proved      reduction   down' ttc prove first.tt
 expect 3 'a level G, which is an integral that no proof' jellett section ./first.tt --start p=1 --returns 1 --level G=4
 
@@ -329,7 +329,7 @@ expect 0 '^0,1,6.28318530' jellett section ./first.tt --start p=1 --returns 1
 for bound in 's/^state z/& in (-1, 1)/' 's/^state x/& in (-2, 2)/' '/^state z/a domain z : 1 - z^2 > 0'; do
     sed "$bound" first.tt > second.tt
     expect 0 'proved      reduction   on' ttc prove second.tt
-    expect 3 'the reduction on of second onto last, where [xz] does not bound the motion' \
+    expect 3 'the reduction on of second leads onto last, where [xz] does not bound the motion' \
         jellett section ./second.tt --start p=1 --returns 1
 done
 
