@@ -24,13 +24,13 @@ anew
 expect 0 'levels E=2.15' jellett section ./spherical_top.tt "${section[@]}"
 built_in=$(last 1-9)
 sed -i 's/v_tau = W\*stretch\*cos_eta/v_tau = -W*stretch*cos_eta/' spherical_top_section.tt
-for model in ./spherical_top.tt ./spherical_top_level.tt; do
+for model in ./spherical_top.tt ./spherical_top_level.tt ./spherical_top_track.tt; do
     expect 3 'the way back does not lead to eta' jellett section $model "${section[@]}"
     expect 3 'ask for one of the table itself' jellett fates $model --grid 2x2
 done
 anew
 sed -i 's/E = 2.15/E = 2/' spherical_top_section.tt
-for model in ./spherical_top.tt ./spherical_top_level.tt; do
+for model in ./spherical_top.tt ./spherical_top_level.tt ./spherical_top_track.tt; do
     expect 0 'levels E=2\( \|$\)' jellett section $model "${section[@]}"
     [ "$(last 1-9)" != "$built_in" ] || fail "$model on another level answers as on the one built in"
 done
