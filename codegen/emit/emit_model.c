@@ -50,6 +50,8 @@ static void add_claims(ttc_text *text, const ttc_catalogue *catalogue, const ttc
         const ttc_claim *claim = i < model->claim_count ? model->claims + i : NULL;
         ttc_text_format(text, "    { \"%s\", \"%s\", \"", proof->kind, proof->name);
         if (claim != NULL && field != NULL) ttc_emit_condition(text, field, &claim->when);
+        for (size_t k = 0; claim != NULL && claim->target != NULL && k < claim->modulo_count; k++)
+            ttc_text_format(text, "%s%s = 0", k + claim->when.count > 0 ? ", " : "", model->claims[claim->modulo[k]].name);
         ttc_text_format(text, "\", %s, \"", verdicts[proof->status]);
         if (proof->status != TTC_PROVED && proof->remainder != NULL) ttc_text_add_escaped(text, proof->remainder);
         ttc_text_add(text, "\", ");

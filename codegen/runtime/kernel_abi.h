@@ -169,7 +169,8 @@ typedef enum { JLT_PROVED, JLT_REFUTED, JLT_UNSETTLED } jlt_proof;
 /* A claim of the table, or one that follows from it (root, variant, time, eliminate), and what the prover says of it. */
 typedef struct {
     const char *kind, *name; /* kind as written in the table: "integral", "reduction", ... */
-    const char *condition;   /* the `when` clause, "" when it holds always */
+    const char *condition;   /* the `when` clause, of what leads to another table with the zero levels of `modulo`; "" when it holds
+                                always */
     jlt_proof verdict;
     const char *reason;      /* refuted: what is not zero; not settled: why; "" when proved */
     const char *target;      /* of what leads to another table: its SHA-256; NULL of other kinds, */

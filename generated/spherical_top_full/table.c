@@ -202,7 +202,7 @@ const jlt_claim jlt_claims_spherical_top_full[] = {
     { "rate", "transport1", "", JLT_PROVED, "", NULL, NULL, NULL },
     { "rate", "transport2", "", JLT_PROVED, "", NULL, NULL, NULL },
     { "rate", "transport3", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "reduction", "reduced", "", JLT_PROVED, "", "87c26890eb25fc124a005e91d321d4c0fe2271d369b79011e6214acd6bfaa501", "spherical_top.tt", NULL },
+    { "reduction", "reduced", "gamma_norm = 0, f1 = 0, f2 = 0", JLT_PROVED, "", "87c26890eb25fc124a005e91d321d4c0fe2271d369b79011e6214acd6bfaa501", "spherical_top.tt", NULL },
     { "equal", "normal_reaction", "", JLT_PROVED, "", NULL, NULL, NULL },
     { "equal", "constraint_force", "", JLT_PROVED, "", NULL, NULL, NULL },
     { "equal", "v_gamma", "", JLT_PROVED, "", NULL, NULL, NULL },

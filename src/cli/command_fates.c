@@ -275,6 +275,7 @@ static jlt_exit run(int argc, char **argv)
     JLT_PASS(jlt_motion_axes(axes, system, jlt_fates_crowd_grid(&o.motion, system), "--grid"));
     if (!sweeps) JLT_PASS(jlt_motion_map_open(&map, &o.motion, system, jlt_fates_crowd_grid(&o.motion, system), axes));
     JLT_PASS(jlt_motion_check_starts(system, o.motion.starts, o.motion.start_count));
+    if (!sweeps && o.motion.start_count == 0) JLT_PASS(jlt_motion_check_grid(axes, system));
     JLT_PASS(jlt_motion_plan(system, &o.motion));
     JLT_PASS(jlt_common_write(&o.motion.common));
     return sweeps ? sweep(&o, system, all) : one_system(&o, system, &map);

@@ -139,6 +139,8 @@ static void *begin(jlt_exit *code, int argc, char **argv)
         *code = jlt_section_picture_open(&self->picture, &o->motion, self->system);
     if (*code == JLT_EXIT_DONE) *code = jlt_motion_axes(o->axes, self->system, o->motion.grid, "--grid");
     if (*code == JLT_EXIT_DONE) *code = jlt_motion_check_starts(self->system, o->motion.starts, o->motion.start_count);
+    if (*code == JLT_EXIT_DONE && o->motion.grid != NULL && o->motion.start_count == 0)
+        *code = jlt_motion_check_grid(o->axes, self->system);
     self->run = (jlt_section_run){ .o = o, .system = self->system, .picture = &self->picture };
     if (*code == JLT_EXIT_DONE) *code = jlt_section_run_open(&self->run);
     if (*code == JLT_EXIT_DONE) *code = jlt_motion_plan(self->system, &o->motion);

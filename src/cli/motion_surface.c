@@ -143,44 +143,45 @@ jlt_exit jlt_motion_refuse_point(const jlt_surface *surface, const double *q, co
     return JLT_EXIT_DONE;
 }
 
-/* Print that a claim of a table gives the parameter `name` of the table `to` by something other than what has that name. */
-static void tell_renamed(const jlt_descriptor *table, const jlt_claim *claim, const char *name, const jlt_descriptor *to)
+/* If sections cannot follow a proved reduction of a table onto `to` (NULL: not known), print why. Returns whether that is so. */
+static bool tell_unfollowed(const jlt_descriptor *table, const jlt_claim *claim, const jlt_descriptor *to)
 {
-    jlt_command_fail(JLT_EXIT_INPUT, "the %s %s sets %s of %s to something other than %s of %s: rename one of the two, or ask %s",
-                     claim->kind, claim->name, name, to->model, name, table->model, to->model);
+    const bool is_bound = claim->condition[0] != '\0', is_known = to != NULL && !is_bound;
+    const char *renamed = is_known ? jlt_link_renames(table, claim, to) : NULL;
+    const char *wider = is_known ? jlt_link_widens(table, claim, to) : NULL;
+
+    if (is_bound && jlt_way_of(table, claim) == NULL)
+        jlt_command_fail(JLT_EXIT_INPUT, "the %s %s of %s holds only where %s, and no section is taken from its table", claim->kind,
+                         claim->name, table->model, claim->condition);
+    else if (renamed != NULL)
+        jlt_command_fail(JLT_EXIT_INPUT, "the %s %s sets %s of %s to something other than %s of %s: rename one of the two, or ask "
+                         "%s", claim->kind, claim->name, renamed, to->model, renamed, table->model, to->model);
+    else if (wider != NULL)
+        jlt_command_fail(JLT_EXIT_INPUT, "the %s %s of %s leads onto %s, where %s does not bound the motion by the same words",
+                         claim->kind, claim->name, table->model, to->model, wider);
+    else return false;
+    return true;
 }
 
 /* Refuse a section that rests on an unproved claim: its levels must be integrals, and its table stand for the asked one. */
 static jlt_exit refuse_broken(const jlt_surface *surface, const jlt_claim *broken, const jlt_descriptor *asked)
 {
     const jlt_descriptor *table = surface->table;
-    const char *renamed = broken->verdict == JLT_PROVED ? jlt_link_renames(asked, broken, table) : NULL;
+    const bool unfollowed = broken->verdict == JLT_PROVED && tell_unfollowed(asked, broken, table->family[0]);
     bool told = false;
     char own[OWN_SECTION];
 
-    if (renamed != NULL) tell_renamed(asked, broken, renamed, table);
-    for (unsigned i = surface->params; renamed == NULL && i < surface->count; i++) {
+    for (unsigned i = surface->params; !unfollowed && i < surface->count; i++) {
         const jlt_claim *claim = jlt_descriptor_claim(asked, "integral", surface->names[i]);
         if (claim == NULL || claim->verdict == JLT_PROVED) continue;
         jlt_command_fail(JLT_EXIT_INPUT, "%s is no integral of this table any more: %s", claim->name, claim->reason);
         told = true;
     }
-    if (renamed == NULL && !told)
+    if (!unfollowed && !told)
         jlt_command_fail(JLT_EXIT_INPUT, "%s %s is not proved of this table: %s", broken->kind, broken->name, broken->reason);
     return jlt_command_fail(JLT_EXIT_INPUT, "there is no section %s, then: ask for one of the table itself, %s, with all "
                                             "other states as coordinates (--level and --solve leave fewer)",
                             surface->section->name, own_section(own, surface));
-}
-
-/* If a proved reduction gives a parameter in a way that sections cannot follow, print it. Returns whether it does. */
-static bool renames(const jlt_descriptor *table, const jlt_claim *claim, const jlt_way_tables *others)
-{
-    const bool leads = claim->target != NULL && strcmp(claim->kind, "reduction") == 0 && claim->condition[0] == '\0';
-    const jlt_descriptor *to = leads ? jlt_way_target(&(jlt_way){ .sha256 = claim->target }, others) : NULL;
-    const char *renamed = to != NULL ? jlt_link_renames(table, claim, to) : NULL;
-
-    if (renamed != NULL) tell_renamed(table, claim, renamed, to);
-    return renamed != NULL;
 }
 
 /* Print the claims of a table that would lead to a section but are not proved or not followed. Returns whether there are any. */
@@ -190,7 +191,8 @@ static bool tell_lost(const jlt_descriptor *table, const char *of, const jlt_way
 
     for (const jlt_claim *claim = table->claims; claim->kind != NULL; claim++) {
         const bool leads = strcmp(claim->kind, "reduction") == 0 || strcmp(claim->kind, "section") == 0;
-        if (claim->verdict == JLT_PROVED) is_lost |= renames(table, claim, others);
+        if (claim->verdict == JLT_PROVED && claim->target != NULL && strcmp(claim->kind, "reduction") == 0)
+            is_lost |= tell_unfollowed(table, claim, jlt_way_target(&(jlt_way){ .sha256 = claim->target }, others));
         if (!leads || claim->verdict == JLT_PROVED) continue;
         jlt_command_fail(JLT_EXIT_INPUT, "%s %s is not proved of %s: %s", claim->kind, claim->name, of, claim->reason);
         is_lost = true;
@@ -375,26 +377,4 @@ jlt_exit jlt_motion_surface(jlt_surface *surface, bool *has, const jlt_motion_op
     return jlt_command_fail(JLT_EXIT_USAGE,
                             "--section: '%s' is no section (write STATE=VALUE); no table describes one of this name of %s",
                             options->section, asked->model);
-}
-
-jlt_exit jlt_motion_default_start(jlt_motion_options *options, const jlt_system *system, jlt_surface_start purpose,
-                                  const char *wanted)
-{
-    static const char *const names[JLT_STARTS] = { "regular", "chaotic", "saddle" };
-    const jlt_section_chart *section = system->surface != NULL ? system->surface->section : NULL;
-    const char **start = &options->starts[0];
-    size_t used = 0;
-
-    for (unsigned i = 0; *start == NULL && section != NULL && i < section->start_count; i++) {
-        if (strcmp(section->starts[i].name, names[purpose]) != 0) continue;
-        for (unsigned k = 0; k < section->coordinate_count && used < sizeof options->start; k++) {
-            char digits[JLT_DIGITS_SIZE];
-            jlt_digits_shortest(digits, section->starts[i].point[k]);
-            used += (size_t)snprintf(options->start + used, sizeof options->start - used, "%s%s=%s", k == 0 ? "" : ",",
-                                     section->coordinates[k].name, digits);
-        }
-        *start = options->start;
-    }
-    if (*start != NULL) return JLT_EXIT_DONE;
-    return jlt_command_fail(JLT_EXIT_USAGE, "%s, with all coordinates of the section", wanted);
 }

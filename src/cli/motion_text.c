@@ -1,4 +1,4 @@
-/* Writes what headers and pictures say of a system. */
+/* Writes what headers and pictures say of a system, and the start that it has by default. */
 #include "cli/motion.h"
 
 #include <math.h>
@@ -165,4 +165,26 @@ jlt_exit jlt_motion_shown(unsigned shown[2], const jlt_motion_options *options, 
     shown[0] = 0;
     shown[1] = chart->dim > 1;
     return jlt_plot_shown(shown, &options->common, chart->names, chart->dim);
+}
+
+jlt_exit jlt_motion_default_start(jlt_motion_options *options, const jlt_system *system, jlt_surface_start purpose,
+                                  const char *wanted)
+{
+    static const char *const names[JLT_STARTS] = { "regular", "chaotic", "saddle" };
+    const jlt_section_chart *section = system->surface != NULL ? system->surface->section : NULL;
+    const char **start = &options->starts[0];
+    size_t used = 0;
+
+    for (unsigned i = 0; *start == NULL && section != NULL && i < section->start_count; i++) {
+        if (strcmp(section->starts[i].name, names[purpose]) != 0) continue;
+        for (unsigned k = 0; k < section->coordinate_count && used < sizeof options->start; k++) {
+            char digits[JLT_DIGITS_SIZE];
+            jlt_digits_shortest(digits, section->starts[i].point[k]);
+            used += (size_t)snprintf(options->start + used, sizeof options->start - used, "%s%s=%s", k == 0 ? "" : ",",
+                                     section->coordinates[k].name, digits);
+        }
+        *start = options->start;
+    }
+    if (*start != NULL) return JLT_EXIT_DONE;
+    return jlt_command_fail(JLT_EXIT_USAGE, "%s, with all coordinates of the section", wanted);
 }

@@ -9,7 +9,6 @@
 #include "kernel/batch_isa.h"
 #include "kernel/descriptor.h"
 #include "report/json.h"
-#include "scene/tier.h"
 
 /* The commands of which a study can be made: what they write for a point does not depend on other points. `dealt` is the option
  * whose grid is cut into pieces; NULL: the command is run whole at each point of `over`. `least`: the default number of points in a
@@ -139,24 +138,25 @@ static jlt_exit count_pieces(jlt_study *self, size_t least)
     return JLT_EXIT_DONE;
 }
 
-/* The tables that may serve, with their digests and the compiler that made their kernels. Tables that lie beside the user's own one
- * are listed with the digests of which its records were proved. */
+/* The tables that records lead to from the model, and from there, with the digests of which the records were proved and the
+ * compiler that made their kernels; a table of coordinates has none. */
 static json_t *kernels_of(const jlt_descriptor *model, const jlt_way_tables *others)
 {
-    jlt_tier tiers[JLT_TIERS_MAX];
-    const unsigned count = jlt_tier_list(tiers, model, others);
+    const jlt_descriptor *reached[JLT_WAY_TABLES_MAX] = { model };
     json_t *kernels = json_object();
+    unsigned count = 1;
 
-    for (unsigned i = 0; i <= count; i++) {
-        const jlt_descriptor *d = i == 0 ? model : tiers[i - 1].table;
-        if (d == NULL) continue;
-        (void)json_object_set_new(kernels, d->model, json_sprintf("table %s, %s", d->sha256, d->generator));
-        for (unsigned k = 0; k < d->section_count; k++) /* the coordinates of a section have a table too */
-            (void)json_object_set_new(kernels, d->sections[k].chart, json_sprintf("table %s", d->sections[k].sha256));
-        for (unsigned k = 0; k < d->way_count; k++)
-            if (json_object_get(kernels, d->ways[k].model) == NULL)
-                (void)json_object_set_new(kernels, d->ways[k].model, json_sprintf("table %s", d->ways[k].sha256));
-    }
+    (void)json_object_set_new(kernels, model->model, json_sprintf("table %s, %s", model->sha256, model->generator));
+    for (unsigned done = 0; done < count; done++)
+        for (const jlt_claim *claim = reached[done]->claims; claim->kind != NULL; claim++) {
+            const bool leads = claim->target != NULL && strcmp(claim->kind, "embedding") != 0;
+            if (!leads || json_object_get(kernels, claim->file) != NULL) continue;
+            const jlt_descriptor *next = jlt_way_target(&(jlt_way){ .sha256 = claim->target }, others);
+            (void)json_object_set_new(kernels, claim->file,
+                                      next == NULL ? json_sprintf("table %s", claim->target)
+                                                   : json_sprintf("table %s, %s", claim->target, next->generator));
+            if (next != NULL && count < JLT_WAY_TABLES_MAX) reached[count++] = next;
+        }
     return kernels;
 }
 

@@ -200,14 +200,23 @@ static bool is_beside(const char *model, const char *file, const char *sha256)
     return strcmp(digest, sha256) == 0;
 }
 
-/* Whether a built-in table may stand for its copy beside `model`: the tables that its records lead to, and of which they were
- * proved, are beside `model` with the same digests. */
+/* Whether a built-in table may stand for its copy beside `model`: the tables that its records lead to, and theirs, and so on, are
+ * beside `model` with the digests of which the records were proved. Embeddings lead back to larger tables, and rest on none. */
 static bool stands_for(const jlt_descriptor *built_in, const char *model)
 {
-    for (unsigned i = 0; i < built_in->way_count; i++)
-        if (!is_beside(model, built_in->ways[i].file, built_in->ways[i].sha256)) return false;
-    for (unsigned i = 0; i < built_in->section_count; i++)
-        if (!is_beside(model, built_in->sections[i].file, built_in->sections[i].sha256)) return false;
+    const jlt_descriptor *reached[JLT_WAY_TABLES_MAX] = { built_in };
+    unsigned count = 1, k;
+
+    for (unsigned done = 0; done < count; done++)
+        for (const jlt_claim *claim = reached[done]->claims; claim->kind != NULL; claim++) {
+            if (claim->target == NULL || strcmp(claim->kind, "embedding") == 0) continue;
+            if (!is_beside(model, claim->file, claim->target)) return false;
+            const jlt_descriptor *next = jlt_way_target(&(jlt_way){ .sha256 = claim->target }, NULL);
+            for (k = 0; k < count && reached[k] != next; k++) { }
+            if (next == NULL || k < count) continue;
+            if (count == JLT_WAY_TABLES_MAX) return false;
+            reached[count++] = next;
+        }
     return true;
 }
 

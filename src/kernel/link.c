@@ -1,5 +1,6 @@
 #include "kernel/link.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "kernel/descriptor.h"
@@ -22,7 +23,26 @@ const char *jlt_link_renames(const jlt_descriptor *from, const jlt_claim *claim,
     return claim->renames;
 }
 
-/* The reduction of one table onto the other: the first that is proved and can be followed by name (*serves is then true), else the
+const char *jlt_link_widens(const jlt_descriptor *from, const jlt_claim *claim, const jlt_descriptor *to)
+{
+    size_t same;
+
+    if (jlt_way_of(from, claim) != NULL) return NULL;
+    for (unsigned i = 0; i < from->state_count; i++) {
+        const jlt_quantity *q = &from->states[i];
+        if (isinf(q->low) && isinf(q->high)) continue;
+        if (!jlt_descriptor_state(to, q->name, &same) || to->states[same].low != q->low || to->states[same].high != q->high)
+            return q->name;
+    }
+    for (unsigned i = 0; i < from->domain_count; i++) {
+        unsigned k = 0;
+        while (k < to->domain_count && strcmp(from->domains[i].text, to->domains[k].text) != 0) k++;
+        if (k == to->domain_count && !from->domains[i].of_params) return from->domains[i].name;
+    }
+    return NULL;
+}
+
+/* The reduction of one table onto the other: the first that is proved and can be followed (*serves is then true), else the
  * first of all, or NULL. Reductions under a condition on parameters are ignored, since they do not hold in general. */
 static const jlt_claim *leads(bool *serves, const jlt_descriptor *from, const jlt_descriptor *to)
 {
@@ -33,7 +53,8 @@ static const jlt_claim *leads(bool *serves, const jlt_descriptor *from, const jl
         if (claim->target == NULL || strcmp(claim->target, to->sha256) != 0 || strcmp(claim->kind, "reduction") != 0
             || claim->condition[0] != '\0')
             continue;
-        *serves = claim->verdict == JLT_PROVED && jlt_link_renames(from, claim, to) == NULL;
+        *serves = claim->verdict == JLT_PROVED && jlt_link_renames(from, claim, to) == NULL
+                  && jlt_link_widens(from, claim, to) == NULL;
         if (*serves || first == NULL) first = claim;
     }
     return first;

@@ -161,4 +161,10 @@ printf '%s\n' 'model apart' 'state x' 'state p' 'state y' 'state q' 'eq x = p' '
 expect 3 "$undetermined" jellett section ./apart.tt --section x=0 --level E=1 --solve q=0.3 --start p=1,y=0 --returns 1
 expect 3 "$undetermined" jellett section ./apart.tt --section x=0 --level E=1,F=1 --solve y=0.3,q=0.3 --start p=1 --returns 1
 expect 0 '^0,1,' jellett section ./apart.tt --section x=0 --level E=1,F=1 --solve p=0.3,q=0.3 --start y=0.1 --returns 1
+# Levels that no start of a grid has are refused before anything is written.
+for command in section fates; do
+    expect 4 'no state with these levels' jellett $command ./apart.tt --section x=0 --level E=-1 --solve p=0.3 \
+        --grid y=0:1:2,q=0:1:2
+    [ ! -s out ] || fail "$command writes a header first: $(cat out)"
+done
 exit $status

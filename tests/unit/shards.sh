@@ -63,7 +63,7 @@ for row, packed, kept in zip(rows, struct.iter_unpack(code, data[length:end]), s
         else: assert number == float(field) == value
 assert empty > 0
 about = dict(sqlite3.connect(sys.argv[1] + ".sqlite").execute("SELECT name, value FROM provenance"))
-assert about["command"] == "section" and "spherical_top_level" in about["kernels"]
+assert about["command"] == "section" and "spherical_top_level.tt" in about["kernels"]
 indices = "SELECT name FROM sqlite_master WHERE type = 'index' AND name LIKE 'rows%'"
 assert [n for n, in sqlite3.connect(sys.argv[1] + ".sqlite").execute(indices)] == ["rows_by_fate"]
 END
@@ -167,13 +167,19 @@ sed 's/^model.*//; s/^levels/model = ".\/spherical_top.tt"; levels/' ends.scene 
 echo "# edited" >> spherical_top_balanced.tt
 expect 0 "" jellett sweep beside.scene
 echo "# edited" >> spherical_top_balanced.tt
-expect 3 "kernels.spherical_top_balanced: there" jellett sweep beside.scene --resume
+expect 3 "kernels.spherical_top_balanced.tt: there" jellett sweep beside.scene --resume
 # So do those that only records of the tables beside it lead to, even if nothing else is edited: here the levels are a default.
 cp "$JLT_SOURCE_DIR"/codegen/models/spherical_top*.tt .
 sed 's/^levels.*//; s/^model.*//; 1i model = "./spherical_top.tt";' ends.scene > levels.scene
 expect 0 "" jellett sweep levels.scene --shard=1/2
 sed -i 's/E = 2.15/E = 2.25/' spherical_top_section.tt
-expect 3 "kernels.spherical_top_section: there" jellett sweep levels.scene --shard=1/2 --resume
+expect 3 "kernels.spherical_top_section.tt: there" jellett sweep levels.scene --shard=1/2 --resume
+# Also behind a reduction onto a table that stands between.
+cp "$JLT_SOURCE_DIR"/codegen/models/spherical_top*.tt .
+sed 's/spherical_top.tt/spherical_top_track.tt/' levels.scene > behind.scene
+expect 0 "" jellett sweep behind.scene --shard=1/2
+sed -i 's/E = 2.15/E = 2.25/' spherical_top_section.tt
+expect 3 "kernels.spherical_top_section.tt: there" jellett sweep behind.scene --shard=1/2 --resume
 # A coordinate called as what a command counts orbits by is a coordinate.
 printf '%s\n' 'model counted' 'state orbit' 'state y' 'eq orbit = y' 'eq y = -orbit' > counted.tt
 cat > counted.scene << 'END'

@@ -24,13 +24,13 @@ anew
 expect 0 'levels E=2.15' jellett section ./spherical_top.tt "${section[@]}"
 built_in=$(last 1-9)
 sed -i 's/v_tau = W\*stretch\*cos_eta/v_tau = -W*stretch*cos_eta/' spherical_top_section.tt
-for model in ./spherical_top.tt ./spherical_top_level.tt; do
+for model in ./spherical_top.tt ./spherical_top_level.tt ./spherical_top_track.tt; do
     expect 3 'the way back does not lead to eta' jellett section $model "${section[@]}"
     expect 3 'ask for one of the table itself' jellett fates $model --grid 2x2
 done
 anew
 sed -i 's/E = 2.15/E = 2/' spherical_top_section.tt
-for model in ./spherical_top.tt ./spherical_top_level.tt; do
+for model in ./spherical_top.tt ./spherical_top_level.tt ./spherical_top_track.tt; do
     expect 0 'levels E=2\( \|$\)' jellett section $model "${section[@]}"
     [ "$(last 1-9)" != "$built_in" ] || fail "$model on another level answers as on the one built in"
 done
@@ -306,10 +306,32 @@ expect 0 '^0,1,3.14159' jellett run second.scene
 expect 0 ' 2  last .*taken: its table describes the section' jellett plan section ./second.tt --start p=1 --level G=4
 expect 3 'a level G, which is an integral that no proof' jellett section ./first.tt --start p=1 --returns 1 --level G=4
 # Nor is that level the parameter of its name in a table between, of which it is not made.
-sed -i 's/^state x$/param G > 0\ndefault G = 1\n&/; s/^eq u = x/eq u = G*x/' second.tt
-sed -i 's/^integral G.*/state y in (0, inf)\neq y = 0\neq u = y*x\nintegral G = y/; /^eq u = x/d; s/u = u$/&, G = G/' first.tt
+sed -i 's/^state x$/param G\ndefault G = 1\n&/; s/^eq u = x/eq u = G*x/' second.tt
+sed -i 's/^integral G.*/state y\neq y = 0\neq u = y*x\nintegral G = y/; /^eq u = x/d; s/u = u$/&, G = G/' first.tt
 expect 0 'proved      reduction   down' ttc prove first.tt
 expect 3 'a level G, which is an integral that no proof' jellett section ./first.tt --start p=1 --returns 1 --level G=4
+
+# Nor does a chain lead past a reduction that holds on zero levels alone: no orbit of first.tt, where z > 0, is one of last.tt. Nor
+# past one onto a table whose domain is wider: there motions go on where those of the asked table have ended.
+printf '%s\n' 'model last' 'state x' 'state p' 'eq x = p' 'eq p = -x' 'section s : by rows.tt at x = 0 with p = p' > last.tt
+printf '%s\n' 'model rows' 'state p' 'lift into last.tt with x = 0, p = p' > rows.tt
+printf '%s\n' 'model second' 'state x' 'state p' 'state z' 'eq x = (1 + z)*p' 'eq p = -(1 + z)*x' 'eq z = 0' 'integral Z = z' \
+    'reduction on : onto last.tt with x = x, p = p modulo Z' > second.tt
+sed 's/^model second/model first/; s/^state z/& in (0, inf)/; /^integral/,$d' second.tt > first.tt
+echo 'reduction down : onto second.tt with x = x, p = p, z = z' >> first.tt
+for table in first second; do
+    expect 3 'the reduction on of .* holds only where Z = 0' jellett section ./$table.tt --start p=1 --returns 1
+done
+sed -i 's/^eq z = 0/eq z = x/; s/(1 + z)\*//' first.tt
+sed -i '/^reduction/d; s/^model first/model second/; s/ in (0, inf)//' first.tt
+echo 'reduction on : onto last.tt with x = x, p = p' >> first.tt
+expect 0 '^0,1,6.28318530' jellett section ./first.tt --start p=1 --returns 1
+for bound in 's/^state z/& in (-1, 1)/' 's/^state x/& in (-2, 2)/' '/^state z/a domain z : 1 - z^2 > 0'; do
+    sed "$bound" first.tt > second.tt
+    expect 0 'proved      reduction   on' ttc prove second.tt
+    expect 3 'the reduction on of second leads onto last, where [xz] does not bound the motion' \
+        jellett section ./second.tt --start p=1 --returns 1
+done
 
 # A claim is about the table of the file's name, whatever model that calls itself.
 printf '%s\n' 'model left' 'state x' 'eq x = -x' 'lift up : into both.tt with X = x, Y = 0' > right.tt
