@@ -1,6 +1,7 @@
 #include "algebra/qepcad.h"
 
 #include <errno.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
