@@ -1,6 +1,7 @@
 #include "algebra/qepcad.h"
 
 #include <errno.h>
+#include <math.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -29,6 +30,7 @@ bool ttc_qepcad_is_there(void)
 /* Where a variable occurs: its largest exponent, the largest degree of a term that has it, and the number of these terms. */
 typedef struct {
     size_t variable, exponent, degree, terms;
+    double place; /* in the order, if that is not to depend on these */
 } occurrence;
 
 static Z3_decl_kind kind_of(Z3_context z3, Z3_ast e)
@@ -71,14 +73,37 @@ static void count_variables(Z3_context z3, Z3_ast e, occurrence *of)
         count_variables(z3, Z3_get_app_arg(z3, Z3_to_app(z3, e), i), of);
 }
 
-/* The last variable is eliminated first: that of the lowest exponents (C. W. Brown's order). */
+/* Variables that do not occur come last. Of the others, the last is eliminated first: that of the lowest exponents (C. W. Brown's
+ * order). */
 static int compare(const void *left, const void *right)
 {
     const occurrence *a = left, *b = right;
+    if ((a->terms > 0) != (b->terms > 0)) return a->terms > 0 ? -1 : 1;
+    if (a->place < b->place || a->place > b->place) return a->place < b->place ? -1 : 1;
     if (a->exponent != b->exponent) return a->exponent < b->exponent ? 1 : -1;
     if (a->degree != b->degree) return a->degree < b->degree ? 1 : -1;
     if (a->terms != b->terms) return a->terms < b->terms ? 1 : -1;
     return (a->variable > b->variable) - (a->variable < b->variable);
+}
+
+/* Eliminate every root just before the variables of its square. In/out: order, sorted. */
+static void move_roots(const ttc_ring *ring, occurrence *order)
+{
+    double *place = calloc(ring->variable_count + 1, sizeof *place);
+    if (place == NULL) return;
+    for (size_t i = 0; i < ring->variable_count; i++) place[order[i].variable] = (double)(i + 1);
+    for (size_t i = 0; i < ring->generator_count; i++) {
+        const ttc_generator *root = &ring->generators[i];
+        double last = 0;
+        for (size_t v = 0; v < ring->variable_count; v++)
+            if (fmpz_mpoly_degree_si(root->square.numerator, (slong)v, ring->context) > 0 ||
+                fmpz_mpoly_degree_si(root->square.denominator, (slong)v, ring->context) > 0)
+                last = fmax(last, place[v]);
+        place[root->variable] = last + 1e-6 * (double)(i + 1);
+    }
+    for (size_t i = 0; i < ring->variable_count; i++) order[i].place = place[order[i].variable];
+    qsort(order, ring->variable_count, sizeof *order, compare);
+    free(place);
 }
 
 static const char *operator_of(Z3_decl_kind kind)
@@ -143,7 +168,7 @@ static void run(FILE *question, FILE *answer, unsigned seconds)
         dup2(fileno(question), STDIN_FILENO);
         dup2(fileno(answer), STDOUT_FILENO);
         dup2(fileno(answer), STDERR_FILENO);
-        execlp("qepcad", "qepcad", "-noecho", "+N1000000", (char *)NULL);
+        execlp("qepcad", "qepcad", "-noecho", "+N2000000", (char *)NULL);
         _exit(127);
     }
     while (child > 0 && waitpid(child, NULL, 0) < 0 && errno == EINTR) {}
@@ -165,17 +190,19 @@ static bool says_false(FILE *answer)
     return none && !doubtful;
 }
 
-bool ttc_qepcad_finds_none(Z3_context z3, const Z3_ast *conditions, size_t count, size_t variable_count, unsigned seconds)
+static bool finds_none(Z3_context z3, const ttc_ring *ring, const Z3_ast *conditions, size_t count, bool by_roots,
+                       unsigned seconds)
 {
-    occurrence *order = calloc(variable_count + 1, sizeof *order);
+    occurrence *order = calloc(ring->variable_count + 1, sizeof *order);
     FILE *question = tmpfile(), *answer = tmpfile();
     bool none = false;
     if (order != NULL && question != NULL && answer != NULL) {
         size_t used = 0;
-        for (size_t i = 0; i < variable_count; i++) order[i].variable = i;
+        for (size_t i = 0; i < ring->variable_count; i++) order[i].variable = i;
         for (size_t i = 0; i < count; i++) count_variables(z3, conditions[i], order);
-        qsort(order, variable_count, sizeof *order, compare);
-        while (used < variable_count && order[used].terms > 0) used++;
+        qsort(order, ring->variable_count, sizeof *order, compare);
+        if (by_roots) move_roots(ring, order);
+        while (used < ring->variable_count && order[used].terms > 0) used++;
         write_question(question, z3, conditions, count, order, used > 0 ? used : 1);
         rewind(question);
         if (!ferror(question)) run(question, answer, seconds);
@@ -185,4 +212,9 @@ bool ttc_qepcad_finds_none(Z3_context z3, const Z3_ast *conditions, size_t count
     if (question != NULL) fclose(question);
     free(order);
     return none;
+}
+
+bool ttc_qepcad_finds_none(Z3_context z3, const ttc_ring *ring, const Z3_ast *conditions, size_t count, unsigned seconds)
+{
+    return finds_none(z3, ring, conditions, count, false, seconds) || finds_none(z3, ring, conditions, count, true, seconds);
 }

@@ -4,14 +4,15 @@
 #ifndef TTC_QEPCAD_H
 #define TTC_QEPCAD_H
 
-#include <stdbool.h>
-#include <stddef.h>
 #include <z3.h>
 
+#include "algebra/ratio.h"
+
 /** Returns true if QEPCAD finds that no real point meets all `count` conditions: sums of products of numbers and variables
- *  compared with numbers, and what `not` and `or` make of these. Variables are integer symbols below variable_count. False if
- *  there is a point, if QEPCAD does not know within `seconds` of a processor, or if it is not there. */
-bool ttc_qepcad_finds_none(Z3_context z3, const Z3_ast *conditions, size_t count, size_t variable_count, unsigned seconds);
+ *  compared with numbers, and what `not` and `or` make of these. Variables are integer symbols, their numbers in the ring. Two
+ *  orders of elimination are tried, each for `seconds` of a processor at most. False if there is a point, if QEPCAD does not know
+ *  in time, or if it is not there. */
+bool ttc_qepcad_finds_none(Z3_context z3, const ttc_ring *ring, const Z3_ast *conditions, size_t count, unsigned seconds);
 
 /** Returns true if PATH leads to QEPCAD. */
 bool ttc_qepcad_is_there(void);

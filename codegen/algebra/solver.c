@@ -112,15 +112,15 @@ static bool qepcad_agrees(const ttc_question *q, double seconds)
     size_t count = Z3_ast_vector_size(q->z3, stated);
     condition *conditions = calloc(count + 1, sizeof *conditions);
     Z3_ast *kept = calloc(count + 1, sizeof *kept);
-    for (size_t i = 0; conditions != NULL && i < count; i++) {
+    bool none = conditions != NULL && kept != NULL;
+    for (size_t i = 0; none && i < count; i++) {
         conditions[i].statement = Z3_ast_vector_get(q->z3, stated, (unsigned)i);
         conditions[i].length = strlen(Z3_ast_to_string(q->z3, conditions[i].statement));
     }
-    bool none = conditions != NULL && kept != NULL;
     if (none) {
         count = find_contradiction(q->z3, conditions, count, seconds);
         for (size_t i = 0; i < count; i++) kept[i] = conditions[i].statement;
-        none = ttc_qepcad_finds_none(q->z3, kept, count, q->point->ring->variable_count, SECONDS_OF_QEPCAD);
+        none = ttc_qepcad_finds_none(q->z3, q->point->ring, kept, count, SECONDS_OF_QEPCAD);
     }
     free(kept);
     free(conditions);
