@@ -56,6 +56,14 @@ bool ttc_task_put_aside(ttc_task *task, const fmpz_mpoly_struct *denominator)
     return true;
 }
 
+/* Returns true if conditions have no point, and remembers in the task if that rests on the solver. */
+static bool has_no_point(ttc_task *task, ttc_witness *point, const ttc_conditions *conditions)
+{
+    const ttc_search_result result = ttc_search_point(point, conditions);
+    if (result == TTC_POINT_EXCLUDED) task->relies_on_solver = true;
+    return says_none(result);
+}
+
 /* Denominators of normal forms may vanish where the expressions have values: returns true if there are no points there either, or
  * if these points are put aside. */
 static bool looked_everywhere(ttc_task *task, ttc_witness *point, bool may_put_aside)
@@ -65,7 +73,7 @@ static bool looked_everywhere(ttc_task *task, ttc_witness *point, bool may_put_a
         ttc_conditions there;
         const fmpz_mpoly_struct *zero = ttc_conditions_at_denominator(&there, &task->domain, i);
         again = zero != NULL;
-        everywhere = !again || says_none(ttc_search_point(point, &there)) || (may_put_aside && ttc_task_put_aside(task, zero));
+        everywhere = !again || has_no_point(task, point, &there) || (may_put_aside && ttc_task_put_aside(task, zero));
         ttc_conditions_clear(&there);
     }
     return everywhere;

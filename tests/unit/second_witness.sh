@@ -49,5 +49,24 @@ for command in prove "generate --out folder" discover build; do
     [ $? -eq 5 ] || fail "ttc $command without qepcad: not status 5"
     grep -q 'install it' err || fail "ttc $command without qepcad: says '$(cat err)'"
 done
+# Signs alone say that the claim's opposite has no point where x is not 0, the solver that the domain has none at x = 0, where
+# x/(1 + r) = (r - 1)/x has a value and its normal form has none.
+cat > at_denominator.tt <<'TABLE'
+model at_denominator
+state x
+state y
+state z
+state g
+root r = sqrt(1 + x^2)
+domain above : g + x/(1 + r) > 0
+domain beside : x - (y^2 + y*z + z^2 - y + 1) > 0
+eq x = 0
+eq y = 0
+eq z = 0
+eq g = 0
+positive same : g + x/(1 + r)
+TABLE
+ttc prove -v at_denominator.tt > out || fail "at_denominator.tt is not proved"
+sed -n '/same/,/proved/p' out | grep -q 'relies on the solver' || fail "the solver is not named: $(cat out)"
 PATH=$PWD/empty "$ttc" check asked.tt || fail "ttc check without qepcad fails"
 exit $status
