@@ -14,8 +14,18 @@ void ttc_valuation_bind_root(ttc_valuation *v, uint32_t symbol, ttc_id radicand)
 
 void ttc_valuation_name(ttc_valuation *v, uint32_t symbol, const char *name) { v->names[v->variable[symbol]] = name; }
 
-void ttc_valuation_free_root(ttc_valuation *v, uint32_t symbol) { v->freed[symbol] = true; }
+bool ttc_valuation_free(ttc_valuation *v, uint32_t symbol)
+{
+    if (v->variable[symbol] < 0) {
+        if (v->ring->next_spare == v->ring->variable_count) return false;
+        v->variable[symbol] = (slong)v->ring->next_spare++;
+    }
+    return v->freed[symbol] = true;
+}
+
 slong ttc_valuation_variable(const ttc_valuation *v, uint32_t symbol) { return v->variable[symbol]; }
+
+bool ttc_valuation_is_free(const ttc_valuation *v, uint32_t symbol) { return v->freed[symbol]; }
 
 bool ttc_valuation_has_value(const ttc_valuation *v, uint32_t symbol) { return v->known[symbol] == TTC_VALUE_KNOWN; }
 
@@ -50,9 +60,11 @@ static void defined_value(ttc_valuation *v, ttc_ratio *out, uint32_t symbol)
     } else if (v->square[symbol] != TTC_NONE) {
         ttc_evaluate(v, out, v->square[symbol]);
         ttc_ring_root(v->ring, out, out, v->variable[symbol], v->rooted[symbol]);
+    } else if (v->freed[symbol]) {
+        ttc_ratio_set_variable(v->ring, out, v->variable[symbol]);
     } else if (!spare && entry->kind == TTC_LET) {
         ttc_evaluate(v, out, entry->definition);
-    } else if (!spare && entry->kind == TTC_ROOT && !v->freed[symbol]) {
+    } else if (!spare && entry->kind == TTC_ROOT) {
         ttc_evaluate(v, out, entry->definition);
         ttc_ring_root(v->ring, out, out, v->variable[symbol], true);
     } else if (!spare && v->functions[entry->kind] != NULL) {

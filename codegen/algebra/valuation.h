@@ -22,6 +22,9 @@ enum { TTC_SPARE_SYMBOLS = 4, TTC_SPARE_VARIABLES = 12 };
  *  choices: see ttc_ring. Returns NULL when memory is out. The model must outlive the valuation. */
 ttc_valuation *ttc_valuation_create(const ttc_model *model, unsigned choices);
 
+/* Create a plain valuation, with a ring of its own, of the same model with the same bindings. Returns NULL when memory is out. */
+ttc_valuation *ttc_valuation_alike(const ttc_valuation *valuation, unsigned choices);
+
 /* Create a map into the ring of `base`, which must outlive it. Parameters, states and levels must be bound before they are used. */
 ttc_valuation *ttc_valuation_map(const ttc_model *model, ttc_valuation *base);
 void ttc_valuation_destroy(ttc_valuation *valuation); /* legal on NULL */
@@ -35,8 +38,10 @@ void ttc_valuation_bind_root(ttc_valuation *valuation, uint32_t symbol, ttc_id r
 /* Give a spare symbol a name for texts, which is borrowed; and get its name, NULL if it was given none. */
 void ttc_valuation_name(ttc_valuation *valuation, uint32_t symbol, const char *name);
 const char *ttc_valuation_name_of(const ttc_valuation *valuation, uint32_t symbol);
-/* Make a root a free variable, as a lifted root is a state. Call this before anything is evaluated. */
-void ttc_valuation_free_root(ttc_valuation *valuation, uint32_t symbol);
+/* Make a root or a let, unless it is bound, a free variable, as a lifted root is a state. Call this before anything is evaluated.
+ * Returns false, with nothing done, for a let for which there is no spare variable. */
+bool ttc_valuation_free(ttc_valuation *valuation, uint32_t symbol);
+bool ttc_valuation_is_free(const ttc_valuation *valuation, uint32_t symbol); /* true if ttc_valuation_free made it free */
 /* Do not evaluate a function, nor its definition, to choose a basis; only when its own value is used. */
 void ttc_valuation_withhold(ttc_valuation *valuation, uint32_t symbol);
 bool ttc_valuation_has_value(const ttc_valuation *valuation, uint32_t symbol); /* true if it has been evaluated */

@@ -2,6 +2,7 @@
 #include "algebra/valuation_state.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 /* Names that no quantity of a table can have. */
 static const char *const spare_names[TTC_SPARE_VARIABLES] = { "root[1]", "root[2]", "root[3]",  "root[4]",  "root[5]",  "root[6]",
@@ -90,6 +91,17 @@ ttc_valuation *ttc_valuation_create(const ttc_model *model, unsigned choices)
         if (model->symbols[i].kind == TTC_PI) v->ring->trust[v->variable[i]] = TTC_TRUST_SINGLE | TTC_TRUST_CONSTANT;
     for (size_t i = 0; i < v->symbol_count; i++) ttc_ratio_init(v->ring, &v->values[i]);
     return v;
+}
+
+ttc_valuation *ttc_valuation_alike(const ttc_valuation *v, unsigned choices)
+{
+    ttc_valuation *other = ttc_valuation_create(v->model, choices);
+    if (other == NULL) return NULL;
+    memcpy(other->bound, v->bound, v->symbol_count * sizeof *v->bound);
+    memcpy(other->square, v->square, v->symbol_count * sizeof *v->square);
+    memcpy(other->rooted, v->rooted, v->symbol_count * sizeof *v->rooted);
+    memcpy(other->withheld, v->withheld, v->symbol_count * sizeof *v->withheld);
+    return other;
 }
 
 ttc_valuation *ttc_valuation_map(const ttc_model *model, ttc_valuation *base)

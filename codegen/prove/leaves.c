@@ -27,13 +27,13 @@ static bool is_invariant(const ttc_task *task) { return task->claim->kind == TTC
 
 /* Returns true if all goals that were met are zero for the present signs of roots. A goal was met for some signs; other signs, for
  * which it is not zero, belong to other subcases. */
-static bool is_in_subcase(ttc_task *task, const ttc_subcase *b)
+static bool is_in_subcase(ttc_task *task)
 {
     bool zero = true;
     ttc_ratio value;
     ttc_ratio_init(task->ring, &value);
-    for (size_t i = 0; zero && i < b->met_count; i++) {
-        ttc_evaluate(task->field, &value, b->met[i]);
+    for (size_t i = 0; zero && i < task->met_count; i++) {
+        ttc_evaluate(task->field, &value, task->met[i]);
         zero = task->ring->status != TTC_RING_OK || ttc_ratio_is_zero(task->ring, &value);
     }
     ttc_ratio_clear(task->ring, &value);
@@ -118,7 +118,7 @@ static void visit(cover *c, const ttc_subcase *b)
             task->status = TTC_PROVED;
             task->remainder = NULL;
         }
-        bool is_here = is_in_subcase(task, b), has_points = is_here && look_for_point(c, b);
+        bool is_here = is_in_subcase(task), has_points = is_here && look_for_point(c, b);
         const bool is_known = !is_here || is_no_component(task, b) || (has_points && task->has_point);
         if (has_points) {
             place_leaf(task, b);
@@ -268,7 +268,7 @@ static void descend(cover *c, const ttc_subcase *b)
             ttc_task_unsettle(task, "its conditions fall into more than %d cases, or memory is out", (int)LEAF_LIMIT);
             return;
         }
-        if (is_in_subcase(task, b)) meet(c, b);
+        if (is_in_subcase(task)) meet(c, b);
         c->skipped += task->ring->has_sign_of_quotient;
         if (task->ring->choice_count > most) most = task->ring->choice_count;
         again = choices + 1 < 1u << most && !task->exhibited;

@@ -221,28 +221,6 @@ static size_t root_count(const ttc_model *model)
     return count;
 }
 
-/* With fewer than two roots the exact computation is as quick, and this returns false. */
-bool ttc_task_is_zero_for_any_roots(ttc_task *task, ttc_id id)
-{
-    const ttc_model *model = task->model;
-    ttc_ratio value;
-    if (root_count(model) < 2 || task->claim->modulo_count > 0) return false;
-    ttc_valuation *free_roots = ttc_valuation_create(model, 0);
-    if (free_roots == NULL) return false;
-    ttc_ring *ring = ttc_valuation_ring(free_roots);
-    for (uint32_t i = 0; i < model->symbol_count; i++)
-        if (model->symbols[i].kind == TTC_ROOT) ttc_valuation_free_root(free_roots, i);
-    for (size_t i = 0; i < task->claim->when.count; i++)
-        ttc_valuation_bind(free_roots, task->claim->when.items[i].symbol, task->claim->when.items[i].expression);
-    ttc_ratio_init(ring, &value);
-    ttc_evaluate(free_roots, &value, id);
-    /* Zero in form: whether functions depend on each other is left to the exact computation. */
-    bool zero = ring->status == TTC_RING_OK && ring->choice_count == 0 && fmpz_mpoly_is_zero(value.numerator, ring->context);
-    ttc_ratio_clear(ring, &value);
-    ttc_valuation_destroy(free_roots);
-    return zero;
-}
-
 /* Set a ball evaluator to a point, and bind the symbols of `when` to their expressions. Returns false if others are bound. */
 static bool set_ball(ttc_ball *ball, ttc_task *task, const ttc_witness *point)
 {

@@ -45,6 +45,8 @@ struct ttc_task {
     ttc_valuation *field;
     ttc_ring *ring;
     ttc_conditions domain;
+    const ttc_id *met; /* shape (met_count,): expressions that are zero on the leaf, which excludes some signs of roots */
+    size_t met_count;
     uint32_t shown;    /* roots and logarithms before this symbol are not in question, as their conditions were shown */
     bool has_left_out; /* `domain` lacks conditions that use symbols in question: a point found may violate them */
     bool has_point; /* a real point of the leaf is known */
@@ -120,8 +122,9 @@ const ttc_claim *ttc_task_family(const ttc_task *task);
 
 /* out = the entry of the Jacobian of the field. */
 void ttc_task_jacobian(ttc_task *task, ttc_ratio *out, size_t row, size_t column);
-/* A quick test: returns true if an expression is zero with all roots as independent variables. False means nothing. */
-bool ttc_task_is_zero_for_any_roots(ttc_task *task, ttc_id id);
+/* A quick test: returns true if an expression is zero on the leaf with all roots as independent variables, or with all definitions
+ * that divide by sums, as multipliers of constraints and reactions do. False means nothing. */
+bool ttc_task_is_zero_in_general(ttc_task *task, ttc_id id);
 /** Try to refute that an expression is zero at one point of the leaf in ball arithmetic, without algebra: for tables with so many
  *  roots that the remainder cannot be computed. Returns true if it is refuted. */
 bool ttc_task_refute_at_point(ttc_task *task, ttc_id id, const char *name);

@@ -23,6 +23,8 @@ bool ttc_subcase_open(ttc_task *task, const ttc_subcase *b, unsigned choices)
             ttc_valuation_bind_square(task->field, b->solutions[i].symbol, b->solutions[i].expression);
         else ttc_valuation_bind(task->field, b->solutions[i].symbol, b->solutions[i].expression);
     ttc_conditions_init(&task->domain, task->field);
+    task->met = b->met;
+    task->met_count = b->met_count;
     task->shown = 0;
     ttc_question_withhold(task);
     return true;

@@ -22,15 +22,6 @@ bool ttc_subcase_split(ttc_subcase *b, ttc_task *task, ttc_id sum)
     return true;
 }
 
-static ttc_id without_let(const ttc_task *task, ttc_id id)
-{
-    const ttc_model *model = task->model;
-    while (ttc_kind_of(model->graph, id) == TTC_SYMBOL && ttc_symbol_of(model->graph, id) < model->symbol_count &&
-           model->symbols[ttc_symbol_of(model->graph, id)].kind == TTC_LET)
-        id = model->symbols[ttc_symbol_of(model->graph, id)].definition;
-    return id;
-}
-
 /* The factor as the goal has it: the goal itself, if it has no other, or a part with the same zeros; TTC_NONE: as neither. */
 static ttc_id as_written(ttc_task *task, ttc_id goal, const fmpz_mpoly_t factor, bool is_alone)
 {
@@ -38,12 +29,12 @@ static ttc_id as_written(ttc_task *task, ttc_id goal, const fmpz_mpoly_t factor,
     ttc_id written = TTC_NONE;
     ttc_ratio value;
     fmpz_mpoly_t multiple;
-    goal = without_let(task, goal);
+    goal = ttc_model_without_lets(task->model, goal);
     if (ttc_kind_of(graph, goal) != TTC_PRODUCT) return is_alone ? goal : TTC_NONE;
     ttc_ratio_init(task->ring, &value);
     fmpz_mpoly_init(multiple, task->ring->context);
     for (size_t i = 0; i < ttc_part_count(graph, goal) && written == TTC_NONE; i++) {
-        const ttc_id part = without_let(task, ttc_part_at(graph, goal, i).id);
+        const ttc_id part = ttc_model_without_lets(task->model, ttc_part_at(graph, goal, i).id);
         ttc_evaluate(task->field, &value, part);
         if (fmpz_mpoly_divides(multiple, value.numerator, factor, task->ring->context) &&
             fmpz_mpoly_is_fmpz(multiple, task->ring->context))

@@ -329,6 +329,9 @@ const char *ttc_symbol_function(ttc_symbol_kind kind);
 /* Replace every `let` by its definition, recursively. Functions stay symbols. */
 ttc_id ttc_model_expand(const ttc_model *model, ttc_id id);
 
+/* An expression that is the name of a `let`: what stands behind it, and behind that, until it is none. */
+ttc_id ttc_model_without_lets(const ttc_model *model, ttc_id id);
+
 /* Returns true if an expression depends on a symbol, directly or through definitions; also when memory is out. */
 bool ttc_model_depends(const ttc_model *model, ttc_id id, uint32_t symbol);
 

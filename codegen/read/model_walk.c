@@ -106,6 +106,14 @@ unsigned char *ttc_model_support(const ttc_model *model, const ttc_id *ids, size
     return support;
 }
 
+ttc_id ttc_model_without_lets(const ttc_model *model, ttc_id id)
+{
+    while (ttc_kind_of(model->graph, id) == TTC_SYMBOL && ttc_symbol_of(model->graph, id) < model->symbol_count &&
+           model->symbols[ttc_symbol_of(model->graph, id)].kind == TTC_LET)
+        id = model->symbols[ttc_symbol_of(model->graph, id)].definition;
+    return id;
+}
+
 bool ttc_model_depends(const ttc_model *model, ttc_id id, uint32_t symbol)
 {
     unsigned char *support = ttc_model_support(model, &id, 1);

@@ -32,7 +32,7 @@ bool ttc_function_reading_open(ttc_function_reading *out, const ttc_model *model
     for (size_t k = 0; bound != NULL && k < bound->count; k++)
         for (size_t i = 0; i < bound->lists[k]->count; i++)
             ttc_valuation_bind(r.valuation, bound->lists[k]->items[i].symbol, bound->lists[k]->items[i].expression);
-    for (size_t i = model->state_count; lifted_free && i < input_count; i++) ttc_valuation_free_root(r.valuation, inputs[i]);
+    for (size_t i = model->state_count; lifted_free && i < input_count; i++) ttc_valuation_free(r.valuation, inputs[i]);
     r.inputs = make_ratios(r.ring, r.input_count = input_count);
     r.parameters = make_ratios(r.ring, r.parameter_count = parameter_count);
     r.input_is_given = calloc(input_count + 1, 1);

@@ -55,7 +55,7 @@ static void bind_field(ttc_valuation *valuation, const ttc_field *field, bool li
                            field->variant->bindings.items[i].expression);
     if (field->elimination != NULL) ttc_valuation_bind(valuation, field->elimination->state, field->elimination->solution);
     for (size_t i = 0; lifted_free && field->time != NULL && i < field->time->lifted_count; i++)
-        ttc_valuation_free_root(valuation, field->time->lifted[i]);
+        ttc_valuation_free(valuation, field->time->lifted[i]);
 }
 
 static bool open_reading(reading *r, const ttc_kernels *kernels, bool lifted_free)
