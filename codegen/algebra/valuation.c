@@ -19,6 +19,7 @@ bool ttc_valuation_free(ttc_valuation *v, uint32_t symbol)
     if (v->variable[symbol] < 0) {
         if (v->ring->next_spare == v->ring->variable_count) return false;
         v->variable[symbol] = (slong)v->ring->next_spare++;
+        v->names[v->variable[symbol]] = v->model->symbols[symbol].name;
     }
     return v->freed[symbol] = true;
 }

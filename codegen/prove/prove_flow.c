@@ -39,7 +39,8 @@ void ttc_prove_integral(ttc_task *task)
         ttc_task_require_kept(task, "an integral needs a set that is kept: use 'modulo' with an invariant");
     ttc_ratio_init(task->ring, &value);
     ttc_id rate = ttc_derive_field(task->model, claim->expression);
-    bool is_zero = ttc_task_open(task) && ttc_task_is_zero_in_general(task, rate);
+    char *form = NULL;
+    bool is_zero = ttc_task_open(task) && ttc_task_is_zero_in_general(task, rate, &form);
     ttc_evaluate(task->field, &value, claim->expression);
     const bool constant = ttc_task_open(task) && !ttc_task_moves(task, &value);
     task->varies |= !constant;
@@ -49,7 +50,9 @@ void ttc_prove_integral(ttc_task *task)
     if (!is_zero && !ttc_task_refute_at_point(task, rate, "the rate")) {
         ttc_evaluate(task->field, &value, rate);
         ttc_task_require_zero(task, &value, "d(%s)/dt", claim->name);
+        ttc_task_shorten(task, form);
     }
+    free(form);
     ttc_evaluate(task->field, &value, claim->expression);
     if (!task->is_thin) require_moving(task, &value);
     ttc_ratio_clear(task->ring, &value);
@@ -59,8 +62,11 @@ void ttc_prove_integral(ttc_task *task)
 static void require_sides(ttc_task *task, ttc_id left, ttc_id right, const char *what)
 {
     const ttc_id difference = ttc_subtract(task->model->graph, left, right);
-    if (!ttc_task_is_zero_in_general(task, difference) && !ttc_task_refute_at_point(task, difference, what))
+    char *form = NULL;
+    if (!ttc_task_is_zero_in_general(task, difference, &form) && !ttc_task_refute_at_point(task, difference, what))
         ttc_task_require_equal(task, task->field, left, task->field, right, "%s", what);
+    ttc_task_shorten(task, form);
+    free(form);
 }
 
 void ttc_prove_rate(ttc_task *task)

@@ -221,6 +221,12 @@ static size_t root_count(const ttc_model *model)
     return count;
 }
 
+void ttc_task_shorten(ttc_task *task, const char *form)
+{
+    char *value = task->status == TTC_REFUTED && task->remainder != NULL ? strstr(task->remainder, " = ") : NULL;
+    if (form != NULL && value != NULL && strlen(form) < strlen(value + 3)) strcpy(value + 3, form);
+}
+
 /* Set a ball evaluator to a point, and bind the symbols of `when` to their expressions. Returns false if others are bound. */
 static bool set_ball(ttc_ball *ball, ttc_task *task, const ttc_witness *point)
 {

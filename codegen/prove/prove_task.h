@@ -123,8 +123,11 @@ const ttc_claim *ttc_task_family(const ttc_task *task);
 /* out = the entry of the Jacobian of the field. */
 void ttc_task_jacobian(ttc_task *task, ttc_ratio *out, size_t row, size_t column);
 /* A quick test: returns true if an expression is zero on the leaf with all roots as independent variables, or with all definitions
- * that divide by sums, as multipliers of constraints and reactions do. False means nothing. */
-bool ttc_task_is_zero_in_general(ttc_task *task, ttc_id id);
+ * that divide by sums, as multipliers of constraints and reactions do. False means nothing; then `form` gets the expression by
+ * names of these definitions, for free(), or NULL. */
+bool ttc_task_is_zero_in_general(ttc_task *task, ttc_id id, char **form);
+/* In a refutation "what = value", show this form of the value if it is shorter; form: NULL, or text as above. */
+void ttc_task_shorten(ttc_task *task, const char *form);
 /** Try to refute that an expression is zero at one point of the leaf in ball arithmetic, without algebra: for tables with so many
  *  roots that the remainder cannot be computed. Returns true if it is refuted. */
 bool ttc_task_refute_at_point(ttc_task *task, ttc_id id, const char *name);

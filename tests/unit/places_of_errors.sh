@@ -103,4 +103,10 @@ printf '%s\n' 'model named' 'state root1' 'state y' 'eq root1 = 0' 'eq y = 0' 'i
     'equal apart : root1 = 0 modulo L' > named.tt
 expect 1 '' ttc prove named.tt
 grep -qF 'root1 = root[1] - 1/2, y = 1, root[1] = sqrt(13/4)' out || fail "a root that a point needs is called: $(grep at out)"
+
+# What is wrong with a claim is said in terms of a quotient that the table names, if that is shorter.
+printf '%s\n' 'model pushed' 'param k' 'state x' 'state u' 'let N = (1 + k*x^2)/(1 + x^2 + u^4)' 'eq x = u' 'eq u = -x - N*u' \
+    'integral E = (x^2 + u^2)/2' > pushed.tt
+expect 1 '' ttc prove pushed.tt
+grep -qF 'd(E)/dt = -u^2*N' out || fail "the rate of E is said as: $(grep 'd(E)' out)"
 exit $status
