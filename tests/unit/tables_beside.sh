@@ -63,6 +63,12 @@ for time in first second; do
     grep -q 'reduction level is not proved' err || fail "the $time run does not name the reduction: $(cat err)"
 done
 
+# A scene, which names coordinates of the section that is lost, is told why it is.
+anew
+sed -i '/^eq v_nu =/a \    + v_nu/10' spherical_top_level.tt
+echo 'model = "./spherical_top.tt"; compute = ( { what = "section"; start = { eta = 0.1; gamma3 = -0.6; }; } );' > lost.scene
+expect 3 'reduction level is not proved of this table' jellett run lost.scene
+
 # A file that is broken is told of while it is there.
 anew
 echo 'garbage here' >> spherical_top_level.tt
