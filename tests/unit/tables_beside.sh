@@ -69,6 +69,11 @@ sed -i '/^eq v_nu =/a \    + v_nu/10' spherical_top_level.tt
 echo 'model = "./spherical_top.tt"; compute = ( { what = "section"; start = { eta = 0.1; gamma3 = -0.6; }; } );' > lost.scene
 expect 3 'reduction level is not proved of this table' jellett run lost.scene
 
+# So is a command, also which table's claim it is.
+anew
+sed -i 's/ at omega_tau = 0 with/ at omega_tau = 1\/10 with/' spherical_top_level.tt
+expect 3 'section turning is not proved of spherical_top_level: ' jellett section ./spherical_top.tt "${section[@]}"
+
 # A file that is broken is told of while it is there.
 anew
 echo 'garbage here' >> spherical_top_level.tt
