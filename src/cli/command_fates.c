@@ -180,20 +180,38 @@ static jlt_exit read_sweep(jlt_grid_axis *axes, size_t *count, size_t *all, cons
     return JLT_EXIT_DONE;
 }
 
-/* The context of write_shares: what a sweep's rows need, and totals over all points. */
+/* The context of write_shares: what a sweep's rows need, and totals over all points. waiting: points without starts whose rows are
+ * not written, as there was no start before them; outside: points at which the model's parameters have no meaning. */
 typedef struct {
     const options *o;
     const jlt_system *base;
-    size_t axes, starts, outside; /* outside: points at which the model's parameters have no meaning */
+    size_t axes, starts, waiting, outside;
     jlt_failures failures;
 } share_rows;
+
+/* Write the header, and the rows that wait. */
+static void begin_rows(share_rows *self)
+{
+    const jlt_common *common = &self->o->motion.common;
+    double at[JLT_FAMILY_AXES_MAX];
+
+    jlt_motion_header(common->table.file, &self->o->motion, self->base);
+    jlt_fates_table_share_names(common->table.file, self->base, self->o->motion.swept, self->axes);
+    for (size_t i = 0; i < self->waiting; i++) {
+        jlt_grid_point(at, self->o->motion.swept, self->axes, i);
+        jlt_fates_table_shares(common->table.file, common->points, self->base, at, self->axes, &(jlt_shares){ .empty = 0 });
+    }
+}
 
 static void write_shares(void *context, const jlt_fates_crowd_place *place)
 {
     share_rows *self = context;
     const jlt_common *common = &self->o->motion.common;
 
+    if (self->starts == 0 && place->sum.all.starts > 0) begin_rows(self);
     self->starts += place->sum.all.starts;
+    self->waiting += self->starts == 0;
+    if (self->starts == 0) return;
     jlt_failures_join(&self->failures, &place->sum.all.failures);
     jlt_fates_table_shares(common->table.file, common->points, self->base, place->values, self->axes, &place->sum);
 }
@@ -233,23 +251,22 @@ static jlt_exit sweep(options *o, const jlt_system *base, size_t all)
     jlt_exit code;
 
     JLT_PASS(jlt_motion_family_open(&family, base, &o->motion, axes, rows.axes, "--sweep"));
-    jlt_motion_header(common->table.file, &o->motion, base);
-    jlt_fates_table_share_names(common->table.file, base, axes, rows.axes);
     jlt_progress_start(&progress, "starts");
     crowd.progress = &progress;
     code = follow_points(&crowd, &family, axes, rows.axes, &rows);
     jlt_progress_end(&progress);
-    if (code == JLT_EXIT_DONE) code = jlt_common_save(common);
+    const bool has_rows = rows.starts > 0 || axes[0].part > 0 || jlt_motion_interrupted(&o->motion);
+    if (code == JLT_EXIT_DONE && !has_rows && rows.outside == 0) return jlt_motion_fail(JLT_ERR_EMPTY, base, "--sweep");
+    if (code == JLT_EXIT_DONE && has_rows && rows.starts == 0) begin_rows(&rows);
+    if (code == JLT_EXIT_DONE && has_rows) code = jlt_common_save(common);
     if (code == JLT_EXIT_DONE && jlt_motion_interrupted(&o->motion))
         fprintf(stderr, "jellett: interrupted; the whole rows so far are saved in %s\n", common->table.path);
     if (code == JLT_EXIT_DONE) jlt_fates_crowd_tell(&crowd, rows.starts);
-    if (code == JLT_EXIT_DONE && common->plot != NULL) code = draw_sweep(o, base, &axes[0]);
+    if (code == JLT_EXIT_DONE && has_rows && common->plot != NULL) code = draw_sweep(o, base, &axes[0]);
     if (code == JLT_EXIT_DONE) code = jlt_motion_failures(base, &rows.failures, rows.starts);
     if (code == JLT_EXIT_DONE && rows.outside > 0)
         return jlt_command_fail(JLT_EXIT_INPUT, "%zu of %zu points are outside the model's domain, and have no starts",
                                 rows.outside, all);
-    if (code == JLT_EXIT_DONE && rows.starts == 0 && axes[0].part == 0 && !jlt_motion_interrupted(&o->motion))
-        code = jlt_motion_fail(JLT_ERR_EMPTY, base, "--sweep");
     return code;
 }
 

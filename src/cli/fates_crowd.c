@@ -49,7 +49,7 @@ static jlt_exit count_start(jlt_fates_crowd *self, size_t i)
     jlt_return last;
     jlt_status st = jlt_section_batch_last(self->batch, &last, i);
 
-    if (self->index[i] >= motion->start_count && (st == JLT_ERR_EMPTY || st == JLT_ERR_DOMAIN)) {
+    if ((self->done != NULL || self->index[i] >= motion->start_count) && (st == JLT_ERR_EMPTY || st == JLT_ERR_DOMAIN)) {
         place->sum.empty++;
         return JLT_EXIT_DONE;
     }

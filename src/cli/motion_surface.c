@@ -168,6 +168,7 @@ static jlt_exit refuse_broken(const jlt_surface *surface, const jlt_claim *broke
 {
     const jlt_descriptor *table = surface->table;
     const bool unfollowed = broken->verdict == JLT_PROVED && tell_unfollowed(asked, broken, table->family[0]);
+    const bool is_there = strcmp(broken->kind, "section") == 0 && strcmp(table->sha256, asked->sha256) != 0;
     bool told = false;
     char own[OWN_SECTION];
 
@@ -178,7 +179,8 @@ static jlt_exit refuse_broken(const jlt_surface *surface, const jlt_claim *broke
         told = true;
     }
     if (!unfollowed && !told)
-        jlt_command_fail(JLT_EXIT_INPUT, "%s %s is not proved of this table: %s", broken->kind, broken->name, broken->reason);
+        jlt_command_fail(JLT_EXIT_INPUT, "%s %s is not proved of %s: %s", broken->kind, broken->name,
+                         is_there ? table->model : "this table", broken->reason);
     return jlt_command_fail(JLT_EXIT_INPUT, "there is no section %s, then: ask for one of the table itself, %s, with all "
                                             "other states as coordinates (--level and --solve leave fewer)",
                             surface->section->name, own_section(own, surface));

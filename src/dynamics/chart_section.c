@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "dynamics/linear.h"
+#include "kernel/descriptor.h"
 
 enum { Q = JLT_CHART_COORDINATES_MAX };
 
@@ -315,7 +316,7 @@ jlt_status jlt_chart_section_init(jlt_chart_section *out, const jlt_descriptor *
     out->base.lift = lift;
     out->base.lower = lower;
     out->base.flux = flux;
-    out->base.side = table->pole_count > 0 ? side : NULL;
+    out->base.side = jlt_descriptor_has_poles(table) ? side : NULL;
     find_periods(out);
     find_reversor(out);
     return JLT_OK;

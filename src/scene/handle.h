@@ -8,6 +8,7 @@
  *      jlt_handle_section_destroy(section);
  *
  *  model: the name of a built-in model, or the path, with a slash, of a shared object made by `ttc build`; objects stay loaded.
+ *  Tables beside an object's table are not read: those to which proofs of it lead, and their sections, are the built-in ones.
  *  names and values, shape (count,): the values that differ from the defaults, in any order; names may be NULL if count is 0.
  *  tolerance: of a step, as in integrate/method.h; 0: 1e-12. A fate is an integer that says how an orbit ended: 0 means that it has
  *  not, and jlt_section_fate_name(fate) in dynamics/section.h gives its name. One thread at a time may use a handle; different

@@ -99,12 +99,22 @@ static void meet_all(names *self, const jlt_value_reader *r, const jlt_key *key)
     if (levels && plane) meet_integrals(self, model);
 }
 
+/* Whether the key takes coordinates of a section that no table describes: the command, which needs it, says why there is none. */
+static bool lacks_section(const jlt_value_reader *r, const jlt_key *key)
+{
+    const jlt_claim *broken;
+    jlt_surface surface;
+
+    return (key->names & JLT_NAMES_COORDINATES) != 0 && r->section == NULL
+           && jlt_surface_find(&surface, &broken, r->model, &r->others, r->named) != JLT_OK;
+}
+
 static jlt_status check_word(const jlt_value_reader *r, const config_setting_t *at, const jlt_key *key, const char *word)
 {
     char text[256] = "";
     names sought = { .word = word }, known = { .list = text, .size = sizeof text };
 
-    if (key->names == JLT_NAMES_ANY && key->words == NULL) return JLT_OK;
+    if ((key->names == JLT_NAMES_ANY && key->words == NULL) || lacks_section(r, key)) return JLT_OK;
     meet_all(&sought, r, key);
     if (sought.found) return JLT_OK;
     meet_all(&known, r, key);

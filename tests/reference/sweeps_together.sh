@@ -48,6 +48,10 @@ for lanes in 2 4 8; do
 done
 unset JELLETT_LANES
 
+# Of a point whose states do not include the start there is a row as of one without states.
+rows empty.csv fates --start eta=0.1,gamma3=0.9 --sweep E=-1:2:3 --returns 2
+[ "$(cut -d, -f1,2 empty.csv | tr '\n' ' ')" = "E,starts -1,0 0.5,0 2,1 " ] || fail "points without starts: $(cat empty.csv)"
+
 # An orbit of a sweep is followed as one of many: at one of its points alone, as that of a grid.
 rows all_of_them.csv section --start eta=0.1,gamma3=-0.6 --returns 10 --sweep a3=-0.2:0.2:5
 grep -q '^# many orbits at once by stepanov10 on ' all.csv || fail "the header of a sweep does not tell the method"

@@ -38,6 +38,9 @@ refuse 4 "finds no periodic orbit from eta=1,gamma3=0.9, where .* the other way"
 refuse 3 "gamma3 must lie" jellett section --start "$point" --start eta=0,gamma3=2
 refuse 3 "--grid: no state has these levels" jellett section --grid eta=0,gamma3=2:3:3 --output rows
 refuse 3 "--grid: no state has these levels" jellett fates --grid eta=0,gamma3=2:3:3 --output rows
+refuse 3 "--sweep: no state has these levels" jellett fates --grid 2x2 --sweep E=-5:-4:2 --output rows
+refuse 3 "--sweep: no state has these levels" jellett fates --start eta=0.1,gamma3=0.9 --sweep E=0.35:0.5:2 --plot rows.svg
+refuse 3 "2 of 2 points are outside the model's domain" jellett fates --grid 2x2 --sweep m=-5:-4:2 --output rows
 refuse 3 "no coordinate 'x'" jellett section --grid x=0:1:3
 refuse 3 "G = 0" jellett rod --start gamma3=0.2,v_nu=0,omega_tau=0,omega_n=0,omega3=0
 refuse 2 "say where to start" jellett lyapunov lorenz --section z=27

@@ -63,6 +63,17 @@ for time in first second; do
     grep -q 'reduction level is not proved' err || fail "the $time run does not name the reduction: $(cat err)"
 done
 
+# A scene, which names coordinates of the section that is lost, is told why it is.
+anew
+sed -i '/^eq v_nu =/a \    + v_nu/10' spherical_top_level.tt
+echo 'model = "./spherical_top.tt"; compute = ( { what = "section"; start = { eta = 0.1; gamma3 = -0.6; }; } );' > lost.scene
+expect 3 'reduction level is not proved of this table' jellett run lost.scene
+
+# So is a command, also which table's claim it is.
+anew
+sed -i 's/ at omega_tau = 0 with/ at omega_tau = 1\/10 with/' spherical_top_level.tt
+expect 3 'section turning is not proved of spherical_top_level: ' jellett section ./spherical_top.tt "${section[@]}"
+
 # A file that is broken is told of while it is there.
 anew
 echo 'garbage here' >> spherical_top_level.tt
@@ -102,6 +113,10 @@ for what in "section --returns 9" "drift --returns 9 --method gauss" "fates"; do
 done
 expect 0 '^E,starts,lost_contact,equilibrium,left_domain,alive,budget,failed,contact_held$' \
     jellett fates ./spherical_top.tt --grid 3x3 --sweep E=1:2:2
+# Where the pole is named but not proved, as for a time of which ttc cannot tell that it comes there, no orbit ends at it.
+anew
+sed -i 's/^time regular : s lifting s/time regular : s^2 lifting s/' spherical_top.tt spherical_top_level.tt
+expect 0 '^-2,0.5,left_domain' jellett fates ./spherical_top.tt --start eta=-2,gamma3=0.5
 anew
 sed -i -e 's/^state gamma3 in/state c in/' -e 's/^root s = .*/let gamma3 = -c\nroot s = sqrt(1 - c^2)/' \
     -e 's/^eq gamma3 =/eq c =/' -e 's/^    + s\*omega_tau$/    - s*omega_tau/' -e 's/^pole gamma3/pole c/' \
