@@ -59,7 +59,8 @@ static const struct argp parser = {
     option_table, parse, "[MODEL]",
     "Compute the Lyapunov exponents of the section's map, per unit of time, with the history of their convergence; or a chart "
     "of finite-time exponents over the section. The exponents of the flow's direction and across the levels are zero, and are "
-    "left out."
+    "left out. Where the section stands in a smaller table that the model reduces onto, exponents and divergence are those of "
+    "that table's states: the states that it lacks have further ones, which need not be zero."
     "\vColumns of a history:\n"
     "  return, t         number of returns, and time; at powers of two, and at\n"
     "                    quarters between them\n"

@@ -1,5 +1,6 @@
 #include "dynamics/homoclinic.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -8,8 +9,9 @@
 
 static const double pi = 3.14159265358979323846;
 
-/* A crossing's residual is at most this. Below it Newton's method, which squares residuals, has reached the errors of the map once
- * a trial gains less than a factor of 8; more trials would only pick the luckiest of those errors. */
+/* A crossing's residual is at most this, and what errors of one F move its points along the branches. Below it Newton's method,
+ * which squares residuals, has reached the errors of the map once a trial gains less than a factor of 8; more trials would only
+ * pick the luckiest of those errors. */
 static const double small_residual = 1e-8;
 
 /* Whether the segments p + a u and r + b w, 0 <= a, b < 1, meet; sets a and b. */
@@ -32,6 +34,7 @@ static bool segments_cross(const jlt_chart *chart, double *a, double *b, const d
 typedef struct {
     jlt_homoclinic best;
     double sigma[2]; /* of the next trial, on the unstable and on the stable branch */
+    double sway;     /* by how much errors of one F move the points of `best` along the branches */
     double enough;   /* iteration ends at a residual that is not above this */
     bool has_twin;   /* its mirror image is another crossing of the same branches */
     bool goes_on;
@@ -44,17 +47,23 @@ static void begin_refinement(refinement *self, const jlt_homoclinic *at)
     self->best.residual = INFINITY;
 }
 
+static double scaled_length(const double *v, const jlt_chart *chart)
+{
+    return hypot(ldexp(v[0], -chart->scale[0]), ldexp(v[1], -chart->scale[1]));
+}
+
 /* By how much a tangent's direction turns, in section coordinates, for a unit of error across it, in scaled ones. */
 static double turn_of(const double *tangent, const jlt_chart *chart)
 {
-    const double scaled = hypot(ldexp(tangent[0], -chart->scale[0]), ldexp(tangent[1], -chart->scale[1]));
-    const double ratio = scaled / hypot(tangent[0], tangent[1]);
+    const double ratio = scaled_length(tangent, chart) / hypot(tangent[0], tangent[1]);
 
     return ldexp(ratio * ratio, chart->scale[0] + chart->scale[1]);
 }
 
-/* Judge a trial by its points and tangents, shape (2, 2) each, on the unstable and on the stable branch, and set the next trial. */
-static void take_step(refinement *self, const jlt_chart *chart, const double q[2][2], const double tangent[2][2])
+/* Judge a trial by its points and tangents, shape (2, 2) each, on the unstable and on the stable branch, and set the next trial.
+ * unseen: of either branch, the piece of sigma that shows errors alone. */
+static void take_step(refinement *self, const jlt_chart *chart, const double q[2][2], const double tangent[2][2],
+                      const double unseen[2])
 {
     const double *du = tangent[0], *ds = tangent[1], cross = du[0] * ds[1] - du[1] * ds[0];
     const double inner = du[0] * ds[0] + du[1] * ds[1];
@@ -62,10 +71,11 @@ static void take_step(refinement *self, const jlt_chart *chart, const double q[2
     double gap[2];
 
     jlt_chart_difference(chart, gap, q[1], q[0]);
-    const double residual = hypot(ldexp(gap[0], -chart->scale[0]), ldexp(gap[1], -chart->scale[1]));
+    const double residual = scaled_length(gap, chart);
     self->goes_on = residual < best->residual * (residual > small_residual ? 1 : 0.125) && residual > self->enough;
     if (!(residual < best->residual)) return;
     best->residual = residual;
+    self->sway = unseen[0] * scaled_length(du, chart) + unseen[1] * scaled_length(ds, chart);
     best->sigma_unstable = self->sigma[0];
     best->sigma_stable = self->sigma[1];
     memcpy(best->q, q[0], sizeof best->q);
@@ -111,6 +121,8 @@ static jlt_status make_trials(trials *self, size_t count)
 static jlt_status refine(refinement *list, size_t count, const jlt_branch *const branches[2], jlt_map_batch *maps, int iterations)
 {
     const jlt_chart *chart = jlt_map_batch_flow(maps)->chart;
+    const double error = fmax(jlt_map_batch_tolerance(maps), 64 * DBL_EPSILON);
+    const double unseen[] = { jlt_branch_blur(branches[0], error), jlt_branch_blur(branches[1], error) };
     trials t;
     jlt_status st = make_trials(&t, count);
 
@@ -134,7 +146,7 @@ static jlt_status refine(refinement *list, size_t count, const jlt_branch *const
                 memcpy(q[k], t.q + 2 * (k * going + i), sizeof q[k]);
                 memcpy(tangent[k], t.tangent + 2 * (k * going + i), sizeof tangent[k]);
             }
-            if (at->goes_on) take_step(at, chart, (const double(*)[2])q, (const double(*)[2])tangent);
+            if (at->goes_on) take_step(at, chart, (const double(*)[2])q, (const double(*)[2])tangent, unseen);
         }
     }
     for (size_t i = 0; i < count; i++)
@@ -304,7 +316,7 @@ jlt_status jlt_homoclinic_find(jlt_homoclinic **points, size_t *count, size_t *t
         const size_t first = kept, end = candidates - seen < JLT_HOMOCLINIC_ROW ? candidates : seen + JLT_HOMOCLINIC_ROW;
         JLT_PASS(refine(list + seen, end - seen, branches, fine, 12));
         for (; seen < end; seen++) {
-            if (list[seen].status != JLT_OK || list[seen].best.residual > small_residual) {
+            if (list[seen].status != JLT_OK || list[seen].best.residual > small_residual + list[seen].sway) {
                 apart += list[seen].has_twin ? 2 : 1;
                 continue;
             }

@@ -84,7 +84,8 @@ static error_t parse(int key, char *value, struct argp_state *state)
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
     "The balanced sphere (a3 = 0): compute the flow on the surface M^2 where E, G and F0 have given values: its fixed points in "
-    "closed form, their stability by (4.5) of the paper, orbits, and a picture."
+    "closed form, their stability by (4.5) of the paper, orbits, and a picture. Whether "
+    "conditions of the model hold on the way is not looked at: `jellett simulate` tells."
     "\vColumns, one row a fixed point:\n"
     "  gamma3, v_nu, omega3: states of the fixed point\n"
     "  psi               angle of the horizontal angular momentum about the contact\n"

@@ -49,7 +49,8 @@ static const struct argp_child children[] = { { &jlt_session_argp, 0, NULL, 0 },
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
     "The limiting case I3 = 0 of the spherical top, by quadratures: compute the turning points and period of gamma3, and the "
-    "rotation number, which is the turns of (v_nu, v_tau) in a period. Where E1 = 0, every orbit has this period."
+    "rotation number, which is the turns of (v_nu, v_tau) in a period. Where E1 = 0, every orbit has this period. "
+    "Whether conditions of the model hold on the way, such as contact, is not looked at: `jellett simulate` tells."
     "\vColumns:\n"
     "  STATE, PARAM      the values of --sweep\n"
     "  E1, E2, G         the integrals\n"

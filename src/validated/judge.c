@@ -29,9 +29,15 @@ jlt_certificate_report jlt_judge_failure(jlt_status status)
 
 jlt_certificate_report jlt_judge_failure_along(jlt_status status)
 {
-    return status != JLT_ERR_DOMAIN ? jlt_judge_failure(status)
-                                    : refused("the orbit is not shown to stay in the domain of its table (where it does, try "
-                                              "another radius, or more digits)");
+    switch (status) {
+    case JLT_ERR_DOMAIN:
+        return refused("the orbit is not shown to stay in the domain of its table (where it does, try another radius, or more "
+                       "digits)");
+    case JLT_ERR_NO_CONVERGENCE:
+        return refused("a leg of the orbit is not shown to end at one crossing of the section, in its direction (where it does, "
+                       "try another radius, or more digits)");
+    default: return jlt_judge_failure(status);
+    }
 }
 
 static const char still[] = "a leg of the orbit is not shown to take time: it may end where it begins (its instant is to lie near "
