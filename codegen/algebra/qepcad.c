@@ -204,8 +204,7 @@ static bool finds_none(Z3_context z3, const ttc_ring *ring, const Z3_ast *condit
         if (by_roots) move_roots(ring, order);
         while (used < ring->variable_count && order[used].terms > 0) used++;
         write_question(question, z3, conditions, count, order, used > 0 ? used : 1);
-        rewind(question);
-        if (!ferror(question)) run(question, answer, seconds);
+        if (fflush(question) == 0 && !ferror(question) && fseek(question, 0, SEEK_SET) == 0) run(question, answer, seconds);
         none = says_false(answer);
     }
     if (answer != NULL) fclose(answer);
