@@ -179,14 +179,16 @@ static bool says_false(FILE *answer)
 {
     static const char *const doubts[] = { "rror", "ERROR", "arning", "WARNING", "not be valid" };
     static const char before[] = "An equivalent quantifier-free formula:";
-    char line[256];
+    char *line = NULL;
+    size_t size = 0;
     bool found = false, doubtful = false, none = false;
     rewind(answer);
-    while (fgets(line, sizeof line, answer) != NULL) {
+    while (getline(&line, &size, answer) > 0) {
         for (size_t i = 0; i < sizeof doubts / sizeof *doubts; i++) doubtful |= strstr(line, doubts[i]) != NULL;
         none |= found && strcmp(line, "FALSE\n") == 0;
         found |= strncmp(line, before, sizeof before - 1) == 0;
     }
+    free(line);
     return none && !doubtful;
 }
 
