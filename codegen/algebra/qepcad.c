@@ -179,14 +179,16 @@ static bool says_false(FILE *answer)
 {
     static const char *const doubts[] = { "rror", "ERROR", "arning", "WARNING", "not be valid" };
     static const char before[] = "An equivalent quantifier-free formula:";
-    char line[256];
+    char *line = NULL;
+    size_t size = 0;
     bool found = false, doubtful = false, none = false;
     rewind(answer);
-    while (fgets(line, sizeof line, answer) != NULL) {
+    while (getline(&line, &size, answer) > 0) {
         for (size_t i = 0; i < sizeof doubts / sizeof *doubts; i++) doubtful |= strstr(line, doubts[i]) != NULL;
         none |= found && strcmp(line, "FALSE\n") == 0;
         found |= strncmp(line, before, sizeof before - 1) == 0;
     }
+    free(line);
     return none && !doubtful;
 }
 
@@ -204,8 +206,7 @@ static bool finds_none(Z3_context z3, const ttc_ring *ring, const Z3_ast *condit
         if (by_roots) move_roots(ring, order);
         while (used < ring->variable_count && order[used].terms > 0) used++;
         write_question(question, z3, conditions, count, order, used > 0 ? used : 1);
-        rewind(question);
-        if (!ferror(question)) run(question, answer, seconds);
+        if (fflush(question) == 0 && !ferror(question) && fseek(question, 0, SEEK_SET) == 0) run(question, answer, seconds);
         none = says_false(answer);
     }
     if (answer != NULL) fclose(answer);

@@ -109,33 +109,20 @@ void ttc_task_refute_at(ttc_task *task, char *point, const ttc_ratio *remainder,
     va_end(arguments);
 }
 
-/* Returns true if the denominator of a ratio vanishes at no point of the leaf: where it does, a zero numerator says nothing. */
-static bool denominator_is_safe(ttc_task *task, const ttc_ratio *ratio)
-{
-    ttc_ratio bottom;
-    ttc_ratio_init(task->ring, &bottom);
-    ttc_ratio_set_polynomial(task->ring, &bottom, ratio->denominator);
-    ttc_search_result result = ttc_task_search(task, &bottom, TTC_IS_ZERO, NULL);
-    ttc_ratio_clear(task->ring, &bottom);
-    return result == TTC_POINT_IMPOSSIBLE || result == TTC_POINT_EXCLUDED;
-}
-
 static void require_zero(ttc_task *task, const ttc_ratio *remainder, const char *format, va_list arguments)
 {
     char *point = NULL;
     /* Zero in form is enough; that it is not zero is shown at a point, whatever is known of exponentials and logarithms. */
     if (!ttc_task_open(task) || fmpz_mpoly_is_zero(remainder->numerator, task->ring->context)) return;
-    ttc_search_result result = ttc_task_search(task, remainder, TTC_IS_NONZERO, &point);
-    bool excluded = result == TTC_POINT_IMPOSSIBLE || result == TTC_POINT_EXCLUDED;
-    if (excluded && denominator_is_safe(task, remainder)) return;
+    ttc_search_result result = ttc_task_search_against(task, remainder, TTC_IS_ZERO, &point);
+    if (result == TTC_POINT_IMPOSSIBLE || result == TTC_POINT_EXCLUDED) return;
     char *what = with_value(task, format_text(format, arguments), remainder);
     if (result == TTC_POINT_FOUND) {
         settle(task, TTC_REFUTED, what, point);
         return;
     }
-    ttc_task_unsettle(task, "%s, which is not zero identically; %s", what == NULL ? "" : what,
-                      excluded ? "points at which it has no value were not examined"
-                               : "no point of the domain was found at which it is not zero");
+    ttc_task_unsettle(task, "%s, which is not zero identically; no point of the domain was found at which it is not zero",
+                      what == NULL ? "" : what);
     free(what);
 }
 

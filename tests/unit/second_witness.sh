@@ -37,6 +37,10 @@ other 'printf "Warning! The projection may not be valid.\nAn equivalent quantifi
 verdicts "not settled,proved"
 other 'printf "FALSE\n"'
 verdicts "not settled,proved"
+other 'printf "An equivalent quantifier-free formula:\n\n%0255dFALSE\n" 0'
+verdicts "not settled,proved"
+other 'printf "An equivalent quantifier-free formula:\n%0252dError\n\nFALSE\n" 0'
+verdicts "not settled,proved"
 other 'kill -9 $$'
 verdicts "not settled,proved"
 other 'while :; do :; done'
