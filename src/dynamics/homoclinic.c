@@ -9,10 +9,10 @@
 
 static const double pi = 3.14159265358979323846;
 
-/* A crossing's residual is at most this, and what errors of one F move its points along the branches. Below it Newton's method,
- * which squares residuals, has reached the errors of the map once a trial gains less than a factor of 8; more trials would only
- * pick the luckiest of those errors. */
-static const double small_residual = 1e-8;
+/* A crossing's residual is at most this, and what rounding in one F moves its points along transverse branches. Below it Newton's
+ * method, which squares residuals, has reached the errors of the map once a trial gains less than a factor of 8; more trials would
+ * only pick the luckiest of those errors. */
+static const double small_residual = 1e-8, rounding = 512 * DBL_EPSILON;
 
 /* Whether the segments p + a u and r + b w, 0 <= a, b < 1, meet; sets a and b. */
 static bool segments_cross(const jlt_chart *chart, double *a, double *b, const double *p, const double *p_next,
@@ -34,7 +34,7 @@ static bool segments_cross(const jlt_chart *chart, double *a, double *b, const d
 typedef struct {
     jlt_homoclinic best;
     double sigma[2]; /* of the next trial, on the unstable and on the stable branch */
-    double sway;     /* by how much errors of one F move the points of `best` along the branches */
+    double sway;     /* by how much rounding in one F moves the points of `best` along the branches, times the sine between them */
     double enough;   /* iteration ends at a residual that is not above this */
     bool has_twin;   /* its mirror image is another crossing of the same branches */
     bool goes_on;
@@ -61,7 +61,7 @@ static double turn_of(const double *tangent, const jlt_chart *chart)
 }
 
 /* Judge a trial by its points and tangents, shape (2, 2) each, on the unstable and on the stable branch, and set the next trial.
- * unseen: of either branch, the piece of sigma that shows errors alone. */
+ * unseen: of either branch, the piece of sigma that shows rounding alone. */
 static void take_step(refinement *self, const jlt_chart *chart, const double q[2][2], const double tangent[2][2],
                       const double unseen[2])
 {
@@ -75,12 +75,12 @@ static void take_step(refinement *self, const jlt_chart *chart, const double q[2
     self->goes_on = residual < best->residual * (residual > small_residual ? 1 : 0.125) && residual > self->enough;
     if (!(residual < best->residual)) return;
     best->residual = residual;
-    self->sway = unseen[0] * scaled_length(du, chart) + unseen[1] * scaled_length(ds, chart);
     best->sigma_unstable = self->sigma[0];
     best->sigma_stable = self->sigma[1];
     memcpy(best->q, q[0], sizeof best->q);
     best->turn = turn_of(du, chart) + turn_of(ds, chart);
     best->angle = inner > 0 || (inner == 0 && cross > 0) ? atan2(cross, inner) : atan2(-cross, -inner);
+    self->sway = fabs(sin(best->angle)) * (unseen[0] * scaled_length(du, chart) + unseen[1] * scaled_length(ds, chart));
     /* u + du x = s + ds y */
     self->sigma[0] += (gap[0] * ds[1] - gap[1] * ds[0]) / cross;
     self->sigma[1] += (gap[0] * du[1] - gap[1] * du[0]) / cross;
@@ -121,8 +121,7 @@ static jlt_status make_trials(trials *self, size_t count)
 static jlt_status refine(refinement *list, size_t count, const jlt_branch *const branches[2], jlt_map_batch *maps, int iterations)
 {
     const jlt_chart *chart = jlt_map_batch_flow(maps)->chart;
-    const double error = fmax(jlt_map_batch_tolerance(maps), 64 * DBL_EPSILON);
-    const double unseen[] = { jlt_branch_blur(branches[0], error), jlt_branch_blur(branches[1], error) };
+    const double unseen[] = { jlt_branch_blur(branches[0], rounding), jlt_branch_blur(branches[1], rounding) };
     trials t;
     jlt_status st = make_trials(&t, count);
 

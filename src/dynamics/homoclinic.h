@@ -31,7 +31,7 @@ typedef struct {
  *  equations. Out: *points, shape (*count,), sorted along the unstable branch, for the caller to free(); NULL and 0 when there are
  *  none. *touching, unless NULL: the number of crossings that are left out as the branches may only touch there: the angle is 0
  *  within its error, or so small that the point's position is not known to JLT_MANIFOLD_FINEST; and of crossings of the polygons
- *  from which Newton's method does not come to a residual of 1e-8 and what errors of one return make on the branches, and behind
+ *  from which Newton's method does not come to a residual of 1e-8 and what rounding in one return makes on them, and behind
  *  JLT_HOMOCLINIC_ROW others none of which is one of the branches.
  *  In: mirrored, the stable branch and its polygon are the images of the unstable ones under the chart's reversor, so that
  *  crossings come in pairs, of which one is refined; fine, maps of the branches' section; coarse, the same maps at ten times the

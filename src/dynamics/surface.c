@@ -24,13 +24,13 @@ static const surface_system *of(const jlt_system *system) { return (const surfac
 
 /* ---- which section ---- */
 
-/* The general field of the model in the time that lifts most roots. */
+/* The general field of the model in the proved time that lifts most roots. */
 static const jlt_descriptor *widest(const jlt_descriptor *general)
 {
     const jlt_descriptor *best = general;
 
     for (const jlt_descriptor *const *d = general->family; *d != NULL; d++)
-        if ((*d)->section_count > 0 && (*d)->state_count > best->state_count) best = *d;
+        if ((*d)->section_count > 0 && (*d)->state_count > best->state_count && jlt_descriptor_doubted_field(*d) == NULL) best = *d;
     return best;
 }
 

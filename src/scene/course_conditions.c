@@ -62,6 +62,30 @@ static double break_within(jlt_event_least *least, watched *one, const jlt_stepp
     return jlt_orbit_loss(one->leg->orbit, &theta, &from_there, &event) == JLT_OK && theta < 1 ? theta : 1;
 }
 
+static double on_polynomial(watched *one, const jlt_stepper *stepper, double theta)
+{
+    double y[JLT_WAY_VALUES_MAX + 1];
+
+    jlt_stepper_values(stepper, theta, y);
+    return value_of(one, y);
+}
+
+/* The polynomial of a long step errs by more than the step: Newton's method on states of partial steps, with its slopes. */
+static double refined(watched *one, const jlt_stepper *stepper, double theta)
+{
+    const jlt_event event = { .value = value_of, .context = one };
+    const double low = fmax(theta - 0x1p-12, 0), high = fmin(theta + 0x1p-12, 1);
+    const double slope = (on_polynomial(one, stepper, high) - on_polynomial(one, stepper, low)) / (high - low);
+    double value;
+
+    for (int k = 0; k < 2; k++) {
+        if (jlt_orbit_value(one->leg->orbit, &value, &event, theta) != JLT_OK) break;
+        if (!(fabs(value) <= 0x1p-12 * fabs(slope))) break; /* beside a pole, or at a turning point */
+        theta = fmin(fmax(theta - value / slope, 0), 1);
+    }
+    return theta;
+}
+
 void jlt_course_conditions_look_within(jlt_course_conditions *self, const jlt_leg *leg)
 {
     const jlt_stepper *stepper = jlt_orbit_stepper(leg->orbit);
@@ -74,7 +98,7 @@ void jlt_course_conditions_look_within(jlt_course_conditions *self, const jlt_le
         const double theta = break_within(&least, &one, stepper);
         self->least = fmin(self->least, least.value);
         if (theta >= first || theta >= 1 || !isnan(self->lost_at)) continue;
-        first = theta;
+        first = refined(&one, stepper, theta);
         self->lost = jlt_observed_condition(self->observed, i);
     }
     if (first >= 1) return;

@@ -18,11 +18,13 @@ static jlt_tier *add(list *l, const jlt_tier *like)
     return &l->tiers[l->count++];
 }
 
-/* The time in which exactly one root of the table is a state, so that integrators can see it vanish; NULL: there is none. */
+/* The proved time in which exactly one root of the table is a state, so that integrators can see it vanish; NULL: there is none. */
 static const char *lifting_time(const jlt_descriptor *table)
 {
     for (const jlt_descriptor *const *d = table->family; *d != NULL; d++)
-        if ((*d)->lifted_count == 1 && (*d)->variant[0] == '\0' && (*d)->elimination[0] == '\0') return (*d)->time;
+        if ((*d)->lifted_count == 1 && (*d)->variant[0] == '\0' && (*d)->elimination[0] == '\0'
+            && jlt_descriptor_doubted_field(*d) == NULL)
+            return (*d)->time;
     return NULL;
 }
 

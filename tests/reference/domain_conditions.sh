@@ -280,6 +280,14 @@ for method in $methods; do
     jellett simulate ./lost.tt --start x=0,y=1 --times 2 --method "$method" > rows.csv 2> err
     says "a loss of third order by $method" 'high is lost at t = 1 ('
 done
+# So is one on the way to infinity, x = 1/(1 - t), where steps are long and their polynomials err by more than the steps.
+printf 'model bursts\nparam X\ndefault X = 2\nstate x\neq x = x^2\nvalid low : X - x > 0\n' > bursts.tt
+for method in $methods; do
+    for X in 2 5; do
+        jellett simulate ./bursts.tt --set X=$X --start x=1 --until 2 --method "$method" > rows.csv 2> err
+        says "a loss before x is infinite by $method" "low is lost at t = $(awk -v X=$X 'BEGIN { print 1 - 1/X }') ("
+    done
+done
 # A dip about a zero of high order, cos t < 1/5 and cos t < 3/10 from arccos on: no polynomial of degree 12 shows it on a long step.
 printf 'model slit\nstate x\nstate y\neq x = y\neq y = -x\ndomain apart : x^16 - (1/5)^16 > 0\n' > slit.tt
 sed 's/^domain/valid/; s/: .*/: x^20 - (3\/10)^20 > 0/' slit.tt > narrow.tt

@@ -126,6 +126,10 @@ jellett manifolds ./pendulum.tt --section phi=0 --start q=2.232,p=0.854 --length
     < /dev/null || cat err
 [ "$(grep -c '^[-0-9]' points.csv)" -eq 15 ] && [ ! -s err ] ||
     { echo "$(grep -c '^[-0-9]' points.csv) of 15 crossings: $(cat err)"; status=1; }
+# Undriven, its separatrices are one curve, and a loose tolerance makes no crossing of it.
+jellett manifolds ./pendulum.tt --set a=0 --section phi=0 --start q=pi,p=0 --length 8 --tol 1e-6 --crossings points.csv > out \
+    2> err < /dev/null || cat err
+! grep -q '^[-0-9]' points.csv || { echo "crossings of one curve: $(grep '^[-0-9]' points.csv)"; status=1; }
 
 # Where crossings are not looked for, no list of them begins.
 jellett manifolds ./driven.tt --section phi=0 --start x=-1/40,v=0 --no-crossings > out 2> err < /dev/null || cat err
