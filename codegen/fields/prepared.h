@@ -14,7 +14,8 @@ typedef struct {
 
 void ttc_prepared_clear(ttc_prepared *prepared); /* legal on a zeroed object */
 
-/* Index of an expression that depends on parameters alone; it is added if it is new. A parameter has its own index. */
+/* Index of an expression that depends on parameters alone; it is added if it is new. A parameter has its own index. When memory is
+ * out `failed` is set, and the index is 0. */
 uint32_t ttc_prepared_index(ttc_prepared *prepared, ttc_id expression);
 
 /* The expression with this index. */

@@ -62,6 +62,7 @@ bool ttc_candidates_is_changed(const ttc_candidates *candidates, uint32_t variab
 /* Add the candidates of all changed cubes, and rank both indices. */
 void ttc_candidates_renew(ttc_candidates *candidates);
 
+/* ttc_binomial_of two cubes, with the workspace's ratios of scales, or else with own_ratios. */
 bool ttc_candidates_binomial(ttc_candidates *candidates, ttc_binomial *out, const ttc_cube *a, const ttc_cube *b);
 
 #endif

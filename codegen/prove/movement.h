@@ -4,9 +4,9 @@
 
 #include "prove/prove_task.h"
 
-/** Flags, by variable, of those that change on levels of the expressions given for the target's parameters, and of those of bound
- *  parameters, levels and angles: for certain those that these expressions do not use. The caller frees them; NULL if memory is
- *  out. */
+/** Flags the variables of the ring that move with the states while these expressions rest: those given for the target's
+ *  parameters, and those of bound parameters, levels and angles. A variable that such an expression uses, directly or in
+ *  definitions, may move as well, but is not flagged. Returns flags, shape (variable_count,), for free(); NULL if memory is out. */
 bool *ttc_movement_flags(ttc_task *task, const ttc_model *target);
 
 /** Returns true if, for all that is known, there are parameters for which what moves cannot leave a point of the leaf in all

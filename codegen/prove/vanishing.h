@@ -7,10 +7,11 @@
 /* Flags of the variables of the ring that change with the states, shape (variable_count,), for free(); NULL when memory is out. */
 bool *ttc_vanishing_moves(ttc_task *task);
 
-/** Search for a point of the leaf at which all coefficients of a polynomial, taken as one in the variables flagged in `moves`, are
- *  zero, and `below` is not, what the polynomial is divided by in its normal form: x (r - 1)/k^2 is x/(r + 1) for r^2 = 1 + k^2.
- *  If there is none, zeros of `below` are put aside if it does not move. Not decided if it moves, and is zero wherever the
- *  coefficients are. text: NULL, or gets the point that is found. */
+/** Search for a point of the leaf at which polynomial/below is zero whatever the variables flagged in `moves` are: all coefficients
+ *  of the polynomial, as one in these variables, are zero, and `below`, the denominator of the normal form, is not. (Both may
+ *  vanish: x (r - 1)/k^2 is x/(r + 1) for r^2 = 1 + k^2.) If there is no such point, zeros of `below` are put aside, unless it
+ *  moves. Returns TTC_POINT_NOT_DECIDED if it moves and is zero wherever the coefficients are. text: NULL, or gets a text of the
+ *  point that is found, for free(). */
 ttc_search_result ttc_vanishing_search(ttc_task *task, const fmpz_mpoly_t polynomial, const fmpz_mpoly_t below, const bool *moves,
                                        char **text);
 

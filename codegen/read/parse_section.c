@@ -40,7 +40,7 @@ bool ttc_parse_pole(ttc_parser *parser)
             return ttc_parse_error(parser, pole.place, "'%s' has its poles twice (first in line %u)", entry->name,
                                    (unsigned)model->poles[i].place.line);
     if (!is_number(model, entry->low) || !is_number(model, entry->high))
-        return ttc_parse_error(parser, pole.place, "'%s' has no interval that ends at numbers, and no poles (expected 'state %s in "
+        return ttc_parse_error(parser, pole.place, "'%s' has no interval with rational ends, and no poles (expected 'state %s in "
                                "(LO, HI)')", entry->name, entry->name);
     if (!TTC_ARRAY_GROW(model->poles, model->pole_count)) return ttc_parse_no_memory(parser);
     model->poles[model->pole_count] = pole;

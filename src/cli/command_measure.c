@@ -127,8 +127,8 @@ static void write_claims(FILE *stream, const jlt_measure_finding *f)
                 d->measures[i].name, f->residual[i], JLT_MEASURE_SAMPLES);
     for (const jlt_claim *claim = d->claims; claim->kind != NULL; claim++) {
         if (strcmp(claim->kind, "measure") != 0 || claim->verdict != JLT_PROVED || has_kernel(d, claim->name)) continue;
-        fprintf(stream, "table        density %s, claimed where %s, is not compared: no variant that sets this serves here\n",
-                claim->name, claim->condition);
+        fprintf(stream, "table        density %s, claimed where %s, is not compared: no record 'variant' that sets this holds at "
+                "these parameters\n", claim->name, claim->condition);
         is_any = true;
     }
     if (!is_any) fputs("table        claims no invariant density at these parameters\n", stream);

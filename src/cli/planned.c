@@ -40,7 +40,7 @@ static void show_candidate(const jlt_plan *plan, unsigned index, const char *why
         printf("no: %s\n", refusal);
     }
     else if (c->tier.by_name) puts("would answer: a comparison, by name only");
-    else puts(index > plan->chosen ? "would answer, but is larger" : "would answer, and is smaller");
+    else puts(index > plan->chosen ? "would answer, but is no smaller" : "would answer, and is smaller");
 }
 
 void jlt_planned_show(const jlt_plan *plan, const char *why)

@@ -58,7 +58,8 @@ JLT_CHECKED jlt_status jlt_branch_curve(const jlt_branch *const *branches, jlt_s
  *  the errors of their points alone. */
 double jlt_branch_blur(const jlt_branch *self, double tolerance);
 
-/** About the parameter of gamma(sigma) on the bent branch; NaN if there is none. */
+/** The approximate parameter at which the bent branch comes through the point gamma(sigma) of the branch that is not bent; NaN if
+ *  `bend` is NaN. */
 double jlt_branch_bent_sigma(const jlt_branch *self, double sigma);
 
 /** Compute many points and tangents at once, point i at sigma[i] on branches[i]; maps: a batch for the branches' section. Out:

@@ -1,5 +1,6 @@
 /** The start and the end of one return with derivative, which jlt_map and jlt_map_batch share; either integrates in between. A
- *  varied state is the state, then dim tangent vectors one after another, then the integral of the divergence. */
+ *  varied state is the state, then dim tangent vectors one after another (derivatives by the start's coordinates, these counted in
+ *  units of 2^chart->unit), then the integral of the divergence. */
 #ifndef JLT_DYNAMICS_MAP_RETURN_H
 #define JLT_DYNAMICS_MAP_RETURN_H
 

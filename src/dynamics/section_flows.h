@@ -35,7 +35,7 @@ void jlt_section_flows_clear(jlt_section_flows *self); /* legal on a zeroed one 
 /** Whether a flow differs from the first in no more than parameters, levels and units. */
 bool jlt_section_flows_fit(const jlt_flow *first, const jlt_flow *flow);
 
-/** Add a flow. Errors: ARG, it does not fit the first; NOMEM. */
+/** Add a flow. Errors: ARG, it does not fit the first, or only one of the two has a `project`; NOMEM. */
 JLT_CHECKED jlt_status jlt_section_flows_add(jlt_section_flows *self, const jlt_flow *flow, const jlt_instance *project);
 
 /** Returns why orbits of this flow cannot go in lanes, a clause such as "the section's state is an angle"; NULL: they can. */

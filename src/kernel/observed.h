@@ -23,8 +23,8 @@ JLT_OWNED_TYPE(jlt_observed)
 unsigned jlt_observed_count(const jlt_observed *observed);
 const jlt_quantity *jlt_observed_quantities(const jlt_observed *observed);
 
-/** Evaluate the observed quantities, values, shape (count,), at x, shape (states,); NaN for a quantity without a finite value
- *  there. Cost: one kernel; nothing is allocated. */
+/** Evaluate the observed quantities, values, shape (count,), at x, shape (states,); infinite or NaN for a quantity without a
+ *  finite value there. Cost: one kernel; nothing is allocated. */
 void jlt_observed_values(const jlt_observed *observed, double *values, const double *x);
 
 /** The least value of the `valid` conditions at x, shape (states,): the model holds where it is positive. NaN if one has no value

@@ -21,6 +21,7 @@ typedef jlt_range jlt_range_t[1];
 JLT_SCOPED_TYPE(jlt_range, jlt_range)
 
 void jlt_range_set(jlt_range *out, const jlt_range *a);
+/** Enclose [low, high], low <= high. */
 void jlt_range_set_fractions(jlt_range *out, const fmpq_t low, const fmpq_t high, slong bits);
 
 void jlt_range_add(jlt_range *out, const jlt_range *a, const jlt_range *b, slong bits);

@@ -13,10 +13,11 @@ static void poles_are_ends_of_intervals(void **unused)
     assert_int_equal(model->poles[0].state, symbol(model, "x"));
     assert_string_equal(model->poles[0].meaning, "as far as it goes");
     ttc_model_destroy(model);
-    refuses(OSCILLATOR, "pole p", "no interval that ends at numbers");
+    refuses(OSCILLATOR, "pole p", "no interval with rational ends");
     refuses(OSCILLATOR, "pole k", "is not a state");
     refuses(OSCILLATOR, "pole x\npole x", "twice");
-    refuses("model t\nparam h > 0\nstate x in (0, h)\neq x = 1\n", "pole x", "no interval that ends at numbers");
+    refuses("model t\nparam h > 0\nstate x in (0, h)\neq x = 1\n", "pole x", "no interval with rational ends");
+    refuses("model t\nstate x in (0, pi)\neq x = 1\n", "pole x", "no interval with rational ends");
 }
 
 static void a_section_keeps_what_its_record_says(void **unused)
