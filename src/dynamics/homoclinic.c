@@ -262,14 +262,18 @@ static jlt_homoclinic image_of(const jlt_homoclinic *point, const jlt_chart *cha
     return image;
 }
 
-/* Whether the branches may only touch at the point, given its errors. */
-static bool may_touch(const jlt_homoclinic *point)
+/* Whether the branches may only touch at the point, given its errors: also where both are back at their saddle, nearer than any
+ * branch begins. */
+static bool may_touch(const jlt_homoclinic *point, const jlt_branch *const branches[2], const jlt_chart *chart)
 {
+    for (int k = 0; k < 2; k++)
+        if (jlt_chart_distance(chart, point->q, branches[k]->q) < JLT_BRANCH_SEED_LEAST) return true;
     return fabs(point->angle) <= point->angle_error || !(blur(point) < JLT_MANIFOLD_FINEST);
 }
 
 /* Leave out points that may be no crossings (counted in *touching), and duplicates. Returns how many stay. */
-static size_t keep_crossings(jlt_homoclinic *points, size_t count, size_t *touching, const jlt_chart *chart)
+static size_t keep_crossings(jlt_homoclinic *points, size_t count, size_t *touching, const jlt_branch *const branches[2],
+                             const jlt_chart *chart)
 {
     size_t kept = 0;
 
@@ -278,7 +282,7 @@ static size_t keep_crossings(jlt_homoclinic *points, size_t count, size_t *touch
         bool known = false;
         for (size_t k = 0; !known && k < kept; k++) known = is_same(&points[k], point, chart);
         if (known) continue;
-        if (may_touch(point)) ++*touching;
+        if (may_touch(point, branches, chart)) ++*touching;
         else points[kept++] = *point;
     }
     return kept;
@@ -324,12 +328,12 @@ jlt_status jlt_homoclinic_find(jlt_homoclinic **points, size_t *count, size_t *t
         }
         JLT_PASS(angle_errors(found + first, kept - first, branches, fine, coarse));
         crosses = false;
-        for (size_t i = first; i < kept; i++) crosses |= !may_touch(&found[i]);
+        for (size_t i = first; i < kept; i++) crosses |= !may_touch(&found[i], branches, chart);
     }
     for (size_t i = seen; i < candidates; i++) apart += list[i].has_twin ? 2 : 1;
     for (size_t i = 0, alone = kept; i < alone; i++)
         if (has_twin[i]) found[kept++] = image_of(&found[i], chart);
-    kept = keep_crossings(found, kept, &apart, chart);
+    kept = keep_crossings(found, kept, &apart, branches, chart);
     if (touching != NULL) *touching = apart;
     finish(points, count, found, kept);
     found = NULL; /* ownership moved to the caller */

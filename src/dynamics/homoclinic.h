@@ -30,9 +30,9 @@ typedef struct {
 /** Find all crossings of two polygons and refine each by Newton's method on the branches, with tangents from the variational
  *  equations. Out: *points, shape (*count,), sorted along the unstable branch, for the caller to free(); NULL and 0 when there are
  *  none. *touching, unless NULL: the number of crossings that are left out as the branches may only touch there: the angle is 0
- *  within its error, or so small that the point's position is not known to JLT_MANIFOLD_FINEST; and of crossings of the polygons
- *  from which Newton's method does not come to a residual of 1e-8 and what rounding in one return makes on them, and behind
- *  JLT_HOMOCLINIC_ROW others none of which is one of the branches.
+ *  within its error, the saddle is nearer than JLT_BRANCH_SEED_LEAST, or the angle is so small that the point's position is not
+ *  known to JLT_MANIFOLD_FINEST; and of crossings of the polygons from which Newton's method does not come to a residual of 1e-8
+ *  and what rounding in one return makes on them, and behind JLT_HOMOCLINIC_ROW others none of which is one of the branches.
  *  In: mirrored, the stable branch and its polygon are the images of the unstable ones under the chart's reversor, so that
  *  crossings come in pairs, of which one is refined; fine, maps of the branches' section; coarse, the same maps at ten times the
  *  tolerance, from which angle_error is found.

@@ -130,6 +130,14 @@ jellett manifolds ./pendulum.tt --section phi=0 --start q=2.232,p=0.854 --length
 jellett manifolds ./pendulum.tt --set a=0 --section phi=0 --start q=pi,p=0 --length 8 --tol 1e-6 --crossings points.csv > out \
     2> err < /dev/null || cat err
 ! grep -q '^[-0-9]' points.csv || { echo "crossings of one curve: $(grep '^[-0-9]' points.csv)"; status=1; }
+# Those of x'' = x - x^3 lead back to their saddle: within 1e-7 of it errors cross at any angle.
+printf '%s\n' 'model back' 'state x' 'state v' 'state phi' 'eq x = v' 'eq v = x - x^3' 'eq phi = 1' 'periodic phi = 2*pi' \
+    'reversor v -> -v, phi -> -phi' > back.tt
+for tolerance in 1e-13 1e-12 1e-9; do
+    jellett manifolds ./back.tt --section phi=0 --start x=0,v=0 --length 5 --tol $tolerance --crossings points.csv > out 2> err \
+        < /dev/null || cat err
+    ! grep -q '^[-0-9]' points.csv || { echo "crossings of one curve: $(grep '^[-0-9]' points.csv)"; status=1; }
+done
 
 # Where crossings are not looked for, no list of them begins.
 jellett manifolds ./driven.tt --section phi=0 --start x=-1/40,v=0 --no-crossings > out 2> err < /dev/null || cat err
