@@ -118,7 +118,64 @@ static jlt_status compare_stage(jlt_verify_family *f, const jlt_sample *s, const
     return JLT_OK;
 }
 
-static jlt_status compare_field(jlt_verify_family *f, const jlt_sample *s, const place *p)
+/* The derivative by state number j of what has the rate `plain` in the table's own time, of its rate in the field's time. */
+static jlt_status enclose_slope(ttc_enclosure *out, const place *p, jlt_oracle *oracle, ttc_id plain, size_t j)
+{
+    const ttc_id slope = ttc_derive_state(oracle->model, ttc_multiply(oracle->model->graph, plain, p->time->factor), j);
+
+    return jlt_oracle_estimate(oracle, out, &slope, 1);
+}
+
+/* Compare one row of a Jacobian, shape (states,) with lifted roots, along the surface on which they are roots: with (dr/dx)_j for
+ * their tangent, shape (lifted, table's states), it gives derivatives by the table's states. */
+static jlt_status compare_row(jlt_verify_family *f, const place *p, jlt_oracle *oracle, ttc_id plain, const double *row,
+                              const ttc_enclosure *tangents)
+{
+    static const char name[] = "Jacobians in other times, along the table's states, in ball enclosures of 256 bits";
+    const size_t n = oracle->model->state_count, lifted = p->time->lifted_count;
+
+    for (size_t j = 0; j < n; j++) {
+        ttc_enclosure exact;
+        double sum = row[j], terms = fabs(row[j]), unseen = 0.0;
+        JLT_PASS(enclose_slope(&exact, p, oracle, plain, j));
+        for (size_t l = 0; l < lifted; l++) {
+            const ttc_enclosure *tangent = tangents + l * n + j;
+            sum += row[n + l] * tangent->value;
+            terms += fabs(row[n + l] * tangent->value);
+            unseen += fabs(row[n + l]) * tangent->radius;
+        }
+        const double rounding = (double)(2 + lifted) * jlt_roundoff * terms + unseen;
+        exact.rounding += rounding;
+        exact.plain_rounding += rounding;
+        jlt_check_enclosures(f, name, &sum, &exact, 1);
+    }
+    return JLT_OK;
+}
+
+static jlt_status compare_jacobians(jlt_verify_family *f, const place *p, jlt_oracle *oracle)
+{
+    const ttc_model *model = oracle->model;
+    const jlt_descriptor *d = p->field->descriptor;
+    const size_t n = model->state_count, lifted = p->time->lifted_count, all = n + lifted;
+    double alone[SIZE * SIZE], fused[SIZE + SIZE * SIZE];
+    ttc_enclosure tangents[SIZE * SIZE];
+
+    if (jlt_instance_jacobian(p->field, alone, p->x) != JLT_OK) return JLT_OK;
+    if (jlt_kernel_eval(fused, &d->rhs_jacobian, p->x, all, p->field->prepared) != JLT_OK) return JLT_OK;
+    for (size_t l = 0; l < lifted; l++)
+        for (size_t j = 0; j < n; j++) {
+            const ttc_id slope = ttc_derive_state(model, model->symbols[p->time->lifted[l]].node, j);
+            if (jlt_oracle_estimate(oracle, tangents + l * n + j, &slope, 1) != JLT_OK) return JLT_OK;
+        }
+    for (size_t i = 0; i < all; i++) {
+        const ttc_id plain = i < n ? oracle->field[i] : ttc_derive_field(model, model->symbols[p->time->lifted[i - n]].node);
+        if (compare_row(f, p, oracle, plain, alone + i * all, tangents) != JLT_OK) return JLT_OK;
+        if (compare_row(f, p, oracle, plain, fused + all + i * all, tangents) != JLT_OK) return JLT_OK;
+    }
+    return JLT_OK;
+}
+
+static jlt_status compare_field(jlt_verify_family *f, const jlt_sample *s, const place *p, jlt_oracle *oracle)
 {
     const unsigned n = p->field->descriptor->state_count;
     double rates[SIZE];
@@ -127,7 +184,7 @@ static jlt_status compare_field(jlt_verify_family *f, const jlt_sample *s, const
         jlt_check_enclosures(f, "fields in other times in ball enclosures of 256 bits", rates, p->rates, n);
     compare_jet(f, p);
     JLT_PASS(compare_stage(f, s, p, 0));
-    if (p->time != NULL) return JLT_OK;
+    if (p->time != NULL) return compare_jacobians(f, p, oracle);
     JLT_PASS(compare_stage(f, s, p, n));
     return n > 2 ? compare_stage(f, s, p, 2) : JLT_OK;
 }
@@ -147,7 +204,7 @@ jlt_status jlt_stepping_compare(jlt_verify_family *f, const jlt_sample *s, jlt_o
         if (d->lifted != NULL && jlt_kernel_eval_function(p.x, d->lifted, d->state_count, s->x, own->state_count, s->params,
                                                           d->param_count) != JLT_OK)
             continue;
-        if (enclose(&p, oracle) == JLT_OK) JLT_PASS(compare_field(f, s, &p));
+        if (enclose(&p, oracle) == JLT_OK) JLT_PASS(compare_field(f, s, &p, oracle));
     }
     return JLT_OK;
 }

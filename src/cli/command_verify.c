@@ -253,11 +253,11 @@ static const struct argp parser = {
     "Prove what the model claims, and verify it through the compiled kernels."
     "\v(a) Every claim of the table is proved or refuted in exact arithmetic.\n"
     "(b) Numbers are compared on the whole domain, and on every family of equilibria, at random and extreme parameters and points. "
-    "The generated field, in all its times and on vectors, integrals, and derivatives in the table's own time are compared with "
-    "ball enclosures of 256 bits (of other kernels, such as derivatives in other times, `ttc prove --kernels` proves the "
-    "programs); on families also with the table's formulas and with complex-step differentiation, and characteristic polynomials "
-    "by the method of Faddeev and LeVerrier with the table's and with the eigenvalues. Where the trace excludes an invariant "
-    "measure, there are certificates at rational points, if any are found.\n"
+    "The generated field and its Jacobian in all its times, the field on vectors, integrals and their gradients are compared "
+    "with ball enclosures of 256 bits (of other kernels, such as those of sections, `ttc prove --kernels` proves the programs); "
+    "on families also with the table's formulas and with complex-step differentiation, and characteristic polynomials by the "
+    "method of Faddeev and LeVerrier with the table's and with the eigenvalues. Where the trace excludes an invariant measure, "
+    "there are certificates at rational points, if any are found.\n"
     "(c) The density of an invariant measure is computed from the divergence alone, where there is one.\n"
     "(d) Totals. The exit status is 0 when everything holds, and 1 when something fails.",
     NULL, NULL, NULL,

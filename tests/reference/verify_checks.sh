@@ -168,6 +168,28 @@ CC=$scratch/wrong XDG_CACHE_HOME=$scratch/other jellett verify --samples=$sample
 [ $code = 1 ] && [ "$(grep FAILS "$scratch/said" | cut -c5-10)" = stages ] ||
     { echo "status $code:"; cat "$scratch/said"; exit 1; }
 
+# So is a Jacobian that is wrong in another time alone, by a lifted root, with the field or without it.
+cat > "$scratch/turning.tt" << 'END'
+model turning
+param a > 0
+state x in (-1, 1)
+state y
+root s = sqrt(1 - x^2)
+eq x = s*y
+eq y = -a*x*y^3/s
+time regular : s lifting s
+END
+jellett verify --samples=$samples "$scratch/turning.tt" > "$scratch/said" || { cat "$scratch/said"; exit 1; }
+for entry in 2 5; do
+    printf '%s\n' '#!/bin/bash' 'for name; do case $name in */general_in_regular.c)' \
+        "sed -i 's/out\[$entry\] = t$entry;/out[$entry] = -t$entry;/' \"\$name\" ;; esac; done" 'exec cc "$@"' > "$scratch/wrong"
+    code=0
+    CC=$scratch/wrong XDG_CACHE_HOME=$scratch/$entry jellett verify --samples=$samples "$scratch/turning.tt" > "$scratch/said" ||
+        code=$?
+    [ $code = 1 ] && [ "$(grep FAILS "$scratch/said" | cut -c5-13)" = Jacobians ] ||
+        { echo "entry $entry: status $code:"; cat "$scratch/said"; exit 1; }
+done
+
 # An integral that is refuted forces no eigenvalue to be zero.
 printf '%s\n' 'model decays' 'param a > 0' 'param b > 0' 'state x' 'state y' 'eq x = -(a + b)*x + b*y' 'eq y = -b*y + b*x' \
     'integral wrong = x + y + x^2' 'equilibria rest : x = 0, y = 0' > "$scratch/decays.tt"
