@@ -52,8 +52,9 @@ static ttc_id slope(void *context, uint32_t symbol)
     return d->slopes[symbol];
 }
 
-/* Derivative of `id` along a direction, shape (state_count,), the rate of each state; TTC_NONE stands for zero. */
-static ttc_id derive_along(const ttc_model *model, ttc_id id, const ttc_id *direction)
+/* Derivative of `id` along a direction, shape (state_count,), the rate of each state; TTC_NONE stands for zero. given: NULL, or rates
+ * of symbols, TTC_NONE for those that follow. */
+static ttc_id derive_along(const ttc_model *model, ttc_id id, const ttc_id *direction, const ttc_id *given)
 {
     direction_slopes d = { .model = model };
     ttc_id result = TTC_NONE;
@@ -61,6 +62,8 @@ static ttc_id derive_along(const ttc_model *model, ttc_id id, const ttc_id *dire
     d.known = calloc(model->symbol_count, sizeof *d.known);
     if (d.slopes == NULL || d.known == NULL) goto done;
     for (size_t i = 0; i < model->state_count; i++) d.slopes[model->states[i]] = direction[i];
+    for (size_t i = 0; given != NULL && i < model->symbol_count; i++)
+        if (given[i] != TTC_NONE) d.slopes[i] = given[i], d.known[i] = true;
     result = ttc_derivative(model->graph, id, slope, &d);
     if (d.failed) result = TTC_NONE;
 done:
@@ -69,22 +72,24 @@ done:
     return result;
 }
 
-ttc_id ttc_derive_field(const ttc_model *model, ttc_id id)
+ttc_id ttc_derive_field_given(const ttc_model *model, ttc_id id, const ttc_id *rates)
 {
     ttc_id *field = calloc(model->state_count + 1, sizeof *field);
     if (field == NULL) return TTC_NONE;
     for (size_t i = 0; i < model->state_count; i++) field[i] = ttc_model_field(model, i);
-    ttc_id rate = derive_along(model, id, field);
+    ttc_id rate = derive_along(model, id, field, rates);
     free(field);
     return rate;
 }
+
+ttc_id ttc_derive_field(const ttc_model *model, ttc_id id) { return ttc_derive_field_given(model, id, NULL); }
 
 ttc_id ttc_derive_state(const ttc_model *model, ttc_id id, size_t state)
 {
     ttc_id *axis = calloc(model->state_count + 1, sizeof *axis);
     if (axis == NULL) return TTC_NONE;
     axis[state] = ttc_integer(model->graph, 1);
-    ttc_id rate = derive_along(model, id, axis);
+    ttc_id rate = derive_along(model, id, axis, NULL);
     free(axis);
     return rate;
 }

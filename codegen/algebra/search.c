@@ -86,25 +86,31 @@ static bool meets_all(ttc_witness *point, const ttc_conditions *conditions)
     return ttc_witness_meets_all(point, conditions) == TTC_HOLDS && ttc_witness_sines(point) == TTC_HOLDS;
 }
 
-static bool try_numbers(ttc_witness *point, const ttc_conditions *conditions, unsigned from, unsigned to)
+static bool try_numbers(ttc_witness *point, const ttc_conditions *conditions, unsigned *attempt, unsigned end)
 {
-    for (unsigned attempt = from; attempt < to; attempt++) {
-        choose(point, attempt);
+    while (*attempt < end) {
+        choose(point, (*attempt)++);
         if (meets_all(point, conditions)) return true;
     }
     return false;
+}
+
+bool ttc_search_next(ttc_witness *point, const ttc_conditions *conditions, unsigned *attempt)
+{
+    return try_numbers(point, conditions, attempt, LATE_ATTEMPTS);
 }
 
 ttc_search_result ttc_search_point(ttc_witness *point, const ttc_conditions *conditions)
 {
     if (ttc_conditions_clash(conditions)) return TTC_POINT_IMPOSSIBLE;
     if (conditions->failed) return TTC_POINT_NOT_DECIDED;
-    if (try_numbers(point, conditions, 0, EARLY_ATTEMPTS)) return TTC_POINT_FOUND;
+    unsigned attempt = 0;
+    if (try_numbers(point, conditions, &attempt, EARLY_ATTEMPTS)) return TTC_POINT_FOUND;
     choose(point, 0); /* simple values for variables that no condition uses, which the solver leaves as they are */
     ttc_solver_answer answer = ttc_solver_ask(point, conditions, false);
     if (answer == TTC_SOLVER_NO_POINT) return TTC_POINT_EXCLUDED;
     if (answer == TTC_SOLVER_POINT && meets_all(point, conditions)) return TTC_POINT_FOUND;
-    if (try_numbers(point, conditions, EARLY_ATTEMPTS, LATE_ATTEMPTS)) return TTC_POINT_FOUND;
+    if (ttc_search_next(point, conditions, &attempt)) return TTC_POINT_FOUND;
     if (answer == TTC_SOLVER_SILENT) return TTC_POINT_NOT_DECIDED;
     choose(point, 0);
     answer = ttc_solver_ask(point, conditions, true); /* what it named was a point but for the values of functions */

@@ -4,12 +4,6 @@
 
 #include <flint/fmpq.h>
 
-#if __has_include(<flint/arb.h>)
-#include <flint/arb.h>
-#else
-#include <arb.h>
-#endif
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -31,6 +25,7 @@ typedef struct {
 
 struct ttc_ball {
     ttc_ball_symbols symbols;
+    arb_ptr given; /* by symbol: its value, or not finite */
     ball_memory balls[MODES];
     ttc_ball_exact exact;
 };
@@ -54,6 +49,8 @@ ttc_ball *ttc_ball_create(const ttc_model *model)
         return NULL;
     }
     for (size_t i = 0; i < model->symbol_count; i++) fmpq_init(&symbols->values[i]);
+    ball->given = _arb_vec_init((long)model->symbol_count);
+    for (size_t i = 0; i < model->symbol_count; i++) arb_indeterminate(ball->given + i);
     return ball;
 }
 
@@ -69,6 +66,7 @@ void ttc_ball_destroy(ttc_ball *ball)
     if (ball == NULL) return;
     for (int mode = 0; mode < MODES; mode++) forget_balls(&ball->balls[mode]);
     ttc_ball_exact_clear(&ball->exact);
+    _arb_vec_clear(ball->given, (long)ball->symbols.model->symbol_count);
     for (size_t i = 0; i < ball->symbols.model->symbol_count; i++) fmpq_clear(&ball->symbols.values[i]);
     free(ball->symbols.values);
     free(ball->symbols.known);
@@ -130,6 +128,14 @@ bool ttc_ball_set_fraction(ttc_ball *ball, uint32_t symbol, const char *fraction
     return good;
 }
 
+void ttc_ball_set_ball(ttc_ball *ball, uint32_t symbol, const arb_t value)
+{
+    ball->symbols.known[symbol] = 0;
+    ball->symbols.bound[symbol] = TTC_NONE;
+    arb_set(ball->given + symbol, value);
+    forget_values(ball);
+}
+
 static bool evaluate(ttc_ball *ball, evaluation mode, ttc_id id);
 
 static void add_rounding(arb_t ball)
@@ -161,6 +167,10 @@ static bool evaluate_symbol(arb_t out, ttc_ball *ball, evaluation mode, uint32_t
     if (ball->symbols.bound[symbol] != TTC_NONE) {
         if (!evaluate(ball, mode, ball->symbols.bound[symbol])) return false;
         arb_set(out, ball->balls[mode].balls + ball->symbols.bound[symbol]);
+        return true;
+    }
+    if (arb_is_finite(ball->given + symbol)) {
+        arb_set(out, ball->given + symbol);
         return true;
     }
     if (entry->kind == TTC_PI) {

@@ -10,6 +10,12 @@
 
 #include "read/model.h"
 
+#if __has_include(<flint/arb.h>)
+#include <flint/arb.h>
+#else
+#include <arb.h>
+#endif
+
 typedef struct ttc_ball ttc_ball;
 
 typedef struct {
@@ -29,6 +35,9 @@ void ttc_ball_destroy(ttc_ball *ball); /* legal on NULL */
  * Returns false when it is neither. */
 bool ttc_ball_set(ttc_ball *ball, uint32_t symbol, double value);
 bool ttc_ball_set_fraction(ttc_ball *ball, uint32_t symbol, const char *fraction);
+
+/* The same with a ball, which is copied, and not rounded to the precision in use. It has no exact value. */
+void ttc_ball_set_ball(ttc_ball *ball, uint32_t symbol, const arb_t value);
 
 /* Let a symbol stand for an expression, as in a `when` clause or on a family of equilibria: it is then enclosed, never
  * rounded on the way. A symbol that stands for itself has no value. */

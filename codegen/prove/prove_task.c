@@ -1,8 +1,6 @@
 #include "prove/question.h"
 #include "prove/subcase.h"
 
-#include "ball/ball.h"
-
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -201,57 +199,10 @@ void ttc_task_jacobian(ttc_task *task, ttc_ratio *out, size_t row, size_t column
     ttc_evaluate(task->field, out, entry);
 }
 
-static size_t root_count(const ttc_model *model)
-{
-    size_t count = 0;
-    for (size_t i = 0; i < model->symbol_count; i++) count += model->symbols[i].kind == TTC_ROOT;
-    return count;
-}
-
 void ttc_task_shorten(ttc_task *task, const char *form)
 {
     char *value = task->status == TTC_REFUTED && task->remainder != NULL ? strstr(task->remainder, " = ") : NULL;
     if (form != NULL && value != NULL && strlen(form) < strlen(value + 3)) strcpy(value + 3, form);
-}
-
-/* Set a ball evaluator to a point, and bind the symbols of `when` to their expressions. Returns false if others are bound. */
-static bool set_ball(ttc_ball *ball, ttc_task *task, const ttc_witness *point)
-{
-    bool ok = true;
-    size_t bound_count = 0;
-    for (uint32_t i = 0; i < task->model->symbol_count && ok; i++) {
-        const ttc_symbol_kind kind = task->model->symbols[i].kind;
-        const bool is_bound = ttc_valuation_is_bound(task->field, i);
-        bound_count += is_bound;
-        if ((kind != TTC_PARAM && kind != TTC_STATE && kind != TTC_LEVEL) || is_bound) continue;
-        char *value = fmpq_get_str(NULL, 10, point->values + ttc_valuation_variable(task->field, i));
-        ok = ttc_ball_set_fraction(ball, i, value);
-        flint_free(value);
-    }
-    for (size_t i = 0; i < task->claim->when.count; i++)
-        ttc_ball_bind(ball, task->claim->when.items[i].symbol, task->claim->when.items[i].expression);
-    return ok && bound_count == task->claim->when.count;
-}
-
-bool ttc_task_refute_at_point(ttc_task *task, ttc_id id, const char *name)
-{
-    enum { MANY_ROOTS = 5, DIGITS = 12 };
-    bool refuted = false, excludes_zero = false;
-    if (!ttc_task_open(task) || root_count(task->model) < MANY_ROOTS || id == TTC_NONE) return false;
-    ttc_ball *ball = ttc_ball_create(task->model);
-    ttc_witness point;
-    if (ttc_witness_init(&point, task->field) && ball != NULL && ttc_search_point(&point, &task->domain) == TTC_POINT_FOUND
-        && set_ball(ball, task, &point)) {
-        char *value = ttc_ball_text(ball, id, DIGITS, &excludes_zero), *text = NULL;
-        refuted = value != NULL && excludes_zero;
-        if (refuted) text = malloc(strlen(name) + strlen(value) + 8);
-        if (text != NULL) sprintf(text, "%s = %s", name, value);
-        if (refuted) settle(task, TTC_REFUTED, text, ttc_witness_text(&point));
-        free(value);
-    }
-    ttc_witness_clear(&point);
-    ttc_ball_destroy(ball);
-    return refuted;
 }
 
 ttc_ratio *ttc_task_ratios(ttc_task *task, size_t count)
