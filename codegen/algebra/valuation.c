@@ -14,19 +14,27 @@ void ttc_valuation_bind_root(ttc_valuation *v, uint32_t symbol, ttc_id radicand)
 
 void ttc_valuation_name(ttc_valuation *v, uint32_t symbol, const char *name) { v->names[v->variable[symbol]] = name; }
 
+/* The next spare variable, which is free from now on; -1 if there is none. */
+static slong free_spare(ttc_valuation *v)
+{
+    if (v->ring->next_spare == v->ring->variable_count) return -1;
+    v->freed[v->ring->next_spare] = true;
+    return (slong)v->ring->next_spare++;
+}
+
 bool ttc_valuation_free(ttc_valuation *v, uint32_t symbol)
 {
     if (v->variable[symbol] < 0) {
-        if (v->ring->next_spare == v->ring->variable_count) return false;
-        v->variable[symbol] = (slong)v->ring->next_spare++;
+        v->variable[symbol] = free_spare(v);
+        if (v->variable[symbol] < 0) return false;
         v->names[v->variable[symbol]] = v->model->symbols[symbol].name;
     }
-    return v->freed[symbol] = true;
+    return v->freed[v->variable[symbol]] = true;
 }
 
 slong ttc_valuation_variable(const ttc_valuation *v, uint32_t symbol) { return v->variable[symbol]; }
 
-bool ttc_valuation_is_free(const ttc_valuation *v, uint32_t symbol) { return v->freed[symbol]; }
+bool ttc_valuation_is_free(const ttc_valuation *v, slong variable) { return v->freed[variable]; }
 
 bool ttc_valuation_has_value(const ttc_valuation *v, uint32_t symbol) { return v->known[symbol] == TTC_VALUE_KNOWN; }
 
@@ -61,7 +69,7 @@ static void defined_value(ttc_valuation *v, ttc_ratio *out, uint32_t symbol)
     } else if (v->square[symbol] != TTC_NONE) {
         ttc_evaluate(v, out, v->square[symbol]);
         ttc_ring_root(v->ring, out, out, v->variable[symbol], v->rooted[symbol]);
-    } else if (v->freed[symbol]) {
+    } else if (v->variable[symbol] >= 0 && v->freed[v->variable[symbol]]) {
         ttc_ratio_set_variable(v->ring, out, v->variable[symbol]);
     } else if (!spare && entry->kind == TTC_LET) {
         ttc_evaluate(v, out, entry->definition);
@@ -139,6 +147,16 @@ static bool reserve_memo(ttc_valuation *v)
     for (size_t i = v->memo_size; i < size; i++) seen[i] = false;
     v->memo_size = size;
     return true;
+}
+
+bool ttc_valuation_free_expression(ttc_valuation *v, ttc_id id)
+{
+    if (!reserve_memo(v) || v->seen[id]) return false;
+    const slong variable = free_spare(v);
+    if (variable < 0) return false;
+    ttc_ratio_init(v->ring, &v->memo[id]);
+    ttc_ratio_set_variable(v->ring, &v->memo[id], variable);
+    return v->seen[id] = true;
 }
 
 /* out += the parts of a sum from `first` to `end`. Long sums are added in halves, as gcds cost more for ratios of many terms. */

@@ -41,7 +41,9 @@ const char *ttc_valuation_name_of(const ttc_valuation *valuation, uint32_t symbo
 /* Make a root or a let, unless it is bound, a free variable, as a lifted root is a state. Call this before anything is evaluated.
  * Returns false, with nothing done, for a let for which there is no spare variable. */
 bool ttc_valuation_free(ttc_valuation *valuation, uint32_t symbol);
-bool ttc_valuation_is_free(const ttc_valuation *valuation, uint32_t symbol); /* true if ttc_valuation_free made it free */
+/* The same of an expression, where it stands as a whole. Returns false as well if it is free already. */
+bool ttc_valuation_free_expression(ttc_valuation *valuation, ttc_id id);
+bool ttc_valuation_is_free(const ttc_valuation *valuation, slong variable); /* true if one of these made it free */
 /* Do not evaluate a function, nor its definition, to choose a basis; only when its own value is used. */
 void ttc_valuation_withhold(ttc_valuation *valuation, uint32_t symbol);
 bool ttc_valuation_has_value(const ttc_valuation *valuation, uint32_t symbol); /* true if it has been evaluated */

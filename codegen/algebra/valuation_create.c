@@ -25,7 +25,7 @@ static ttc_valuation *allocate(const ttc_model *model)
     v->bound = calloc(v->symbol_count, sizeof *v->bound);
     v->square = calloc(v->symbol_count, sizeof *v->square);
     v->variable = calloc(v->symbol_count, sizeof *v->variable);
-    v->freed = calloc(v->symbol_count, sizeof *v->freed);
+    v->freed = calloc(v->symbol_count + TTC_SPARE_VARIABLES, sizeof *v->freed);
     v->rooted = calloc(v->symbol_count, sizeof *v->rooted);
     v->withheld = calloc(v->symbol_count, sizeof *v->withheld);
     v->names = calloc(v->symbol_count + TTC_SPARE_VARIABLES, sizeof *v->names);

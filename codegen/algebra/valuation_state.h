@@ -20,7 +20,7 @@ struct ttc_valuation {
     ttc_value_state *known;
     ttc_id *bound, *square; /* by symbol: the expression it is bound to; the square of what it is bound to; TTC_NONE: none */
     slong *variable;        /* by symbol; -1: none */
-    bool *freed;            /* by symbol: a root or let that is a free variable */
+    bool *freed;            /* by variable: it stands for a root, a let or an expression, as if that were free */
     bool *rooted;           /* by symbol: bound to the positive root of `square` */
     bool *withheld;         /* by symbol: see ttc_valuation_withhold */
     const char **names;     /* by variable */

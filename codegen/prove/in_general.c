@@ -3,35 +3,53 @@
 
 #include <stdlib.h>
 
-/* Returns true for a quotient, or a product with one, whose divisor is a sum, by its name or not. */
-static bool divides_by_sum(const ttc_model *model, ttc_id id)
-{
-    if (ttc_kind_of(model->graph, id) != TTC_PRODUCT) return false;
-    for (size_t i = 0; i < ttc_part_count(model->graph, id); i++) {
-        const ttc_part part = ttc_part_at(model->graph, id, i);
-        const ttc_id base = ttc_model_without_lets(model, part.id);
-        if (part.exponent < 0 && ttc_kind_of(model->graph, base) == TTC_SUM) return true;
-    }
-    return false;
-}
+/* Makes quantities free. Returns their number. */
+typedef size_t (*liberation)(ttc_valuation *general);
 
-/* Make all roots, or all lets that divide by sums, free. Returns their number. */
-static size_t free_all(ttc_valuation *general, ttc_symbol_kind kind)
+static size_t free_roots(ttc_valuation *general)
 {
     const ttc_model *model = ttc_valuation_model(general);
     size_t count = 0;
     for (uint32_t i = 0; i < model->symbol_count; i++)
-        if (model->symbols[i].kind == kind && (kind != TTC_LET || divides_by_sum(model, model->symbols[i].definition)))
+        if (model->symbols[i].kind == TTC_ROOT) count += ttc_valuation_free(general, i);
+    return count;
+}
+
+static size_t free_quotients(ttc_valuation *general)
+{
+    const ttc_model *model = ttc_valuation_model(general);
+    size_t count = 0;
+    for (uint32_t i = 0; i < model->symbol_count; i++)
+        if (model->symbols[i].kind == TTC_LET && ttc_model_dividing_sum(model, model->symbols[i].definition) != TTC_NONE)
             count += ttc_valuation_free(general, i);
+    return count;
+}
+
+static size_t free_factors(ttc_valuation *general, ttc_id divisor)
+{
+    const ttc_model *model = ttc_valuation_model(general);
+    const ttc_id base = ttc_model_without_lets(model, divisor);
+    size_t count = 0;
+    if (ttc_kind_of(model->graph, base) == TTC_SUM) return ttc_valuation_free_expression(general, base);
+    if (ttc_kind_of(model->graph, base) == TTC_PRODUCT)
+        for (size_t i = 0; i < ttc_part_count(model->graph, base); i++)
+            count += free_factors(general, ttc_part_at(model->graph, base, i).id);
+    return count;
+}
+
+static size_t free_divisors(ttc_valuation *general)
+{
+    const ttc_model *model = ttc_valuation_model(general);
+    size_t count = 0;
+    for (size_t i = 0; i < model->divisor_count; i++) count += free_factors(general, model->divisors[i].divisor);
     return count;
 }
 
 static bool uses_free(ttc_valuation *general, const ttc_ratio *value)
 {
-    for (uint32_t i = 0; i < ttc_valuation_model(general)->symbol_count; i++)
-        if (ttc_valuation_is_free(general, i)
-            && ttc_ratio_uses(ttc_valuation_ring(general), value, ttc_valuation_variable(general, i)))
-            return true;
+    const ttc_ring *ring = ttc_valuation_ring(general);
+    for (slong v = 0; v < (slong)ring->variable_count; v++)
+        if (ttc_valuation_is_free(general, v) && ttc_ratio_uses(ring, value, v)) return true;
     return false;
 }
 
@@ -54,17 +72,19 @@ static bool is_zero(const ttc_task *task, ttc_valuation *general, ttc_id id, cha
     return zero;
 }
 
-/* Returns true if an expression is zero with all roots, or all lets that divide by sums, free, if there are at least `fewest`; for
- * each sign of other roots whose radicand is a square. form: NULL, or as above for the first sign that fails. */
-static bool is_zero_with_free(ttc_task *task, ttc_id id, ttc_symbol_kind kind, size_t fewest, char **form)
+/* Returns true if an expression is zero with quantities free, if there are at least `fewest`; for each sign of other roots whose
+ * radicand is a square. form: NULL, or as above for the first sign that fails. */
+static bool is_zero_with(ttc_task *task, liberation liberate, size_t fewest, ttc_id id, char **form)
 {
     enum { MOST = 4 };
     size_t most = 0;
     bool zero = true;
+    free(*form);
+    *form = NULL;
     for (unsigned choices = 0; zero && choices < 1u << most; choices++) {
         ttc_valuation *general = ttc_valuation_alike(task->field, choices);
         if (general == NULL) return false;
-        zero = free_all(general, kind) >= fewest && is_zero(task, general, id, form);
+        zero = liberate(general) >= fewest && is_zero(task, general, id, form);
         const size_t count = ttc_valuation_ring(general)->choice_count;
         if (count > most) most = count;
         zero &= most <= MOST;
@@ -76,9 +96,10 @@ static bool is_zero_with_free(ttc_task *task, ttc_id id, ttc_symbol_kind kind, s
 /* With one root alone the exact test is as quick. */
 bool ttc_task_is_zero_in_general(ttc_task *task, ttc_id id, char **form)
 {
+    char *unnamed = NULL;
     *form = NULL;
-    if (is_zero_with_free(task, id, TTC_ROOT, 2, form)) return true;
-    free(*form);
-    *form = NULL;
-    return is_zero_with_free(task, id, TTC_LET, 1, form);
+    const bool zero = is_zero_with(task, free_roots, 2, id, &unnamed) || is_zero_with(task, free_quotients, 1, id, form)
+                      || is_zero_with(task, free_divisors, 1, id, &unnamed);
+    free(unnamed);
+    return zero;
 }

@@ -14,16 +14,9 @@ typedef struct {
     ttc_id a[MOST][MOST], inverse[MOST][MOST], c[MOST];
 } exchange;
 
-/* The sum by which a definition divides, or TTC_NONE. */
 static ttc_id divisor_of(const ttc_model *model, const ttc_symbol_entry *entry)
 {
-    if (entry->kind != TTC_LET || ttc_kind_of(model->graph, entry->definition) != TTC_PRODUCT) return TTC_NONE;
-    for (size_t i = 0; i < ttc_part_count(model->graph, entry->definition); i++) {
-        const ttc_part part = ttc_part_at(model->graph, entry->definition, i);
-        const ttc_id base = ttc_model_without_lets(model, part.id);
-        if (part.exponent < 0 && ttc_kind_of(model->graph, base) == TTC_SUM) return base;
-    }
-    return TTC_NONE;
+    return entry->kind == TTC_LET ? ttc_model_dividing_sum(model, entry->definition) : TTC_NONE;
 }
 
 /* Returns true if all definitions are of first degree in a state, and some depends on it; a column of A is then its coefficients. */
@@ -187,7 +180,7 @@ static bool find_exchange(ttc_task *task, exchange *e, uint32_t first)
     }
     if (!find_states(task, e)) return false;
     find_constants(model, e);
-    ttc_valuation *own = ttc_valuation_alike(task->field, 0);
+    ttc_valuation *own = ttc_valuation_create(model, 0); /* without conditions, as motion may lead away from them */
     ttc_task view = { .model = model, .field = own };
     if (own != NULL) view.ring = ttc_valuation_ring(own);
     const bool ok = own != NULL && invert(&view, e);

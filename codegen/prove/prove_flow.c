@@ -60,8 +60,8 @@ void ttc_prove_integral(ttc_task *task)
     const ttc_id rate = ttc_derive_field(task->model, claim->expression), zero = ttc_integer(task->model->graph, 0);
     char *form = NULL, what[160];
     const bool is_kept = ttc_task_open(task)
-                         && (ttc_task_is_zero_in_general(task, rate, &form)
-                             || ttc_task_has_rate_in_other_states(task, claim->expression, zero));
+                         && (ttc_task_has_rate_in_other_states(task, claim->expression, zero)
+                             || ttc_task_is_zero_in_general(task, rate, &form));
     ttc_evaluate(task->field, &value, claim->expression);
     const bool constant = ttc_task_open(task) && !ttc_task_moves(task, &value);
     task->varies |= !constant;
@@ -81,8 +81,8 @@ void ttc_prove_rate(ttc_task *task)
     const ttc_claim *claim = task->claim;
     const ttc_id rate = ttc_derive_field(task->model, claim->expression);
     char *form = NULL;
-    if (!ttc_task_is_zero_in_general(task, ttc_subtract(task->model->graph, rate, claim->other), &form)
-        && !ttc_task_has_rate_in_other_states(task, claim->expression, claim->other))
+    if (!ttc_task_has_rate_in_other_states(task, claim->expression, claim->other)
+        && !ttc_task_is_zero_in_general(task, ttc_subtract(task->model->graph, rate, claim->other), &form))
         require_equal(task, rate, claim->other, form, "rate - right side");
     free(form);
 }

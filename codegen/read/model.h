@@ -332,6 +332,9 @@ ttc_id ttc_model_expand(const ttc_model *model, ttc_id id);
 /* An expression that is the name of a `let`: what stands behind it, and behind that, until it is none. */
 ttc_id ttc_model_without_lets(const ttc_model *model, ttc_id id);
 
+/* The sum by which a quotient, or a product with one, divides, by its name or not; TTC_NONE if it divides by none. */
+ttc_id ttc_model_dividing_sum(const ttc_model *model, ttc_id id);
+
 /* Returns true if an expression depends on a symbol, directly or through definitions; also when memory is out. */
 bool ttc_model_depends(const ttc_model *model, ttc_id id, uint32_t symbol);
 

@@ -30,6 +30,17 @@ ttc_id ttc_model_expand(const ttc_model *model, ttc_id id)
     return ttc_substitute_through(model->graph, id, let_definition, expanded_value, &f);
 }
 
+ttc_id ttc_model_dividing_sum(const ttc_model *model, ttc_id id)
+{
+    if (ttc_kind_of(model->graph, id) != TTC_PRODUCT) return TTC_NONE;
+    for (size_t i = 0; i < ttc_part_count(model->graph, id); i++) {
+        const ttc_part part = ttc_part_at(model->graph, id, i);
+        const ttc_id base = ttc_model_without_lets(model, part.id);
+        if (part.exponent < 0 && ttc_kind_of(model->graph, base) == TTC_SUM) return base;
+    }
+    return TTC_NONE;
+}
+
 /* r^2 = q gives r' = q'/(2 r); (cos a)' = -(sin a) a', (sin a)' = (cos a) a'; (exp a)' = (exp a) a'; (log a)' = a'/a. */
 static ttc_id slope(void *context, uint32_t symbol, ttc_id definition_slope)
 {
