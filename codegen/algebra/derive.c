@@ -52,8 +52,8 @@ static ttc_id slope(void *context, uint32_t symbol)
     return d->slopes[symbol];
 }
 
-/* Derivative of `id` along a direction, shape (state_count,), the rate of each state; TTC_NONE stands for zero. given: NULL, or rates
- * of symbols, TTC_NONE for those that follow. */
+/* Derivative of `id` along a direction, shape (state_count,), the rate of each state; TTC_NONE stands for zero. given: NULL, or
+ * rates of symbols, shape (symbol_count,), TTC_NONE for those that follow. */
 static ttc_id derive_along(const ttc_model *model, ttc_id id, const ttc_id *direction, const ttc_id *given)
 {
     direction_slopes d = { .model = model };

@@ -1,5 +1,6 @@
-/* A quick test of what is kept, in other states. Where momenta are states, velocities are definitions that divide by the determinant
- * of the inertia, and their rates by its square. With velocities as states, momenta are sums over them, and little divides by it. */
+/* A quick test of what is kept, in other states. Where momenta are states, velocities are definitions that divide by the
+ * determinant of the inertia, and their rates by its square. With velocities as states, momenta are sums over them, and little
+ * divides by it. */
 #include "prove/subcase.h"
 
 #include <stdlib.h>
@@ -19,7 +20,7 @@ static ttc_id divisor_of(const ttc_model *model, const ttc_symbol_entry *entry)
     return entry->kind == TTC_LET ? ttc_model_dividing_sum(model, entry->definition) : TTC_NONE;
 }
 
-/* Returns true if all definitions are of first degree in a state, and some depends on it; a column of A is then its coefficients. */
+/* Returns true if all definitions are of first degree in a state, and some depends on it. Fills a column of A. */
 static bool is_linear(const ttc_model *model, exchange *e, size_t state, size_t column)
 {
     bool depends = false;
