@@ -382,7 +382,7 @@ jlt_status jlt_course_to(jlt_course *self, double t, jlt_course_row *row)
 void jlt_course_cost(const jlt_course *self, size_t *steps, size_t *evaluations)
 {
     *steps = *evaluations = 0;
-    if (self->leg == NULL) return;
+    if (self->is_rod) return;
     const jlt_stepper *stepper = jlt_orbit_stepper(self->leg->orbit);
     *steps = stepper->steps;
     *evaluations = stepper->evaluations;
