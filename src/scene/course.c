@@ -34,7 +34,7 @@ struct jlt_course {
     jlt_instance *watch; /* the asked model's most special kernel in t, for its integrals */
     jlt_course_drift drift;
 
-    jlt_leg legs[2], *leg; /* leg: the current one; the other is free for the next; NULL: none yet */
+    jlt_leg legs[2], *leg; /* leg: the current one; the other is free for the next; NULL: none yet, or nothing is integrated */
     jlt_rod rod;
     change changes[CHANGES_MAX];
     unsigned change_count;
@@ -50,10 +50,7 @@ struct jlt_course {
     double row[JLT_PLAN_STATES_MAX]; /* x in the table's units */
 };
 
-const jlt_instance *jlt_course_kernel(const jlt_course *self)
-{
-    return self->is_rod ? self->watch : self->leg->view.instance;
-}
+const jlt_instance *jlt_course_kernel(const jlt_course *self) { return self->is_rod ? self->watch : self->leg->view.instance; }
 
 unsigned jlt_course_integrals(const jlt_course *self) { return self->drift.count; }
 
@@ -62,7 +59,7 @@ const char *jlt_course_integral(const jlt_course *self, unsigned index)
     return self->watch->descriptor->integrals[index].name;
 }
 
-unsigned jlt_course_changes(const jlt_course *self) { return self->change_count; }
+unsigned jlt_course_changes(const jlt_course *self) { return self->is_rod ? 0 : self->change_count; }
 
 void jlt_course_change(const jlt_course *self, unsigned index, double *t, const char **from, const char **to, const char **why)
 {
@@ -174,6 +171,30 @@ static void copy_question(jlt_course *self, const jlt_plan *plan, const jlt_ques
     self->is_rod = plan->candidates[plan->chosen].tier.table == NULL;
 }
 
+/* Open a leg in the tier of a candidate from x at t, told in the table's units. DOMAIN: the tier does not serve there. */
+static jlt_status open_served(jlt_course *self, unsigned candidate, const double *told, const double *x, double t)
+{
+    jlt_candidate *next = &self->plan.candidates[candidate];
+    bool serves = jlt_plan_serves(&next->tier, next, &self->question, told);
+    jlt_status st = JLT_OK;
+
+    if (serves) st = jlt_course_units_serve(&serves, &next->tier, self->told_params, told, &self->units);
+    if (st == JLT_OK) st = serves ? open_leg(self, candidate, x, t) : JLT_ERR_DOMAIN;
+    return st == JLT_ERR_UNSUPPORTED ? JLT_ERR_DOMAIN : st; /* this tier does not serve in the course's units */
+}
+
+/* Quadratures give states at the times of rows alone: between rows conditions are watched along the same motion, integrated in the
+ * smallest tier that serves. */
+static jlt_status watch_between_rows(jlt_course *self)
+{
+    jlt_status st = JLT_ERR_DOMAIN;
+
+    if (jlt_observed_conditions(self->conditions.observed) == 0) return JLT_OK;
+    for (unsigned i = 0; st == JLT_ERR_DOMAIN && i < self->plan.count; i++)
+        if (self->plan.candidates[i].tier.table != NULL) st = open_served(self, i, self->told_start, self->start, 0);
+    return st;
+}
+
 jlt_status jlt_course_create(jlt_course **out, const jlt_plan *plan, const jlt_question *question,
                              const jlt_course_options *options)
 {
@@ -197,8 +218,10 @@ jlt_status jlt_course_create(jlt_course **out, const jlt_plan *plan, const jlt_q
     self->seen = calloc(jlt_observed_count(self->conditions.observed) + 1, sizeof *self->seen);
     if (self->seen == NULL) return JLT_ERR_NOMEM;
     note_conditions(self, 0, self->start);
-    if (self->is_rod) JLT_PASS(jlt_rod_open(&self->rod, model, self->params, self->start));
-    else {
+    if (self->is_rod) {
+        JLT_PASS(jlt_rod_open(&self->rod, model, self->params, self->start));
+        JLT_PASS(watch_between_rows(self));
+    } else {
         JLT_PASS(open_leg(self, plan->chosen, self->start, 0));
         JLT_PASS(tell_params(self));
     }
@@ -280,18 +303,6 @@ static void fill(jlt_course *self, jlt_course_row *row, jlt_end end, double t)
     restore(self, row, t);
 }
 
-/* Open a leg in the tier of a candidate from x at t, told in the table's units. DOMAIN: the tier does not serve there. */
-static jlt_status open_served(jlt_course *self, unsigned candidate, const double *told, const double *x, double t)
-{
-    jlt_candidate *next = &self->plan.candidates[candidate];
-    bool serves = jlt_plan_serves(&next->tier, next, &self->question, told);
-    jlt_status st = JLT_OK;
-
-    if (serves) st = jlt_course_units_serve(&serves, &next->tier, self->told_params, told, &self->units);
-    if (st == JLT_OK) st = serves ? open_leg(self, candidate, x, t) : JLT_ERR_DOMAIN;
-    return st == JLT_ERR_UNSUPPORTED ? JLT_ERR_DOMAIN : st; /* this tier does not serve in the course's units */
-}
-
 /* Continue in the next larger tier that serves here: from the start of the orbit, where it serves there too. Where the
  * coordinates of the last tier end, the state has lost digits: half of them if a rate is a root. DOMAIN: there is none. */
 static jlt_status change_tier(jlt_course *self)
@@ -299,7 +310,7 @@ static jlt_status change_tier(jlt_course *self)
     double here[JLT_PLAN_STATES_MAX];
     jlt_status st = JLT_ERR_DOMAIN;
 
-    if (self->plan.forced || self->change_count == CHANGES_MAX) return st;
+    if ((self->plan.forced && !self->is_rod) || self->change_count == CHANGES_MAX) return st;
     jlt_units_restore(here, self->x, self->question.model->states, self->states, &self->units);
     for (unsigned i = self->taken + 1; st == JLT_ERR_DOMAIN && i < self->plan.count; i++) {
         const unsigned from = self->taken;
@@ -313,29 +324,6 @@ static jlt_status change_tier(jlt_course *self)
         memcpy(c->why, self->edge, sizeof c->why);
     }
     return st;
-}
-
-/* Whether a state of the asked model is within 1e-4 of its interval's length from a proved pole. */
-static bool is_near_pole(const jlt_course *self)
-{
-    const jlt_descriptor *model = self->question.model;
-
-    for (unsigned i = 0; i < model->pole_count; i++) {
-        const jlt_quantity *q = &model->states[model->poles[i].state];
-        if (!jlt_descriptor_proves(model, "pole", q->name)) continue;
-        const double x = ldexp(self->x[model->poles[i].state], jlt_units_exponent(&self->units, q->unit));
-        if (fmin(x - q->low, q->high - x) < 1e-4 * (q->high - q->low)) return true;
-    }
-    return false;
-}
-
-static void name_edge(jlt_course *self, unsigned edge)
-{
-    const jlt_leg *leg = self->leg;
-
-    if (leg->field.time_rate == NULL && is_near_pole(self))
-        snprintf(self->edge, sizeof self->edge, "the orbit is so near a pole that in plain time nothing is left of its digits");
-    else jlt_leg_end_text(self->edge, leg, edge);
 }
 
 static void tell_step(const jlt_course *self, jlt_course_row *row)
@@ -362,7 +350,7 @@ static jlt_status along_orbit(jlt_course *self, double t, jlt_course_row *row)
         if (st != JLT_OK && outcome.x != NULL) row->unbounded = jlt_leg_unbounded(self->leg, outcome.t);
         if (st == JLT_ERR_BUDGET) tell_step(self, row);
         if (st != JLT_ERR_DOMAIN) return st;
-        name_edge(self, edge);
+        jlt_leg_end_text(self->edge, self->leg, edge);
         row->edge = self->edge;
         st = outcome.x != NULL ? change_tier(self) : st;
     } while (st == JLT_OK);
@@ -382,10 +370,12 @@ jlt_status jlt_course_to(jlt_course *self, double t, jlt_course_row *row)
         return JLT_OK;
     }
     self->direction = t < self->t ? -1 : 1;
-    if (!self->is_rod) return along_orbit(self, t, row);
-    JLT_PASS(jlt_rod_at(&self->rod, self->x, t));
-    self->t = t;
-    fill(self, row, JLT_END_TIME, t);
+    row->end = JLT_END_TIME;
+    if (self->leg != NULL) JLT_PASS(along_orbit(self, t, row));
+    else self->t = t;
+    if (!self->is_rod) return JLT_OK;
+    JLT_PASS(jlt_rod_at(&self->rod, self->x, self->t));
+    fill(self, row, row->end, self->t);
     return JLT_OK;
 }
 

@@ -83,7 +83,8 @@ unsigned jlt_course_tells_more(const jlt_course *self, const jlt_quantity **quan
 unsigned jlt_course_changes(const jlt_course *self);
 void jlt_course_change(const jlt_course *self, unsigned index, double *t, const char **from, const char **to, const char **why);
 
-/** Steps and evaluations of the field so far; both 0 for quadratures. */
+/** Steps and evaluations of the field from which states came so far; both 0 for quadratures, whose conditions alone are watched
+ *  along an integrated motion. */
 void jlt_course_cost(const jlt_course *self, size_t *steps, size_t *evaluations);
 
 #endif

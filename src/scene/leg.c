@@ -1,9 +1,11 @@
 #include "scene/leg.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "integrate/edge.h"
+#include "kernel/descriptor.h"
 
 /* The sign between the orbit's time and the asked model's: the image by a reversor runs backwards. */
 static int sense(const jlt_leg *self) { return self->view.mirror != NULL ? -1 : 1; }
@@ -48,11 +50,32 @@ static bool rests_at(const jlt_leg *self, const jlt_edge_part *end)
     return f[end->index] == 0;
 }
 
+/* Whether a state of the asked model is within 1e-4 of its interval's length from a proved pole. */
+static bool is_near_pole(const jlt_leg *self)
+{
+    const jlt_tier *tier = &self->view.tier;
+    const jlt_descriptor *model = tier->asked;
+    double states[JLT_WAY_VALUES_MAX];
+
+    jlt_tier_extract(&self->view, states, self->y);
+    for (unsigned i = 0; i < model->pole_count; i++) {
+        const jlt_quantity *q = &model->states[model->poles[i].state];
+        if (!jlt_descriptor_proves(model, "pole", q->name)) continue;
+        const double x = ldexp(states[model->poles[i].state], jlt_units_exponent(&tier->units, q->unit));
+        if (fmin(x - q->low, q->high - x) < 1e-4 * (q->high - q->low)) return true;
+    }
+    return false;
+}
+
 void jlt_leg_end_text(char *text, const jlt_leg *self, unsigned edge)
 {
     const jlt_descriptor *kernel = self->view.instance->descriptor;
     jlt_edge_part part;
 
+    if (self->field.time_rate == NULL && is_near_pole(self)) {
+        snprintf(text, JLT_TIER_TEXT_MAX, "the orbit is so near a pole that in plain time nothing is left of its digits");
+        return;
+    }
     if (edge < self->edges.count) {
         jlt_tier_edge_text(text, &self->edges, edge);
         return;

@@ -32,7 +32,7 @@ void jlt_leg_close(jlt_leg *self); /* legal when zeroed */
 JLT_CHECKED jlt_status jlt_leg_to(jlt_leg *self, double t, jlt_outcome *outcome, unsigned *edge);
 
 /** Say in words where the leg ended: at this edge of its coordinates, or, if `edge` is the number of edges, at the edge of its
- *  table's domain. Out: text, shape (JLT_TIER_TEXT_MAX,). */
+ *  table's domain; in plain time, so near a pole that digits are lost. Out: text, shape (JLT_TIER_TEXT_MAX,). */
 void jlt_leg_end_text(char *text, const jlt_leg *self, unsigned edge);
 
 /** The name of the state that grows without bound at the last point, at time t of the orbit; NULL: none is known. */

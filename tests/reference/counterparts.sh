@@ -50,6 +50,17 @@ run 0 known simulate "$scratch/other.tt" "${orbit[@]}" --start $start,omega_tau=
 run 0 own simulate "$scratch/other.tt" "${orbit[@]}" --start $start,omega_tau=0.4 --tier quadrature
 for name in known own; do grep -v '^#' "$scratch/$name" | cut -d, -f 1-6 > "$scratch/$name.cut"; done
 same "$scratch/own.cut" "$scratch/known.cut" 1e-11 # ten times the tolerance, as of a return
+# A condition that breaks between the rows of quadratures is told as along an orbit, with its time and depth, both ways.
+for until in 3 -3; do
+    loss=(--set I3=0 --start gamma3=0.26,v_nu=0.8,omega_tau=1.26,omega_n=1.27,omega3=0 --times 0.1,$until)
+    [ $until = 3 ] || loss=("${loss[@]/0.1/-0.1}")
+    run 0 known simulate "${loss[@]}" --tier level
+    lost=$(grep 'contact is lost' "$scratch/err") || fail "no loss by $until"
+    run 0 own simulate "${loss[@]}"
+    grep -q '# tier quadrature' "$scratch/own" || fail "quadratures do not answer: $(cat "$scratch/own")"
+    says "$lost"
+    [ "$(rows "$scratch/own" | sed 's/.*,//' | xargs)" = "alive lost_contact" ] || fail "by $until: $(rows "$scratch/own")"
+done
 
 # What is missing, and what is false.
 run 3 out portrait lorenz
