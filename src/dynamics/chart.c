@@ -1,5 +1,6 @@
 #include "dynamics/chart.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -117,7 +118,11 @@ bool jlt_chart_counts(const jlt_chart *self, const jlt_crossing *crossing, jlt_d
 
 void jlt_chart_turn_back(const jlt_chart *self, double *x)
 {
-    if (self->turn != 0) x[self->column] = self->level + reduce(x[self->column] - self->level, self->turn);
+    if (self->turn == 0) return;
+    const double off = reduce(x[self->column] - self->level, self->turn);
+    /* An orbit on the section stays on it: where all states are small, rounding of turns is no small distance from it. */
+    const bool is_on = fabs(off) <= 16 * DBL_EPSILON * (fabs(self->level) + fabs(self->turn));
+    x[self->column] = is_on ? self->level : self->level + off;
 }
 
 bool jlt_chart_is_coordinate(const jlt_chart *self, unsigned state)

@@ -84,8 +84,8 @@ unsigned jlt_chart_events(const jlt_chart *self, jlt_event *events, jlt_directio
  *  jlt_chart_turn_back and follow the orbit on from there. */
 bool jlt_chart_counts(const jlt_chart *self, const jlt_crossing *crossing, jlt_direction direction);
 
-/** Bring the section's state to within half a turn of its level, in place; a state that is no angle stays. x: shape
- *  (states,). */
+/** Bring the section's state to within half a turn of its level, in place, and onto the level where only rounding keeps it off; a
+ *  state that is no angle stays. x: shape (states,). */
 void jlt_chart_turn_back(const jlt_chart *self, double *x);
 
 /** The same; also bring all coordinates that are angles into (-period/2, period/2]. For plane sections and their levels. */

@@ -10,6 +10,8 @@
 
 enum { SAMPLES = 16, BISECTIONS = 60, NODES = JLT_STEPPER_NODES };
 static const double rounding = 1e-9; /* a function is this far from 0 at its zeros at most, in units of it elsewhere */
+static const double small_part = 0x1p-10; /* of a function's least value: by so much more it varies within a narrow dip's reach */
+static const double finest = 0x1p-14; /* part of a step within which no dips are looked for */
 
 static double value_at(const jlt_stepper *stepper, const jlt_event *event, double theta)
 {
@@ -41,19 +43,37 @@ static double first_change(const jlt_stepper *stepper, const jlt_event *event, i
     return high <= 1 ? change_between(stepper, event, side, low, high) : high;
 }
 
-/* The first place in the step where a function is beyond zero by more than rounding, as far as samples tell; INFINITY: none. Near a
- * zero of high order the polynomial of the function may have none, or one far from it. */
+/* Whether five equidistant values are those of a parabola, up to a small part of the least of them and to rounding. */
+static bool is_parabola(const double v[5], double size)
+{
+    const double least = fmin(fmin(fmin(v[0], v[1]), fmin(v[2], v[3])), v[4]);
+    const double left = 0.375 * v[0] + 0.75 * v[2] - 0.125 * v[4], right = 0.375 * v[4] + 0.75 * v[2] - 0.125 * v[0];
+    return fmax(fabs(v[1] - left), fabs(v[3] - right)) <= fmax(small_part * least, rounding * size);
+}
+
+/* The first place in the step where a function is beyond zero by more than rounding; INFINITY: none. Near a zero of high order the
+ * polynomial of the function may have none, or one far from it, and it does not show a dip between its values. Four values more at
+ * a time are compared with a parabola: what is near a dip shows, and is looked at more closely. */
 static double first_beyond(const jlt_stepper *stepper, const jlt_event *event, int side)
 {
-    double value[SAMPLES + 1], size = 0;
+    double v[5] = { side * value_at(stepper, event, 0) }, size = fabs(v[0]);
 
-    for (int k = 0; k <= SAMPLES; k++) {
-        value[k] = side * value_at(stepper, event, (double)k / SAMPLES);
-        size = fmax(size, fabs(value[k]));
+    for (double low = 0, length = 0.25; low < 1;) {
+        for (int k = 1; k < 5; k++) {
+            v[k] = side * value_at(stepper, event, low + 0.25 * k * length);
+            size = fmax(size, fabs(v[k]));
+        }
+        for (int k = 1; k < 5; k++)
+            if (v[k] < -16 * DBL_EPSILON * size)
+                return change_between(stepper, event, side, low + 0.25 * (k - 1) * length, low + 0.25 * k * length);
+        if (length > finest && !is_parabola(v, size)) {
+            length *= 0.5;
+            continue;
+        }
+        v[0] = v[4];
+        low += length;
+        length = fmin(2 * length, 1 - low);
     }
-    for (int k = 1; k <= SAMPLES; k++)
-        if (value[k] < -16 * DBL_EPSILON * size)
-            return change_between(stepper, event, side, (k - 1.0) / SAMPLES, (double)k / SAMPLES);
     return INFINITY;
 }
 
@@ -102,8 +122,8 @@ static void rates(double rate[2], const jlt_stepper *stepper, const jlt_event *e
     rate[1] = stepper->h * jlt_locate_slope(event, stepper, stepper->x, stepper->f);
 }
 
-/* Whether the cubic polynomial through values and slopes, in Bernstein form, is above zero by more than its terms of second and
- * third order. Its error is w""h^4/384 at most, 1/192 of the former where w"" = w"/h^2; one with a pole varies more. */
+/* Whether the cubic polynomial through values and slopes, in Bernstein form, is far above zero, measured by its terms of second and
+ * third order. Its error is w""h^4/384 at most, 1/192 of the former where w"" = w"/h^2; a narrow dip, or a pole, shows less. */
 static bool stays_above(const jlt_stepper *stepper, const jlt_event *event, double w0, double w1)
 {
     double rate[2];
@@ -111,7 +131,7 @@ static bool stays_above(const jlt_stepper *stepper, const jlt_event *event, doub
     rates(rate, stepper, event);
     const double bend = fabs(3 * (w1 - w0) - 2 * rate[0] - rate[1]) + fabs(rate[0] + rate[1] - 2 * (w1 - w0));
     const double least = jlt_smaller(jlt_smaller(w0, w1), jlt_smaller(w0 + rate[0] / 3, w1 - rate[1] / 3));
-    return least > bend;
+    return least > 16 * bend;
 }
 
 static bool stands_still(const jlt_stepper *stepper, const jlt_event *event, double w0, double w1)
@@ -123,17 +143,24 @@ static bool stands_still(const jlt_stepper *stepper, const jlt_event *event, dou
     return rate[0] == 0 && rate[1] == 0;
 }
 
-/* Whether a function is above zero by four times as much as it varies, as seen at both ends and at two nodes between: a cubic
- * polynomial through four such values goes below the least of them by two fifths of that at most, and one with a pole by more. */
-static bool stays_far(double w0, double left, double right, double w1)
+/* What the polynomials through the values w at the nodes and at one end leave out: about as much as their last coefficient in
+ * Chebyshev's polynomials, a divided difference. */
+static double left_out(const double w[NODES + 2])
 {
-    const double least = fmin(fmin(w0, w1), fmin(left, right)), most = fmax(fmax(w0, w1), fmax(left, right));
-    return least > 4 * (most - least);
+    static const double weight[NODES + 1] = { 0.39276123046875, -0.62083259586207265, 0.38930656486425137, -0.27892209406686126,
+        0.20135125753856239, -0.13893159426971149, 0.08674970976214992, -0.044058859112127087, 0.012576380677058808 };
+    double from_start = 0, from_end = 0;
+
+    for (unsigned k = 0; k < NODES + 1; k++) {
+        from_start += weight[k] * w[k];
+        from_end += weight[k] * w[NODES + 1 - k];
+    }
+    return jlt_larger(fabs(from_start), fabs(from_end));
 }
 
 /* Whether a function with the values w at both ends and all nodes is above zero between them as well. It goes below the line
  * through two of them by gap^2/8 of its second derivative at most, taken to be up to twice the largest that three neighbours
- * show. */
+ * show. What is left out at the nodes, such as a narrow dip, may be anywhere between. */
 static bool stays_above_nodes(const double w[NODES + 2])
 {
     double least = w[0], sum = w[0], bend = 0, widest = 0, slope = 0, gap = 0; /* bend: half a second derivative */
@@ -148,21 +175,19 @@ static bool stays_above_nodes(const double w[NODES + 2])
         least = jlt_smaller(least, w[k]);
         sum += w[k];
     }
-    return isfinite(sum) && least > widest * widest / 2 * bend;
+    return isfinite(sum) && least > widest * widest / 2 * bend && left_out(w) <= 0.1 * small_part * least;
 }
 
 /* Whether a function that is positive at both ends of the step is so between. Steps of methods with nodes may be so long that
  * values and slopes at the ends tell nothing. */
 static bool holds_between(jlt_stepper *stepper, const jlt_event *event, double w0, double w1)
 {
-    static const unsigned char order[NODES] = { 2, 5, 0, 1, 3, 4, 6, 7 };
     double x[JLT_FIELD_DIM_MAX + 1], w[NODES + 2] = { w0 };
 
     w[NODES + 1] = w1;
     for (unsigned i = 0; i < NODES; i++) {
-        if (!jlt_stepper_node(stepper, order[i], x)) return stays_above(stepper, event, w0, w1);
-        w[order[i] + 1] = jlt_locate_value(event, x);
-        if (i == 1 && stays_far(w0, w[3], w[6], w1)) return true;
+        if (!jlt_stepper_node(stepper, i, x)) return stays_above(stepper, event, w0, w1);
+        w[i + 1] = jlt_locate_value(event, x);
     }
     return stays_above_nodes(w) || stands_still(stepper, event, w0, w1);
 }

@@ -2,7 +2,8 @@
  *
  *  At the ends of the step, and where a method has been between, its values are those of the function. Elsewhere it is a polynomial
  *  through 13 values, all of whose zeros are isolated as those of events are (event.h). Values of the function itself correct both
- *  where the polynomial is not as sharp: at zeros of higher order and beside poles. */
+ *  where the polynomial is not as sharp: at zeros of higher order, beside poles and in narrow dips. A dip is found if what it adds
+ *  to values some tenth of a step away is more than 1e-4 of the function's least value there; others may be stepped over. */
 #ifndef JLT_INTEGRATE_LOSS_H
 #define JLT_INTEGRATE_LOSS_H
 
@@ -14,9 +15,9 @@ JLT_CHECKED jlt_status jlt_loss_zero(double *theta, jlt_stepper *stepper, const 
 
 /** As jlt_loss_zero, for the function of an event that is positive at the start of the step. In/out: *theta, replaced by the first
  *  theta at which the function is not positive, if that is smaller; a function that is NaN at the end is not looked at. Errors: as
- *  jlt_stepper_dense. Cost, where it is positive at the end too: four values of the function, and six more where it varies by
- *  more than a fourth of the least of them; by methods without nodes (method.h) two of values and slopes; and where that does
- *  not tell, jlt_stepper_dense and 30 of values; or 175 if the polynomial has a zero that the function has not. */
+ *  jlt_stepper_dense. Cost, where it is positive at the end too: ten values of the function; by methods without nodes (method.h)
+ *  two of values and slopes; and where that does not tell, jlt_stepper_dense and some 30 to 100 of values; or 150 more if the
+ *  polynomial has a zero that the function has not. */
 JLT_CHECKED jlt_status jlt_loss_first(double *theta, jlt_stepper *stepper, const jlt_event *event);
 
 /** As jlt_watch_step (watch.h) for an event of such a function, of which the first loss on the last step is the only crossing. */

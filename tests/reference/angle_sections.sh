@@ -159,4 +159,12 @@ for method in gauss dop853 taylor rk8pd rkf45 msadams; do
     done
     expect 0 '^0,20,' jellett section ./damped.tt --section phi=0 --start x=1e-122,v=0 --returns 20 --method $method
 done
+
+# Where all states are small, what rounding of whole turns leaves of the phase is no crossing: the nth return is at 2 pi n.
+printf 'model saddle\nstate x\nstate z\nstate phi\nperiodic phi = 2*pi\neq x = x/4\neq z = -z/4 + x^2/4\neq phi = 1\n' > saddle.tt
+for options in '--tol 1e-13' '--tol 1e-12 --backward' '--tol 1e-12 --backward --method taylor'; do
+    expect 0 '^1999,3,' jellett section ./saddle.tt --section phi=0 $options --returns 3 --grid x=0:0.001:10,z=1e-6:1e-3:200
+    awk -F, -v pi=3.141592653589793 '/^[0-9]/ { n++; t = $3 < 0 ? -$3 : $3; bad += (t - 2*pi*$2)^2 > 1e-20 }
+        END { exit !(n == 8000 && !bad) }' out || fail "a phase is crossed twice at once, with $options"
+done
 exit $status

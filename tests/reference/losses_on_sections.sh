@@ -162,4 +162,28 @@ EOF
     done
 done
 
+# A dip much narrower than steps, to -1 at x = 1/2, is found from what it adds to the values beside it, also where another condition
+# is small all the time: its least value is told, the orbit ends there, and simulate tells of it.
+cat > dip.tt <<'T'
+model dip
+param d > 0
+default d = 0.03
+state x
+state y
+eq x = y
+eq y = - x
+valid wide : 3 - 4*d^2/((x - 1/2)^2 + d^2) > 0
+valid low : (x^2 + y^2)/100 > 0
+T
+for case in 0.03:lanes 0.1:lanes {0.03,0.003}:{gauss,taylor} {0.03,0.01}:{dop853,rk8pd,rkf45,msadams}; do
+    how=(--method "${case#*:}")
+    [ "${case#*:}" = lanes ] && how=()
+    dip=(section ./dip.tt --section y=0 --direction both --set "d=${case%:*}" --grid x=0.9:1.1:20 --returns 1 "${how[@]}")
+    jellett "${dip[@]}" --contact report 2> err |
+        awk -F, '/^[0-9]/ && $2 == 1 { n++; bad += ($6 + 1)^2 > 1e-12 } END { exit !(n == 20 && !bad) }' ||
+        fail "least values of a narrow dip, $case: $(cat err)"
+    [ "$(jellett "${dip[@]}" --contact end 2> err | grep -c ',lost_wide$')" -eq 20 ] ||
+        fail "orbits do not end in a narrow dip, $case: $(cat err)"
+done
+expect 0 ',lost_wide$' jellett simulate ./dip.tt --start x=1,y=0 --times 2
 exit $status
