@@ -25,7 +25,8 @@ static const struct argp_option option_table[] = {
       "Range of the x axis in all panels, such as -pi:pi; default: wide enough for all the data", 13 },
     { "yrange", YRANGE, "LOW:HIGH", 0, "Range of the y axis, likewise", 13 },
     { "title", TITLE, "TEXT", 0,
-      "Text above the picture, exactly as typed; an empty one gives none. Default: model, parameters and levels", 13 },
+      "Text above the picture, exactly as typed; an empty one gives none. Default: model, and parameters and levels if "
+      "there is room", 13 },
     { "style", STYLE, "WORD,...", 0,
       "grey (for print: black and greys, told apart by dashes and marks), dots (the smallest points possible), nokey (no "
       "key), points=FACTOR, lines=FACTOR (multiply the size of points, the width of lines)", 13 },
@@ -254,6 +255,14 @@ void jlt_plot_panels(jlt_plot *self, unsigned count, bool stacked)
     self->rows = count / self->columns;
 }
 
+double jlt_plot_beside(jlt_plot *self, double width)
+{
+    const double letters = self->look->width * 72 / 2.54 / jlt_look_points(self->look), sample = 4;
+
+    self->beside = fmin(sample + width, letters / 2);
+    return fmin(1, self->beside / (sample + width));
+}
+
 void jlt_plot_panel(jlt_plot *self, unsigned index, const char *label, jlt_extent range)
 {
     const bool last = index + 1 == self->rows;
@@ -272,12 +281,15 @@ static unsigned write_title(FILE *stream, const jlt_plot *self)
     return text != NULL && *text == '\0' ? 0 : lines;
 }
 
-/* Cut the caption to its first line if stacked panels would otherwise be too low. */
+/* Cut the caption to its first line if stacked panels would otherwise be too low, or others lower than a fourth of what they share:
+ * six lines of each are labels and key. */
 static void shorten_title(jlt_plot *self)
 {
-    const double letters = self->look->height * 72 / 2.54 / jlt_look_points(self->look);
+    const double letters = self->look->height * 72 / 2.54 / jlt_look_points(self->look), rows = fmax(1, self->rows);
+    const double title = 1.2 * jlt_look_lines(NULL, self->look, self->title.text, true);
 
-    if (self->stacked && letters - 10 < 3.8 * self->rows) self->title.text[strcspn(self->title.text, "\n")] = '\0';
+    if (self->stacked ? letters - 10 < 3.8 * rows : letters - title - 6 * rows < letters / 4)
+        self->title.text[strcspn(self->title.text, "\n")] = '\0';
 }
 
 /* Begin the panels; stacked ones get margins for labels on the left and the key on the right. */
@@ -288,8 +300,8 @@ static void write_panels(FILE *stream, const jlt_plot *self)
     fprintf(stream, "set multiplot layout %u,%u title ", self->rows, self->columns);
     const unsigned lines = write_title(stream, self);
     if (self->stacked)
-        fprintf(stream, " margins %.4f,%.4f,%.4f,%.4f spacing 0,%.4f", 6 * x, 1 - 6 * x, 3.8 * y, 1 - (1.1 + 1.2 * lines) * y,
-                1.15 * y);
+        fprintf(stream, " margins %.4f,%.4f,%.4f,%.4f spacing 0,%.4f", 6 * x, 1 - fmax(6, self->beside) * x, 3.8 * y,
+                1 - (1.1 + 1.2 * lines) * y, 1.15 * y);
     fputc('\n', stream);
 }
 

@@ -18,6 +18,7 @@ typedef struct {
     /* private */
     unsigned rows, columns; /* of panels; 0: there is one picture without panels */
     bool stacked;           /* panels share the x axis */
+    double beside;          /* the room for the keys of stacked panels, in units of the font size */
     jlt_command_output script, title;
     bool valued;            /* the caption ends with NAME=VALUE */
 } jlt_plot;
@@ -46,6 +47,10 @@ void jlt_plot_log(jlt_plot *self, char axis, int base);
 /** Lay out `count` panels in place of one picture: if stacked, one below the other with a common x axis, else side by side where
  *  there is room. */
 void jlt_plot_panels(jlt_plot *self, unsigned count, bool stacked);
+
+/** Leave room beside stacked panels for keys whose widest label has this width (jlt_look_breadth), up to half of the picture.
+ *  Returns the factor, at most 1, of the size of letters with which it fits. */
+double jlt_plot_beside(jlt_plot *self, double width);
 
 /** Begin panel number `index` of stacked panels; label and range are those of the common x axis. */
 void jlt_plot_panel(jlt_plot *self, unsigned index, const char *label, jlt_extent range);

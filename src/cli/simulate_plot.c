@@ -64,25 +64,46 @@ static void caption(jlt_plot *plot, const jlt_simulate_request *r)
     jlt_plot_words(plot, "; tier %s, tolerance %.3g", jlt_plan_tier(&r->plans[0]), r->session.tolerance);
 }
 
-/* Write one curve of `plot`: a column against t. series: the number of the curve in its panel. */
-static void curve(jlt_plot *plot, unsigned column, unsigned series, const char *name)
+/* Write one curve of `plot`: a column against t, of which a single row is a point. series: the number of the curve in its panel. */
+static void curve(jlt_plot *plot, const jlt_simulate_request *r, unsigned column, unsigned series, const char *name)
 {
+    jlt_pen pen = { "lines", .colour = series, .dash = series };
+
+    if (r->extents[0].low == r->extents[0].high) pen = (jlt_pen){ "points", .colour = series, .mark = series, .size = 0.8 };
     fprintf(plot->stream, "%s$ROWS using 1:%u ", series == 0 ? "plot " : ", ", column);
-    jlt_look_pen(plot->stream, plot->look, (jlt_pen){ "lines", .colour = series, .dash = series });
+    jlt_look_pen(plot->stream, plot->look, pen);
     fputs(" title '", plot->stream);
     jlt_symbol_write(plot->stream, name);
     fputc('\'', plot->stream);
 }
 
-/* Place the key beside a panel, one of `panels`; in a low panel its lines are closer together, or even smaller. */
-static void key(jlt_plot *plot, unsigned entries, unsigned panels)
+/* Leave room for the keys of all panels, which name the states and the integrals; see jlt_plot_beside. */
+static double room_beside(jlt_plot *plot, const jlt_simulate_request *r)
+{
+    const jlt_descriptor *d = r->session.descriptor;
+    const unsigned drifts = jlt_course_integrals(r->courses[0]);
+    char label[JLT_LOOK_LABEL_MAX];
+    double width = 0;
+
+    for (unsigned i = 0; i < d->state_count + drifts; i++) {
+        jlt_look_label(label, i < d->state_count ? d->states[i].name : jlt_course_integral(r->courses[0], i - d->state_count), "");
+        width = fmax(width, jlt_look_breadth(label));
+    }
+    return jlt_plot_beside(plot, width);
+}
+
+/* Place the key beside a panel, one of `panels`; in a low panel its lines are closer together, or even smaller. narrow: the factor
+ * of room_beside. */
+static void key(jlt_plot *plot, unsigned entries, unsigned panels, double narrow)
 {
     const double letter = jlt_look_points(plot->look), height = 0.6 * plot->look->height * 72 / 2.54 / panels / letter;
     const double spacing = fmin(1, height / 1.8 / entries), size = fmin(1, fmax(0.7, spacing / 0.85));
-    char where[128];
+    char where[160];
 
-    snprintf(where, sizeof where, "outside right center horizontal maxcols 1 Left reverse samplen 1.5 spacing %.2f font ',%.3g'",
-             fmax(0.85, spacing), letter * size);
+    /* at a point: "outside" would place it by the width of its texts, which gnuplot only guesses */
+    snprintf(where, sizeof where,
+             "at graph 1,graph 0.5 left center horizontal maxcols 1 Left reverse samplen 1.5 spacing %.2f font ',%.3g'",
+             fmax(0.85, spacing), letter * fmin(size, narrow));
     jlt_look_key(plot->stream, plot->look, where);
 }
 
@@ -101,6 +122,7 @@ static void draw_states(jlt_plot *plot, const jlt_simulate_request *r)
         if (k == panels && panels < PANELS_MAX) units[panels++] = d->states[i].unit;
     }
     jlt_plot_panels(plot, panels + (drifts > 0), true);
+    const double narrow = room_beside(plot, r);
     for (unsigned k = 0; k < panels; k++) {
         unsigned series = 0, entries = 0;
         jlt_extent range = JLT_EXTENT_NONE;
@@ -112,15 +134,15 @@ static void draw_states(jlt_plot *plot, const jlt_simulate_request *r)
             jlt_extent_add(&range, r->extents[1 + i].high);
             entries++;
         }
-        key(plot, entries, panels + (drifts > 0));
+        key(plot, entries, panels + (drifts > 0), narrow);
         jlt_plot_panel(plot, k, "t [s]", r->extents[0]);
         jlt_plot_axis(plot, 'y', label, jlt_extent_wider(range), 0);
         for (unsigned i = 0; i < d->state_count; i++)
-            if (strcmp(units[k], d->states[i].unit) == 0) curve(plot, i + 2, series++, d->states[i].name);
+            if (strcmp(units[k], d->states[i].unit) == 0) curve(plot, r, i + 2, series++, d->states[i].name);
         fputc('\n', plot->stream);
     }
     if (drifts == 0) return;
-    key(plot, drifts, panels + 1);
+    key(plot, drifts, panels + 1, narrow);
     jlt_plot_panel(plot, panels, "t [s]", r->extents[0]);
     for (unsigned i = 0; i < drifts; i++) {
         jlt_extent_add(&drift, r->extents[first_drift(r) + i].low);
@@ -128,7 +150,7 @@ static void draw_states(jlt_plot *plot, const jlt_simulate_request *r)
     }
     fprintf(plot->stream, "set ylabel 'drift'\nset yrange [%.3g:%.3g]\nset ytics 100\nset logscale y\nset format y '10^{%%T}'\n",
             drift.low / 2, drift.high * 2);
-    for (unsigned i = 0; i < drifts; i++) curve(plot, first_drift(r) + 1 + i, i, jlt_course_integral(r->courses[0], i));
+    for (unsigned i = 0; i < drifts; i++) curve(plot, r, first_drift(r) + 1 + i, i, jlt_course_integral(r->courses[0], i));
     fputc('\n', plot->stream);
 }
 

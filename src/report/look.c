@@ -90,16 +90,36 @@ static double breadth(char first)
     return isupper((unsigned char)first) ? 0.72 : 0.63;
 }
 
+/* Whether the character at text[i] is a mark of enhanced text; behind a backslash it is a character like others. */
+static bool is_mark(const char *text, size_t i)
+{
+    return strchr("_{}\\", text[i]) != NULL && (i == 0 || text[i - 1] != '\\');
+}
+
+double jlt_look_breadth(const char *label)
+{
+    double width = 0, size = 1;
+
+    for (size_t i = 0; label[i] != '\0'; i++) {
+        if (!is_mark(label, i)) width += size * breadth(label[i]);
+        else if (label[i] == '{') size = 0.8; /* an index */
+        else if (label[i] == '}') size = 1;
+    }
+    return width;
+}
+
 /* How many bytes of a text to put on a line with this room, in units of the font size: up to a newline or its end, or to the last
- * blank that fits; a first word that does not fit stays whole. */
+ * blank that fits. A first word that does not fit ends after its last underscore that does, in markup one that is no mark; a word
+ * without any stays whole. */
 static size_t fitting(const char *text, double room, bool markup)
 {
-    size_t last = 0, i;
+    size_t last = 0, joint = 0, i;
 
     for (i = 0; text[i] != '\0' && text[i] != '\n'; i++) {
         if (text[i] == ' ') last = i;
-        if (!(markup && strchr("_{}\\", text[i]) != NULL)) room -= breadth(text[i]);
-        if (room < 0 && last > 0) return last;
+        if (!markup || !is_mark(text, i)) room -= breadth(text[i]);
+        if (room < 0 && last + joint > 0) return last > 0 ? last : joint;
+        if (text[i] == '_' && (!markup || !is_mark(text, i))) joint = i + 1;
     }
     return i;
 }
@@ -114,11 +134,11 @@ unsigned jlt_look_lines(FILE *stream, const jlt_look *self, const char *text, bo
 
     for (;; lines++) {
         const size_t length = fitting(text, small ? room / 0.85 : room, markup);
-        quote(stream, text, length, small);
+        if (stream != NULL) quote(stream, text, length, small);
         if (text[length] == '\0') return lines;
         small = small || (markup && text[length] == '\n');
-        text += length + 1;
-        fputs(".\"\\n\".", stream);
+        text += length + (text[length] == ' ' || text[length] == '\n');
+        if (stream != NULL) fputs(".\"\\n\".", stream);
     }
 }
 

@@ -43,9 +43,13 @@ double jlt_look_points(const jlt_look *self);
 /** Write a gnuplot string expression whose value is exactly this text. */
 void jlt_look_quote(FILE *stream, const char *text);
 
-/** The same, with the text broken at blanks into lines that fit the picture's width. Returns the number of lines. markup: the text
- *  is gnuplot's enhanced text, whose marks take no room; lines behind its first newline are smaller. */
+/** The same, with the text broken at blanks into lines that fit the picture's width, and a name longer than that after an
+ *  underscore of it. stream: NULL to count only. Returns the number of lines. markup: the text is gnuplot's enhanced text, whose
+ *  marks take no room; lines behind its first newline are smaller. */
 unsigned jlt_look_lines(FILE *stream, const jlt_look *self, const char *text, bool markup);
+
+/** The approximate width of a label in markup, in units of the font size. */
+double jlt_look_breadth(const char *label);
 
 /** The label "SYMBOL [UNIT]" of an axis as markup, without the unit where that is "" or "1". Out: label, shape
  *  (JLT_LOOK_LABEL_MAX,). */

@@ -95,7 +95,7 @@ static const struct argp parser = {
     "  trace, determinant: of the linearization\n"
     "  re1, im1, re2, im2: the two eigenvalues that the integrals leave\n"
     "  type              of the fixed point\n\n"
-    "Your own table is accepted if it has a proved `reduction' by spherical_top_balanced.tt.\n\n"
+    "Your own table is accepted if it has a proved `reduction` by spherical_top_balanced.tt.\n\n"
     "Examples:\n"
     "  jellett portrait --set I1=2/5,I3=1/4 \\\n"
     "    --start gamma3=0.5,v_nu=0.8,omega_tau=0,omega_n=0,omega3=0.9 --plot m2.svg\n"

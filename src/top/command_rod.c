@@ -60,7 +60,7 @@ static const struct argp parser = {
     "  defect_gamma3     in gamma3\n"
     "  defect_turn       in radians; empty where E1 = 0\n"
     "  defect_state      in all five states, which vanishes only where E1 = 0\n\n"
-    "Your own table is accepted if it has a proved `reduction' by spherical_top_level.tt.\n\n"
+    "Your own table is accepted if it has a proved `reduction` by spherical_top_level.tt.\n\n"
     "Examples:\n"
     "  jellett rod --set I1=0.7,a3=0.3 \\\n"
     "    --start gamma3=0.2,v_nu=0.6,omega_tau=0.4,omega_n=1.3,omega3=-0.8 --check\n"

@@ -160,6 +160,45 @@ start, size, line = re.search(r"translate\(([0-9.]+),[^>]*font-size=\"([0-9.]+)\
 if float(start) + 4.334 * float(size) > float(line): sys.exit("drift: in the key msadams runs into the line of E")
 END
 
+# Long names: no text leaves the picture or lies over another panel, a caption leaves room for the axes, a single row is seen.
+# Widths are those of Helvetica's letters, 0.55 sizes on average.
+long=position_of_the_first_body_on_the_rail other=velocity_of_the_first_body_on_the_rail
+cat > long.tt << END
+model a_rather_long_name_of_a_model_with_so_many_letters_in_it
+param stiffness_of_the_first_spring > 0
+param mass_of_the_first_body_on_the_rail > 0
+param another_one_that_is_not_used_but_long
+state $long
+state $other
+eq $long = $other + 0*another_one_that_is_not_used_but_long
+eq $other = - stiffness_of_the_first_spring*$long/mass_of_the_first_body_on_the_rail
+default stiffness_of_the_first_spring = 1, mass_of_the_first_body_on_the_rail = 1, another_one_that_is_not_used_but_long = 1
+END
+start="$long=1,$other=0"
+for look in "--size 8x6" "--size 18x13" "--size 8x6 --axes $long,$other"; do
+    jellett simulate ./long.tt --start "$start" --until 9 --every 1/2 $look --plot p.svg --keep p.gp -o rows.csv 2> log ||
+        fail "long names, $look: $(cat log)"
+    python3 - "$look" << 'END' || status=1
+import re, sys
+picture = open("p.svg").read()
+width = float(re.search(r'viewBox="0 0 ([0-9.]+)', picture).group(1))
+frame = [float(x) for d in re.findall(r"d='M[^']*?Z", picture) for x in re.findall(r"[ML]([0-9.]+),", d) if d.count("L") == 4]
+wrong = []
+for place, size, anchor, text in re.findall(
+        r'translate\(([0-9.]+),[0-9.]+\)"[^>]*font-size="([0-9.]+)" *text-anchor="(\w+)">\s*<text>(.*?)</text>', picture, re.S):
+    sizes = [(float(s or size), t) for s, t in re.findall(r'<tspan(?: [^>]*?font-size="([0-9.]+)")?[^>]*>([^<]*)', text)]
+    long = 0.5 * sum(s * len(t) for s, t in sizes or [(float(size), text)])
+    place, shown = float(place), re.sub(r"<[^>]*>", "", text)
+    left = place - {"start": 0, "middle": long / 2, "end": long}[anchor]
+    if left < 0 or left + long > width: wrong.append(f"{shown} lies outside")
+    if re.match("position|velocity", shown) and anchor == "start" and left < max(frame): wrong.append(f"{shown} lies over a panel")
+if wrong: sys.exit(f"long names, {sys.argv[1]}: " + "; ".join(wrong))
+END
+done
+[ "$(grep -c 'set title.*stiffness' p.gp)" -eq 0 ] || fail "long names: the caption takes the room of the axes"
+jellett simulate ./long.tt --start "$start" --times 0 --plot p.svg --keep p.gp -o rows.csv 2> log
+grep -q '^plot .* with points' p.gp || fail "a single row is drawn as a line, which is not seen: $(cat log)"
+
 refuse() { # WORDS OPTION...: status 2, the option named, and nothing written
     local words=$1 code
     shift

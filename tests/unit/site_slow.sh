@@ -16,3 +16,14 @@ for page in index man/jellett man/ttc api/dynamics api/kernel_abi gallery/README
 done
 pictures=$(grep -o '<img [^>]*src="[^"]*\.svg"' "$scratch/site/gallery/README.html" | wc -l)
 [ "$pictures" -ge "$(cat tools/scenes/*.scene | grep -c 'plot = ')" ] || { echo "the gallery has $pictures pictures"; exit 1; }
+
+# A heading of the gallery has a picture under it; code in a list is code.
+bare=$(tr -d '\n' < "$scratch/site/gallery/README.html" | sed 's/<h2>/\n&/g' | sed -n '/^<h2>/{/<img/!p}' | cut -c1-100)
+[ -z "$bare" ] || { echo "no picture in the gallery under: $bare"; exit 1; }
+plain=$(grep -rlE '<p>[a-z]+ = (&quot;|[({])' --include='*.html' "$scratch/site" || true)
+[ -z "$plain" ] || { echo "scenes as running text in: $plain"; exit 1; }
+
+# Names on man pages are whole, and what they quote is code.
+grep -q '>share/jellett/models/\*\.tt<' "$scratch/site/man/jellett.html" || { echo "man pages lose stars of file names"; exit 1; }
+quoted=$(grep -rl '<p>[^<]*`' --include='*.html' "$scratch/site/man" || true)
+[ -z "$quoted" ] || { echo "backticks in: $quoted"; exit 1; }
