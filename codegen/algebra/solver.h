@@ -9,8 +9,9 @@ typedef enum { TTC_SOLVER_POINT, TTC_SOLVER_NO_POINT, TTC_SOLVER_SILENT } ttc_so
 
 /** Ask for a point that meets the conditions. On POINT, `point` has its coordinates, or rational approximations of irrational
  *  ones, which the caller must verify; variables that no condition uses keep their values. NO_POINT: Z3 and QEPCAD find that
- *  there is none. Exponentials and logarithms may have any value with their sign, cosines and sines any with c^2 + s^2 = 1;
- *  with_functions: but only within the bounds that their arguments a give, 1 + a <= exp(a) <= 1/(1 - a), the latter where a < 1,
+ *  there is none. Exponentials and logarithms may have any value with their sign, cosines and sines any with c^2 + s^2 = 1, and
+ *  functions of numbers the values that agree with theirs to fifty digits; with_functions: but only within the bounds that their
+ *  arguments a give, 1 + a <= exp(a) <= 1/(1 - a), the latter where a < 1,
  *  cos(a) >= 1 - a^2/2 and |sin(a)| <= |a|, strictly if a is not zero. Cost: bounded in the solver's own units of work. */
 ttc_solver_answer ttc_solver_ask(ttc_witness *point, const ttc_conditions *conditions, bool with_functions);
 

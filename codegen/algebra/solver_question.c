@@ -126,16 +126,73 @@ static void state_cosine(ttc_question *q, const fmpz_mpoly_t cosine)
     fmpz_mpoly_clear(rest, ring->context);
 }
 
-/* To fifty digits. */
-static void state_pi(ttc_question *q, Z3_ast pi)
+static bool is_of_numbers(const ttc_question *q, const ttc_ratio *ratio);
+
+/* Returns true if a variable is one number at all points, whose digits are known: pi, exp(1), a positive root of such numbers. */
+static bool is_number(const ttc_question *q, slong v)
 {
-    static const char below[] = "3.1415926535897932384626433832795028841971693993751";
-    static const char above[] = "3.1415926535897932384626433832795028841971693993752";
-    Z3_solver_assert(q->z3, q->solver, Z3_mk_gt(q->z3, pi, Z3_mk_numeral(q->z3, below, q->real)));
-    Z3_solver_assert(q->z3, q->solver, Z3_mk_gt(q->z3, Z3_mk_numeral(q->z3, above, q->real), pi));
+    ttc_ring *ring = q->point->ring;
+    ttc_valuation *valuation = q->point->valuation;
+    if (ttc_witness_is_function(q->point, v)) {
+        const ttc_symbol_entry *entry = ttc_valuation_model(valuation)->symbols + ttc_valuation_symbol(valuation, v);
+        if (entry->kind == TTC_PI) return true;
+        ttc_ratio argument;
+        ttc_ratio_init(ring, &argument);
+        ttc_evaluate(valuation, &argument, entry->definition);
+        const bool result = is_of_numbers(q, &argument);
+        ttc_ratio_clear(ring, &argument);
+        return result;
+    }
+    for (size_t i = 0; i < ring->generator_count; i++)
+        if (ring->generators[i].variable == v) return ring->generators[i].positive && is_of_numbers(q, &ring->generators[i].square);
+    return false;
 }
 
-/* State the bounds of all variables that are used: signs of parameters and functions, and ends of intervals if they give a sign. */
+static bool is_of_numbers(const ttc_question *q, const ttc_ratio *ratio)
+{
+    for (slong v = 0; v < (slong)q->point->ring->variable_count; v++)
+        if (ttc_ratio_uses(q->point->ring, ratio, v) && !is_number(q, v)) return false;
+    return true;
+}
+
+static Z3_ast end_of(ttc_question *q, const arf_t end)
+{
+    fmpq_t value;
+    fmpq_init(value);
+    arf_get_fmpq(value, end);
+    char *digits = fmpq_get_str(NULL, 10, value);
+    Z3_ast number = Z3_mk_numeral(q->z3, digits, q->real);
+    flint_free(digits);
+    fmpq_clear(value);
+    return number;
+}
+
+/* State the value of a function of numbers, to some fifty digits, unless it is so large or small that the digits fill pages. */
+static void state_number(ttc_question *q, slong v)
+{
+    enum { PRECISION = 170, EXPONENT_LIMIT = 1024 };
+    ttc_ratio variable;
+    arb_t ball;
+    arf_t end;
+    if (!ttc_witness_is_function(q->point, v) || !is_number(q, v)) return;
+    ttc_ratio_init(q->point->ring, &variable);
+    arb_init(ball);
+    arf_init(end);
+    ttc_ratio_set_variable(q->point->ring, &variable, v);
+    ttc_witness_enclose(ball, q->point, &variable, PRECISION);
+    if (labs(arf_abs_bound_lt_2exp_si(arb_midref(ball))) < EXPONENT_LIMIT && arb_is_finite(ball)) {
+        arb_get_lbound_arf(end, ball, PRECISION);
+        Z3_solver_assert(q->z3, q->solver, Z3_mk_ge(q->z3, q->variables[v], end_of(q, end)));
+        arb_get_ubound_arf(end, ball, PRECISION);
+        Z3_solver_assert(q->z3, q->solver, Z3_mk_ge(q->z3, end_of(q, end), q->variables[v]));
+    }
+    arf_clear(end);
+    arb_clear(ball);
+    ttc_ratio_clear(q->point->ring, &variable);
+}
+
+/* State the bounds of all variables that are used: signs of parameters and functions, values of functions of numbers, and ends of
+ * intervals if they give a sign. */
 static void state_signs(ttc_question *q)
 {
     const ttc_ring *ring = q->point->ring;
@@ -149,7 +206,7 @@ static void state_signs(ttc_question *q)
         fmpz_mpoly_gen(variable, v, ring->context);
         if (entry->kind == TTC_COSINE) state_cosine(q, variable);
         if (entry->kind == TTC_EXP || entry->kind == TTC_ROOT) state_condition(q, variable, TTC_IS_POSITIVE);
-        if (entry->kind == TTC_PI) state_pi(q, q->variables[v]);
+        state_number(q, v);
         if (entry->kind == TTC_PARAM && entry->sign == TTC_POSITIVE) state_condition(q, variable, TTC_IS_POSITIVE);
         if (entry->kind == TTC_PARAM && entry->sign == TTC_NONNEGATIVE) state_condition(q, variable, TTC_IS_NONNEGATIVE);
         if (entry->kind == TTC_PARAM && entry->sign == TTC_NONZERO) state_condition(q, variable, TTC_IS_NONZERO);

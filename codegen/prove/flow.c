@@ -95,12 +95,17 @@ static void refute_along_orbit(ttc_task *task, ttc_id derivative, const char *pa
 }
 
 /* The flow is not tangent to the leaf. Refute the claim along an orbit, or at a real point of the leaf that lies on no other
- * component, as the flow leaves the level there; otherwise it is not settled. */
+ * component, as the flow leaves the level there; otherwise it is not settled. Nothing is said of a leaf that has no point, as is
+ * sometimes known only when roots that the rate alone uses have joined the ring. */
 static void refute_kept(ttc_task *task, const ttc_symbol_entry *entry, const ttc_ratio *rate, bool by_angle)
 {
     ttc_ratio others;
     size_t mark = ttc_conditions_mark(&task->domain);
     bool contradictory = task->domain.contradictory;
+    if (!ttc_task_may_have_point(task)) {
+        task->has_point = false;
+        return;
+    }
     ttc_ratio_init(task->ring, &others);
     if (task->apart != TTC_NONE) {
         ttc_evaluate(task->field, &others, task->apart);

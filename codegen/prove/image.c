@@ -61,6 +61,9 @@ bool ttc_image_has_states(const ttc_image *image, const ttc_model *table, const 
         const ttc_symbol_entry *entry = table->symbols + table->states[i];
         const size_t k = ttc_image_state(image, table, i);
         uint32_t cosine;
+        if (k == image->count && position_of(image->levels, image->level_count, entry->name) < image->level_count)
+            return ttc_refuse(reason, size, "the state %s of %s is given by an integral's bare name, as parameters are (expected "
+                              "the name in parentheses)", entry->name, file);
         if (k == image->count) return ttc_refuse(reason, size, "the state %s of %s is given no way back", entry->name, file);
         if (image->forms[k] == TTC_GIVEN_ROOT)
             return ttc_refuse(reason, size, "%s is a state of %s, and no root", entry->name, file);

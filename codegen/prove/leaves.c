@@ -119,7 +119,6 @@ static void visit(cover *c, const ttc_subcase *b)
             task->remainder = NULL;
         }
         bool is_here = is_in_subcase(task), has_points = is_here && look_for_point(c, b);
-        const bool is_known = !is_here || is_no_component(task, b) || (has_points && task->has_point);
         if (has_points) {
             place_leaf(task, b);
             ttc_subcase_check_foundations(task);
@@ -131,6 +130,7 @@ static void visit(cover *c, const ttc_subcase *b)
             else if (task->ring->status != TTC_RING_OK || task->domain.failed)
                 ttc_task_unsettle(task, "%s", task->domain.failed ? "out of memory" : ttc_ring_status_text(task->ring->status));
         }
+        const bool is_known = !is_here || is_no_component(task, b) || (has_points && task->has_point);
         c->skipped += !is_known || task->ring->has_sign_of_quotient; /* also of a root that the prover alone uses */
         if (is_here && !has_points && !c->is_partial) c->is_partial = ttc_divided_by_zero(task, b, &c->undefined_at);
         if (before == TTC_UNSETTLED && task->status != TTC_REFUTED) {
@@ -215,8 +215,8 @@ static void follow_factors(cover *c, const ttc_subcase *b, const fmpz_mpoly_t no
     fmpz_mpoly_factor_clear(factors, task->ring->context);
 }
 
-/* Meet the last goal of the subcase, in the field in which earlier solutions are bound. */
-static void meet(cover *c, const ttc_subcase *b)
+/* Meet the last goal of the subcase, which is changed, in the field in which earlier solutions are bound. */
+static void meet(cover *c, ttc_subcase *b)
 {
     ttc_task *task = c->task;
     ttc_ratio value;
@@ -224,6 +224,7 @@ static void meet(cover *c, const ttc_subcase *b)
     ttc_ratio_init(task->ring, &value);
     fmpz_mpoly_init(norm, task->ring->context);
     ttc_evaluate(task->field, &value, b->goals[b->goal_count - 1]);
+    ttc_subcase_keep_signs(b, task);
     if (task->ring->status == TTC_RING_OK) ttc_subcase_level(task, norm, &value);
     ttc_ring_status status = task->ring->status;
     if (ttc_ring_has_no_value(status)) {
@@ -239,11 +240,10 @@ static void meet(cover *c, const ttc_subcase *b)
         ttc_task_unsettle(task, "%s does not depend on the states, or is zero wherever its conditions hold: that says nothing",
                           task->claim->name);
     } else if (ttc_ratio_is_zero(task->ring, &value)) {
-        ttc_subcase next = *b;
-        ttc_id goal = next.goals[--next.goal_count];
-        if (next.met_count < sizeof next.met / sizeof *next.met) next.met[next.met_count++] = goal;
+        const ttc_id goal = b->goals[--b->goal_count];
+        if (b->met_count < sizeof b->met / sizeof *b->met) b->met[b->met_count++] = goal;
         else ttc_task_unsettle(task, "the zero level falls into too many cases");
-        descend_apart(c, &next);
+        descend_apart(c, b);
     } else {
         ttc_subcase terms = *b; /* of an invariant, they would be leaves within other components, which the flow may leave */
         const ttc_id goal = terms.goals[--terms.goal_count];
@@ -268,7 +268,8 @@ static void descend(cover *c, const ttc_subcase *b)
             ttc_task_unsettle(task, "its conditions fall into more than %d cases, or memory is out", (int)LEAF_LIMIT);
             return;
         }
-        if (is_in_subcase(task)) meet(c, b);
+        ttc_subcase here = *b;
+        if (is_in_subcase(task)) meet(c, &here);
         c->skipped += task->ring->has_sign_of_quotient;
         if (task->ring->choice_count > most) most = task->ring->choice_count;
         again = choices + 1 < 1u << most && !task->exhibited;

@@ -30,7 +30,7 @@ typedef struct {
     size_t lead_count;
     ttc_id goals[2 * TTC_SUBCASE_RELATIONS_MAX];    /* expressions that are still to be made zero; the last one is next */
     size_t goal_count;
-    ttc_id met[4 * TTC_SUBCASE_RELATIONS_MAX];      /* goals that are zero, for some signs of roots */
+    ttc_id met[4 * TTC_SUBCASE_RELATIONS_MAX];      /* what is zero here, for some signs of roots: goals, root - its value */
     size_t met_count;
 } ttc_subcase;
 
@@ -44,6 +44,10 @@ ttc_id ttc_subcase_others(ttc_task *task, const fmpz_mpoly_factor_t factors, slo
  * depends and whose leading coefficient cannot vanish, and is linear in it, or has many roots, or a norm that cannot be solved;
  * else the norm, free of roots, which is zero where some conjugate of the value is, and shows squares that roots hide. */
 void ttc_subcase_level(ttc_task *task, fmpz_mpoly_t level, const ttc_ratio *value);
+
+/** Restrict the subcase to the present signs of roots whose radicands are squares, and of sines that are plus or minus a root, as
+ *  other signs belong to other subcases: with these the last goal may be zero on more than the solutions found here. */
+void ttc_subcase_keep_signs(ttc_subcase *subcase, ttc_task *task);
 
 /** Add the solution of factor = 0, in the ring of the task's field, for a symbol in which it is linear or quadratic: a state, else
  *  a parameter, level or cosine. lead: the leading coefficient as an expression; a number if it cannot vanish. Returns false if

@@ -44,6 +44,9 @@ for command in "generate --out folder" cost build; do
     expect 3 '^points.tt:6:1: error: the coordinates of a section have no kernels of their own .expected moves.tt' ttc $command \
         points.tt
 done
+# An integral's bare name means a level, which no coordinate is.
+sed '9s/q = q/q = E/' moves.tt > moves_bare.tt
+expect 3 "^moves_bare.tt:9:9: .* q of points.tt is given by an integral's bare name.*in parentheses" ttc prove moves_bare.tt
 expect 0 '' ttc generate --out folder points.tt moves.tt
 grep -q '\.chart = "points"' folder/moves/general.c || fail "the kernels of a model lack those of its section"
 [ ! -e folder/points ] || fail "a table of coordinates has kernels"
