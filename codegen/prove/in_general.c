@@ -2,16 +2,18 @@
 #include "prove/prove_task.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 /* Makes quantities free. Returns their number. */
 typedef size_t (*liberation)(ttc_valuation *general);
 
-static size_t free_roots(ttc_valuation *general)
+size_t ttc_free_functions(ttc_valuation *general)
 {
     const ttc_model *model = ttc_valuation_model(general);
     size_t count = 0;
     for (uint32_t i = 0; i < model->symbol_count; i++)
-        if (model->symbols[i].kind == TTC_ROOT) count += ttc_valuation_free(general, i);
+        if (ttc_symbol_is_function(model->symbols[i].kind) && !ttc_valuation_is_bound(general, i))
+            count += ttc_valuation_free(general, i);
     return count;
 }
 
@@ -93,13 +95,41 @@ static bool is_zero_with(ttc_task *task, liberation liberate, size_t fewest, ttc
     return zero;
 }
 
-/* With one root alone the exact test is as quick. */
-bool ttc_task_is_zero_in_general(ttc_task *task, ttc_id id, char **form)
+/* Returns true if an expression is zero on the leaf with functions as variables of their own (of one alone the exact test is as quick),
+ * or definitions that divide by sums, as multipliers of constraints and reactions do, or sums by which something divides. Else `form`
+ * gets the expression by names of these definitions, or NULL. */
+static bool is_zero_in_general(ttc_task *task, ttc_id id, char **form)
 {
     char *unnamed = NULL;
-    *form = NULL;
-    const bool zero = is_zero_with(task, free_roots, 2, id, &unnamed) || is_zero_with(task, free_quotients, 1, id, form)
+    const bool zero = is_zero_with(task, ttc_free_functions, 2, id, &unnamed) || is_zero_with(task, free_quotients, 1, id, form)
                       || is_zero_with(task, free_divisors, 1, id, &unnamed);
     free(unnamed);
     return zero;
+}
+
+static bool has_many_roots(const ttc_model *model)
+{
+    enum { MANY = 5 };
+    size_t count = 0;
+    for (size_t i = 0; i < model->symbol_count; i++) count += model->symbols[i].kind == TTC_ROOT;
+    return count >= MANY;
+}
+
+/* In a refutation "what = value", show this form of the value if it is shorter. */
+static void shorten(ttc_task *task, const char *form)
+{
+    char *value = task->status == TTC_REFUTED && task->remainder != NULL ? strstr(task->remainder, " = ") : NULL;
+    if (form != NULL && value != NULL && strlen(form) < strlen(value + 3)) strcpy(value + 3, form);
+}
+
+void ttc_task_require_identity(ttc_task *task, ttc_id left, ttc_id right, const char *what)
+{
+    const ttc_id difference = ttc_subtract(task->model->graph, left, right);
+    char *form = NULL;
+    bool settled = ttc_task_open(task) && is_zero_in_general(task, difference, &form);
+    settled |= ttc_task_open(task) && has_many_roots(task->model) && ttc_task_refute_at_point(task, difference, what);
+    if (!settled) ttc_task_require_equal(task, task->field, left, task->field, right, "%s", what);
+    shorten(task, form);
+    free(form);
+    if (task->ring->status == TTC_RING_TOO_LARGE) ttc_task_refute_at_point(task, difference, what);
 }

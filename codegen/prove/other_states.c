@@ -142,8 +142,9 @@ static ttc_id rate_of(const ttc_model *model, const exchange *e, const ttc_id *y
     return rate;
 }
 
-/* Returns true if expression' = rate with the definitions w as states in place of x. */
-static bool has_rate(ttc_task *task, const exchange *e, ttc_id expression, ttc_id rate)
+/* Returns true if expression' = rate with the definitions w as states in place of x; in_general: and with functions as variables of
+ * their own. */
+static bool has_rate(ttc_task *task, const exchange *e, ttc_id expression, ttc_id rate, bool in_general)
 {
     ttc_graph *graph = task->model->graph;
     ttc_valuation *in_others = ttc_valuation_alike(task->field, 0);
@@ -156,6 +157,7 @@ static bool has_rate(ttc_task *task, const exchange *e, ttc_id expression, ttc_i
         equal = ttc_valuation_free(in_others, e->definitions[i]);
         ttc_valuation_bind(in_others, task->model->states[e->states[i]], product(graph, e->inverse[i], y, e->count));
     }
+    if (equal && in_general) ttc_free_functions(in_others);
     if (equal) {
         ttc_ring *ring = ttc_valuation_ring(in_others);
         ttc_ratio_init(ring, &value);
@@ -184,6 +186,7 @@ static bool find_exchange(ttc_task *task, exchange *e, uint32_t first)
     ttc_valuation *own = ttc_valuation_create(model, 0); /* without conditions, as motion may lead away from them */
     ttc_task view = { .model = model, .field = own };
     if (own != NULL) view.ring = ttc_valuation_ring(own);
+    if (own != NULL) ttc_free_functions(own);
     const bool ok = own != NULL && invert(&view, e);
     ttc_valuation_destroy(own);
     return ok;
@@ -193,6 +196,8 @@ bool ttc_task_has_rate_in_other_states(ttc_task *task, ttc_id expression, ttc_id
 {
     exchange e;
     for (uint32_t i = 0; i < task->model->symbol_count; i++)
-        if (find_exchange(task, &e, i) && has_rate(task, &e, expression, rate)) return true;
+        if (find_exchange(task, &e, i)
+            && (has_rate(task, &e, expression, rate, true) || has_rate(task, &e, expression, rate, false)))
+            return true;
     return false;
 }

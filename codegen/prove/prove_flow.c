@@ -32,36 +32,21 @@ static void require_moving(ttc_task *task, const ttc_ratio *value)
                             "which is not known", claim->name);
 }
 
-static bool has_many_roots(const ttc_model *model)
+/* Require that an expression has this rate along the flow; what: the difference, in words. */
+static void require_rate(ttc_task *task, ttc_id expression, ttc_id rate, const char *what)
 {
-    enum { MANY = 5 };
-    size_t count = 0;
-    for (size_t i = 0; i < model->symbol_count; i++) count += model->symbols[i].kind == TTC_ROOT;
-    return count >= MANY;
-}
-
-/* Require left = right, which a quick test has not shown; what: their difference, in words. form: as of ttc_task_shorten. */
-static void require_equal(ttc_task *task, ttc_id left, ttc_id right, const char *form, const char *what)
-{
-    const ttc_id difference = ttc_subtract(task->model->graph, left, right);
-    if (has_many_roots(task->model) && ttc_task_refute_at_point(task, difference, what)) return;
-    ttc_task_require_equal(task, task->field, left, task->field, right, "%s", what);
-    ttc_task_shorten(task, form);
-    if (task->ring->status == TTC_RING_TOO_LARGE) ttc_task_refute_at_point(task, difference, what);
+    if (ttc_task_open(task) && ttc_task_has_rate_in_other_states(task, expression, rate)) return;
+    ttc_task_require_identity(task, ttc_derive_field(task->model, expression), rate, what);
 }
 
 void ttc_prove_integral(ttc_task *task)
 {
     const ttc_claim *claim = task->claim;
+    char what[160];
     ttc_ratio value;
     if (ttc_task_restricts_states(task))
         ttc_task_require_kept(task, "an integral needs a set that is kept: use 'modulo' with an invariant");
     ttc_ratio_init(task->ring, &value);
-    const ttc_id rate = ttc_derive_field(task->model, claim->expression), zero = ttc_integer(task->model->graph, 0);
-    char *form = NULL, what[160];
-    const bool is_kept = ttc_task_open(task)
-                         && (ttc_task_has_rate_in_other_states(task, claim->expression, zero)
-                             || ttc_task_is_zero_in_general(task, rate, &form));
     ttc_evaluate(task->field, &value, claim->expression);
     const bool constant = ttc_task_open(task) && !ttc_task_moves(task, &value);
     task->varies |= !constant;
@@ -69,8 +54,7 @@ void ttc_prove_integral(ttc_task *task)
         ttc_task_unsettle(task, "%s is constant%s, whatever the motion: being an integral says nothing", claim->name,
                           task->ring->choice_count > 0 ? " on a part of the domain" : "");
     snprintf(what, sizeof what, "d(%s)/dt", claim->name);
-    if (!is_kept) require_equal(task, rate, zero, form, what);
-    free(form);
+    require_rate(task, claim->expression, ttc_integer(task->model->graph, 0), what);
     ttc_evaluate(task->field, &value, claim->expression);
     if (!task->is_thin) require_moving(task, &value);
     ttc_ratio_clear(task->ring, &value);
@@ -78,13 +62,7 @@ void ttc_prove_integral(ttc_task *task)
 
 void ttc_prove_rate(ttc_task *task)
 {
-    const ttc_claim *claim = task->claim;
-    const ttc_id rate = ttc_derive_field(task->model, claim->expression);
-    char *form = NULL;
-    if (!ttc_task_has_rate_in_other_states(task, claim->expression, claim->other)
-        && !ttc_task_is_zero_in_general(task, ttc_subtract(task->model->graph, rate, claim->other), &form))
-        require_equal(task, rate, claim->other, form, "rate - right side");
-    free(form);
+    require_rate(task, task->claim->expression, task->claim->other, "rate - right side");
 }
 
 /* The leaf is a Zariski-dense part of a component of NAME = 0, which the flow keeps if it is tangent to the leaf. */
@@ -95,11 +73,7 @@ void ttc_prove_invariant(ttc_task *task)
 
 void ttc_prove_equal(ttc_task *task)
 {
-    const ttc_claim *claim = task->claim;
-    char *form = NULL;
-    if (!ttc_task_is_zero_in_general(task, ttc_subtract(task->model->graph, claim->expression, claim->other), &form))
-        require_equal(task, claim->expression, claim->other, form, "left - right");
-    free(form);
+    ttc_task_require_identity(task, task->claim->expression, task->claim->other, "left - right");
 }
 
 void ttc_prove_positive(ttc_task *task)

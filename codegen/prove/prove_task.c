@@ -199,12 +199,6 @@ void ttc_task_jacobian(ttc_task *task, ttc_ratio *out, size_t row, size_t column
     ttc_evaluate(task->field, out, entry);
 }
 
-void ttc_task_shorten(ttc_task *task, const char *form)
-{
-    char *value = task->status == TTC_REFUTED && task->remainder != NULL ? strstr(task->remainder, " = ") : NULL;
-    if (form != NULL && value != NULL && strlen(form) < strlen(value + 3)) strcpy(value + 3, form);
-}
-
 ttc_ratio *ttc_task_ratios(ttc_task *task, size_t count)
 {
     ttc_ratio *ratios = malloc((count + 1) * sizeof *ratios);

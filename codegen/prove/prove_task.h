@@ -122,15 +122,14 @@ const ttc_claim *ttc_task_family(const ttc_task *task);
 
 /* out = the entry of the Jacobian of the field. */
 void ttc_task_jacobian(ttc_task *task, ttc_ratio *out, size_t row, size_t column);
-/* A quick test: returns true if an expression is zero on the leaf with all roots as independent variables, or with all definitions
- * that divide by sums, as multipliers of constraints and reactions do, or with all sums by which something divides. False means
- * nothing; then `form` gets the expression by names of these definitions, for free(), or NULL. */
-bool ttc_task_is_zero_in_general(ttc_task *task, ttc_id id, char **form);
-/* Another: returns true if the rate of an expression along the flow is `rate`, with as states, in place of those of which they are
- * linear functions, definitions that divide by one sum, as velocities divide by the determinant of the inertia. */
+/* Require left = right at every point of the leaf: by quick tests, then exactly, and if that grows too large at one point. what: the
+ * difference, in words. */
+void ttc_task_require_identity(ttc_task *task, ttc_id left, ttc_id right, const char *what);
+/* Make all roots and other functions that are not bound free variables. Returns their number. */
+size_t ttc_free_functions(ttc_valuation *valuation);
+/* A quick test: returns true if the rate of an expression along the flow is `rate`, with as states, in place of those of which they
+ * are linear functions, definitions that divide by one sum, as velocities divide by the determinant of the inertia. */
 bool ttc_task_has_rate_in_other_states(ttc_task *task, ttc_id expression, ttc_id rate);
-/* In a refutation "what = value", show this form of the value if it is shorter; form: NULL, or text as above. */
-void ttc_task_shorten(ttc_task *task, const char *form);
 /** Try to refute that an expression is zero at one point of the leaf in ball arithmetic, without algebra: where the remainder
  *  cannot be computed, or takes too long. The ring may have failed. Returns true if it is refuted; else the ring is as it was. */
 bool ttc_task_refute_at_point(ttc_task *task, ttc_id id, const char *name);
