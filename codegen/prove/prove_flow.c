@@ -41,8 +41,9 @@ void ttc_prove_integral(ttc_task *task)
     ttc_id rate = ttc_derive_field(task->model, claim->expression);
     char *form = NULL;
     bool is_zero = ttc_task_open(task) && ttc_task_is_zero_in_general(task, rate, &form);
-    ttc_evaluate(task->field, &value, claim->expression);
-    const bool constant = ttc_task_open(task) && !ttc_task_moves(task, &value);
+    const bool moves = ttc_task_moves_at_point(task, claim->expression);
+    if (!moves) ttc_evaluate(task->field, &value, claim->expression);
+    const bool constant = ttc_task_open(task) && !moves && !ttc_task_moves(task, &value);
     task->varies |= !constant;
     if (constant && !task->is_thin && ttc_task_open(task) && ttc_task_may_have_point(task))
         ttc_task_unsettle(task, "%s is constant%s, whatever the motion: being an integral says nothing", claim->name,
@@ -53,8 +54,8 @@ void ttc_prove_integral(ttc_task *task)
         ttc_task_shorten(task, form);
     }
     free(form);
-    ttc_evaluate(task->field, &value, claim->expression);
-    if (!task->is_thin) require_moving(task, &value);
+    if (!moves) ttc_evaluate(task->field, &value, claim->expression);
+    if (!task->is_thin && !moves) require_moving(task, &value);
     ttc_ratio_clear(task->ring, &value);
 }
 

@@ -233,25 +233,70 @@ static bool set_ball(ttc_ball *ball, ttc_task *task, const ttc_witness *point)
     return ok && bound_count == task->claim->when.count;
 }
 
-bool ttc_task_refute_at_point(ttc_task *task, ttc_id id, const char *name)
+/* Below this number of roots algebra is quick enough. */
+enum { MANY_ROOTS = 5 };
+
+/* Shift all free values of a point, each by another amount: the first point found often has values that are equal. */
+static void shift_point(ttc_witness *point, unsigned times)
 {
-    enum { MANY_ROOTS = 5, DIGITS = 12 };
-    bool refuted = false, excludes_zero = false;
-    if (!ttc_task_open(task) || root_count(task->model) < MANY_ROOTS || id == TTC_NONE) return false;
+    fmpq_t shift;
+    fmpq_init(shift);
+    for (size_t v = 0; v < point->ring->variable_count; v++) {
+        if (!ttc_witness_is_free(point, (slong)v)) continue;
+        fmpq_set_si(shift, (slong)((v + 1) * (v + 1) * times % 23), 64);
+        fmpq_add(point->values + v, point->values + v, shift);
+    }
+    fmpq_clear(shift);
+    ttc_witness_changed(point);
+}
+
+/* Returns true if an expression is not zero at a point that meets the conditions of the leaf, in ball arithmetic. text, where:
+ * NULL, or get the value and the point. */
+static bool is_not_zero_at_point(ttc_task *task, ttc_id id, char **text, char **where)
+{
+    enum { DIGITS = 12, POINTS = 4 };
+    bool excludes_zero = false;
     ttc_ball *ball = ttc_ball_create(task->model);
     ttc_witness point;
-    if (ttc_witness_init(&point, task->field) && ball != NULL && ttc_search_point(&point, &task->domain) == TTC_POINT_FOUND
-        && set_ball(ball, task, &point)) {
-        char *value = ttc_ball_text(ball, id, DIGITS, &excludes_zero), *text = NULL;
-        refuted = value != NULL && excludes_zero;
-        if (refuted) text = malloc(strlen(name) + strlen(value) + 8);
-        if (text != NULL) sprintf(text, "%s = %s", name, value);
-        if (refuted) settle(task, TTC_REFUTED, text, ttc_witness_text(&point));
-        free(value);
+    const bool found = ttc_witness_init(&point, task->field) && ball != NULL &&
+                       ttc_search_point(&point, &task->domain) == TTC_POINT_FOUND;
+    for (unsigned times = 0; found && !excludes_zero && times < POINTS; times++) {
+        if (times > 0) shift_point(&point, times);
+        if (ttc_witness_meets_all(&point, &task->domain) != TTC_HOLDS || ttc_witness_sines(&point) != TTC_HOLDS) continue;
+        if (!set_ball(ball, task, &point)) break;
+        char *value = ttc_ball_text(ball, id, DIGITS, &excludes_zero);
+        excludes_zero = value != NULL && excludes_zero;
+        if (excludes_zero && where != NULL) *where = ttc_witness_text(&point);
+        if (excludes_zero && text != NULL) *text = value;
+        else free(value);
     }
     ttc_witness_clear(&point);
     ttc_ball_destroy(ball);
-    return refuted;
+    return excludes_zero;
+}
+
+bool ttc_task_refute_at_point(ttc_task *task, ttc_id id, const char *name)
+{
+    char *value = NULL, *where = NULL;
+    if (!ttc_task_open(task) || root_count(task->model) < MANY_ROOTS || id == TTC_NONE) return false;
+    if (!is_not_zero_at_point(task, id, &value, &where)) return false;
+    char *text = malloc(strlen(name) + strlen(value) + 8);
+    if (text != NULL) sprintf(text, "%s = %s", name, value);
+    settle(task, TTC_REFUTED, text, where);
+    free(value);
+    return true;
+}
+
+bool ttc_task_moves_at_point(ttc_task *task, ttc_id id)
+{
+    const ttc_model *model = task->model;
+    bool moves = false;
+    if (!ttc_task_open(task) || root_count(model) < MANY_ROOTS || ttc_task_restricts_states(task)) return false;
+    for (size_t j = 0; !moves && j < model->state_count; j++) {
+        const ttc_id slope = ttc_derive_state(model, id, j);
+        moves = slope != TTC_NONE && slope != ttc_integer(model->graph, 0) && is_not_zero_at_point(task, slope, NULL, NULL);
+    }
+    return moves;
 }
 
 ttc_ratio *ttc_task_ratios(ttc_task *task, size_t count)
