@@ -126,6 +126,51 @@ static void check_inverse(ttc_task *task, ttc_valuation *map, ttc_ratio *matrix)
     }
 }
 
+typedef struct {
+    ttc_task *task;
+    ttc_valuation *map;
+    bool fails;
+} image_of_symbols;
+
+/* What stands at the image for a symbol: for a root the root of the table that has this value. */
+static ttc_id image_of_symbol(void *context, uint32_t symbol)
+{
+    image_of_symbols *at = context;
+    ttc_task *task = at->task;
+    const ttc_model *model = task->model;
+    ttc_id found = TTC_NONE;
+    for (size_t i = 0; i < model->state_count; i++)
+        if (model->states[i] == symbol) return image_of_state(task, i);
+    if (!ttc_symbol_is_function(model->symbols[symbol].kind)) return TTC_NONE;
+    ttc_ratio value, other;
+    ttc_ratio_init(task->ring, &value);
+    ttc_ratio_init(task->ring, &other);
+    if (model->symbols[symbol].kind == TTC_ROOT) ttc_evaluate(at->map, &value, model->symbols[symbol].node);
+    for (size_t i = 0; model->symbols[symbol].kind == TTC_ROOT && found == TTC_NONE && i < model->symbol_count; i++) {
+        if (model->symbols[i].kind != TTC_ROOT) continue;
+        ttc_evaluate(task->field, &other, model->symbols[i].node);
+        if (ttc_task_open(task) && ttc_ratio_equal(task->ring, &value, &other)) found = model->symbols[i].node;
+    }
+    at->fails |= found == TTC_NONE;
+    ttc_ratio_clear(task->ring, &other);
+    ttc_ratio_clear(task->ring, &value);
+    return found;
+}
+
+/* A quick test: returns true if f(S x) -+ DS f(x) is zero with all roots as independent variables, where S exchanges roots. */
+static bool holds_in_general(ttc_task *task, ttc_valuation *map, size_t state, bool reverses)
+{
+    ttc_graph *graph = task->model->graph;
+    image_of_symbols at = { task, map, false };
+    char *form = NULL;
+    ttc_id left = ttc_substitute(graph, ttc_model_expand(task->model, ttc_model_field(task->model, state)), image_of_symbol, &at);
+    const ttc_id right = ttc_derive_field(task->model, image_of_state(task, state));
+    left = reverses ? ttc_add(graph, left, right) : ttc_subtract(graph, left, right);
+    const bool holds = !at.fails && left != TTC_NONE && ttc_task_is_zero_in_general(task, left, &form);
+    free(form);
+    return holds;
+}
+
 static void check_field(ttc_task *task, ttc_valuation *map)
 {
     const ttc_model *model = task->model;
@@ -135,6 +180,7 @@ static void check_field(ttc_task *task, ttc_valuation *map)
     ttc_ratio_init(task->ring, &right);
     for (size_t i = 0; i < model->state_count && ttc_task_open(task); i++) {
         const char *name = model->symbols[model->states[i]].name;
+        if (holds_in_general(task, map, i, reverses)) continue;
         ttc_evaluate(map, &left, ttc_model_field(model, i));
         ttc_evaluate(task->field, &right, ttc_derive_field(model, image_of_state(task, i)));
         if (reverses) ttc_ratio_add(task->ring, &left, &left, &right);
