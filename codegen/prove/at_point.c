@@ -29,32 +29,61 @@ static bool set_ball(ttc_ball *ball, ttc_task *task, ttc_witness *point)
     return ok;
 }
 
-/* Returns true if the claim is refuted as the expression is not zero at this point. */
-static bool refute_at(ttc_task *task, ttc_ball *ball, ttc_witness *point, ttc_id id, const char *name)
+/* Returns true if an expression is not zero at one of some points of the leaf. text, where: NULL, or get its value and that
+ * point. */
+static bool is_not_zero_at_point(ttc_task *task, ttc_id id, char **text, char **where)
 {
-    enum { DIGITS = 12 };
+    enum { DIGITS = 12, POINTS = 8 }; /* points, as the value may be zero at some by chance */
     bool excludes_zero = false;
-    char *value = set_ball(ball, task, point) ? ttc_ball_text(ball, id, DIGITS, &excludes_zero) : NULL;
-    if (value != NULL && excludes_zero) ttc_task_refute_at(task, ttc_witness_text(point), NULL, "%s = %s", name, value);
-    free(value);
+    unsigned attempt = 0;
+    ttc_witness point;
+    ttc_ball *ball = ttc_ball_create(task->model);
+    bool found = ttc_witness_init(&point, task->field) && ball != NULL
+                 && (ttc_search_next(&point, &task->domain, &attempt)
+                     || ttc_search_point(&point, &task->domain) == TTC_POINT_FOUND);
+    for (unsigned i = 0; found && !excludes_zero && i < POINTS; i++) {
+        char *value = set_ball(ball, task, &point) ? ttc_ball_text(ball, id, DIGITS, &excludes_zero) : NULL;
+        if (excludes_zero && where != NULL) *where = ttc_witness_text(&point);
+        if (excludes_zero && text != NULL) *text = value;
+        else free(value);
+        if (!excludes_zero) found = ttc_search_next(&point, &task->domain, &attempt);
+    }
+    ttc_witness_clear(&point);
+    ttc_ball_destroy(ball);
     return excludes_zero;
 }
 
 bool ttc_task_refute_at_point(ttc_task *task, ttc_id id, const char *name)
 {
-    enum { POINTS = 8 }; /* the value may be zero at some, by chance */
     const ttc_ring_status status = task->ring->status;
-    bool refuted = false;
-    unsigned attempt = 0;
-    ttc_witness point;
+    char *value = NULL, *where = NULL;
     if (task->status != TTC_PROVED || id == TTC_NONE || task->has_left_out) return false;
     task->ring->status = TTC_RING_OK;
-    ttc_ball *ball = ttc_ball_create(task->model);
-    if (ttc_witness_init(&point, task->field) && ball != NULL)
-        for (unsigned i = 0; i < POINTS && !refuted && ttc_search_next(&point, &task->domain, &attempt); i++)
-            refuted = refute_at(task, ball, &point, id, name);
-    ttc_witness_clear(&point);
-    ttc_ball_destroy(ball);
-    if (!refuted) task->ring->status = status;
-    return refuted;
+    if (is_not_zero_at_point(task, id, &value, &where)) {
+        ttc_task_refute_at(task, where, NULL, "%s = %s", name, value);
+        free(value);
+        return true;
+    }
+    task->ring->status = status;
+    return false;
+}
+
+/* Returns true if the points of the leaf are an open set of states. */
+static bool is_open_in_states(const ttc_task *task)
+{
+    for (size_t i = 0; i < task->model->state_count; i++)
+        if (ttc_valuation_is_bound(task->field, task->model->states[i])) return false;
+    return task->claim->modulo_count == 0 && task->level_count == 0 && !ttc_task_restricts_states(task);
+}
+
+bool ttc_task_moves_at_point(ttc_task *task, ttc_id id)
+{
+    const ttc_model *model = task->model;
+    bool moves = false;
+    if (!ttc_task_open(task) || !is_open_in_states(task)) return false;
+    for (size_t j = 0; !moves && j < model->state_count; j++) {
+        const ttc_id slope = ttc_derive_state(model, id, j);
+        moves = slope != TTC_NONE && !ttc_is_number(model->graph, slope, 0) && is_not_zero_at_point(task, slope, NULL, NULL);
+    }
+    return moves;
 }

@@ -95,9 +95,9 @@ static bool is_zero_with(ttc_task *task, liberation liberate, size_t fewest, ttc
     return zero;
 }
 
-/* Returns true if an expression is zero on the leaf with functions as variables of their own (of one alone the exact test is as quick),
- * or definitions that divide by sums, as multipliers of constraints and reactions do, or sums by which something divides. Else `form`
- * gets the expression by names of these definitions, or NULL. */
+/* Returns true if an expression is zero on the leaf with functions as variables of their own (of one alone the exact test is as
+ * quick), or definitions that divide by sums, as multipliers of constraints and reactions do, or sums by which something divides.
+ * Else `form` gets the expression by names of these definitions, or NULL. */
 static bool is_zero_in_general(ttc_task *task, ttc_id id, char **form)
 {
     char *unnamed = NULL;

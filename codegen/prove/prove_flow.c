@@ -47,16 +47,17 @@ void ttc_prove_integral(ttc_task *task)
     if (ttc_task_restricts_states(task))
         ttc_task_require_kept(task, "an integral needs a set that is kept: use 'modulo' with an invariant");
     ttc_ratio_init(task->ring, &value);
-    ttc_evaluate(task->field, &value, claim->expression);
-    const bool constant = ttc_task_open(task) && !ttc_task_moves(task, &value);
+    const bool moves = ttc_task_moves_at_point(task, claim->expression);
+    if (!moves) ttc_evaluate(task->field, &value, claim->expression);
+    const bool constant = ttc_task_open(task) && !moves && !ttc_task_moves(task, &value);
     task->varies |= !constant;
     if (constant && !task->is_thin && ttc_task_open(task) && ttc_task_may_have_point(task))
         ttc_task_unsettle(task, "%s is constant%s, whatever the motion: being an integral says nothing", claim->name,
                           task->ring->choice_count > 0 ? " on a part of the domain" : "");
     snprintf(what, sizeof what, "d(%s)/dt", claim->name);
     require_rate(task, claim->expression, ttc_integer(task->model->graph, 0), what);
-    ttc_evaluate(task->field, &value, claim->expression);
-    if (!task->is_thin) require_moving(task, &value);
+    if (!moves) ttc_evaluate(task->field, &value, claim->expression);
+    if (!task->is_thin && !moves) require_moving(task, &value);
     ttc_ratio_clear(task->ring, &value);
 }
 

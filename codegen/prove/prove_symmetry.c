@@ -3,6 +3,7 @@
 #include "prove/domain.h"
 #include "prove/prove_image.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 
 /* Enter the model at the image of a point: states bound to their images, other symbols to themselves. Roots are evaluated in the
@@ -126,20 +127,84 @@ static void check_inverse(ttc_task *task, ttc_valuation *map, ttc_ratio *matrix)
     }
 }
 
+typedef struct {
+    ttc_task *task;
+    ttc_valuation *map;
+    bool fails;
+} image_of_symbols;
+
+static bool is_moved(const ttc_task *task, uint32_t symbol)
+{
+    const ttc_model *model = task->model;
+    for (size_t i = 0; i < model->state_count; i++)
+        if (image_of_state(task, i) != model->symbols[model->states[i]].node
+            && ttc_model_depends(model, model->symbols[symbol].node, model->states[i]))
+            return true;
+    return false;
+}
+
+/* The root of the table that has at each point the value of this one at the image; TTC_NONE: none is known. */
+static ttc_id exchanged_root(ttc_task *task, ttc_valuation *map, uint32_t symbol)
+{
+    const ttc_model *model = task->model;
+    ttc_id found = TTC_NONE;
+    ttc_ratio value, other;
+    ttc_ratio_init(task->ring, &value);
+    ttc_ratio_init(task->ring, &other);
+    ttc_evaluate(map, &value, model->symbols[symbol].node);
+    for (size_t i = 0; found == TTC_NONE && i < model->symbol_count; i++) {
+        if (model->symbols[i].kind != TTC_ROOT) continue;
+        ttc_evaluate(task->field, &other, model->symbols[i].node);
+        if (ttc_task_open(task) && ttc_ratio_equal(task->ring, &value, &other)) found = model->symbols[i].node;
+    }
+    ttc_ratio_clear(task->ring, &other);
+    ttc_ratio_clear(task->ring, &value);
+    return found;
+}
+
+static ttc_id image_of_symbol(void *context, uint32_t symbol)
+{
+    image_of_symbols *at = context;
+    const ttc_model *model = at->task->model;
+    for (size_t i = 0; i < model->state_count; i++)
+        if (model->states[i] == symbol) return image_of_state(at->task, i);
+    if (!ttc_symbol_is_function(model->symbols[symbol].kind) || !is_moved(at->task, symbol)) return TTC_NONE;
+    const ttc_id found = model->symbols[symbol].kind == TTC_ROOT ? exchanged_root(at->task, at->map, symbol) : TTC_NONE;
+    at->fails |= found == TTC_NONE;
+    return found;
+}
+
+/* Returns true if f(S x) -+ DS f(x) could be written as an expression, as S moves no function, or exchanges roots: it is then
+ * required to be zero. */
+static bool require_as_expression(ttc_task *task, ttc_valuation *map, size_t state, bool reverses, const char *what)
+{
+    ttc_graph *graph = task->model->graph;
+    image_of_symbols at = { task, map, false };
+    const ttc_id field = ttc_model_expand(task->model, ttc_model_field(task->model, state));
+    const ttc_id left = ttc_substitute(graph, field, image_of_symbol, &at);
+    const ttc_id right = ttc_derive_field(task->model, image_of_state(task, state));
+    if (at.fails || left == TTC_NONE || !ttc_task_open(task)) return false;
+    ttc_task_require_identity(task, left, reverses ? ttc_subtract(graph, ttc_integer(graph, 0), right) : right, what);
+    return true;
+}
+
 static void check_field(ttc_task *task, ttc_valuation *map)
 {
     const ttc_model *model = task->model;
     const bool reverses = task->claim->kind == TTC_CLAIM_REVERSOR;
+    char what[160];
     ttc_ratio left, right;
     ttc_ratio_init(task->ring, &left);
     ttc_ratio_init(task->ring, &right);
     for (size_t i = 0; i < model->state_count && ttc_task_open(task); i++) {
         const char *name = model->symbols[model->states[i]].name;
+        snprintf(what, sizeof what, reverses ? "f(Sx) + S f(x) in %s" : "f(Sx) - S f(x) in %s", name);
+        if (require_as_expression(task, map, i, reverses, what)) continue;
         ttc_evaluate(map, &left, ttc_model_field(model, i));
         ttc_evaluate(task->field, &right, ttc_derive_field(model, image_of_state(task, i)));
         if (reverses) ttc_ratio_add(task->ring, &left, &left, &right);
         else ttc_ratio_subtract(task->ring, &left, &left, &right);
-        ttc_task_require_zero(task, &left, reverses ? "f(Sx) + S f(x) in %s" : "f(Sx) - S f(x) in %s", name);
+        ttc_task_require_zero(task, &left, "%s", what);
     }
     ttc_ratio_clear(task->ring, &right);
     ttc_ratio_clear(task->ring, &left);

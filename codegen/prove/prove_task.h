@@ -122,8 +122,8 @@ const ttc_claim *ttc_task_family(const ttc_task *task);
 
 /* out = the entry of the Jacobian of the field. */
 void ttc_task_jacobian(ttc_task *task, ttc_ratio *out, size_t row, size_t column);
-/* Require left = right at every point of the leaf: by quick tests, then exactly, and if that grows too large at one point. what: the
- * difference, in words. */
+/* Require left = right at every point of the leaf: by quick tests, then exactly, and if that grows too large at one point. what:
+ * the difference, in words. */
 void ttc_task_require_identity(ttc_task *task, ttc_id left, ttc_id right, const char *what);
 /* Make all roots and other functions that are not bound free variables. Returns their number. */
 size_t ttc_free_functions(ttc_valuation *valuation);
@@ -133,6 +133,8 @@ bool ttc_task_has_rate_in_other_states(ttc_task *task, ttc_id expression, ttc_id
 /** Try to refute that an expression is zero at one point of the leaf in ball arithmetic, without algebra: where the remainder
  *  cannot be computed, or takes too long. The ring may have failed. Returns true if it is refuted; else the ring is as it was. */
 bool ttc_task_refute_at_point(ttc_task *task, ttc_id id, const char *name);
+/* Returns true if an expression is found, in the same way, to change with a state at one point of the leaf. */
+bool ttc_task_moves_at_point(ttc_task *task, ttc_id id);
 /* Returns true if a ratio changes with the states. */
 bool ttc_task_moves(ttc_task *task, const ttc_ratio *ratio);
 /* An array of zeros, shape (count,), for ttc_task_free. NULL, and the claim not settled, when memory is out. */
