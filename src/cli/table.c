@@ -126,18 +126,29 @@ static struct {
 } loaded[LOADED_MAX];
 static size_t loaded_count;
 
-/* Find a loaded table. Out: *descriptor, if it was loaded with the same `lanes`, else NULL. Returns its digest; NULL: none. */
-static const char *find_loaded(const jlt_descriptor **descriptor, const char *table, bool lanes)
+/* Find a loaded table. Out: *descriptor, if it was loaded with the same `lanes`, else NULL. Returns it with any lanes, or NULL. */
+static const jlt_descriptor *find_loaded(const jlt_descriptor **descriptor, const char *table, bool lanes)
 {
-    const char *sha256 = NULL;
+    const jlt_descriptor *any = NULL;
 
     *descriptor = NULL;
     for (size_t i = 0; i < loaded_count; i++) {
         if (strcmp(loaded[i].table, table) != 0) continue;
-        sha256 = loaded[i].descriptor->sha256;
-        if (loaded[i].lanes == lanes) *descriptor = loaded[i].descriptor;
+        any = loaded[i].descriptor;
+        if (loaded[i].lanes == lanes) *descriptor = any;
     }
-    return sha256;
+    return any;
+}
+
+/* Whether both are of one text, whose records lead to the same texts: a table of coordinates has no descriptor of its own. */
+static bool is_of_one_text(const jlt_descriptor *a, const jlt_descriptor *b)
+{
+    const jlt_claim *one = a->claims, *other = b->claims;
+
+    if (strcmp(a->sha256, b->sha256) != 0) return false;
+    for (; one->kind != NULL && other->kind != NULL; one++, other++)
+        if (strcmp(one->target != NULL ? one->target : "", other->target != NULL ? other->target : "") != 0) return false;
+    return one->kind == other->kind;
 }
 
 static jlt_exit was_edited(const char *table)
@@ -147,7 +158,7 @@ static jlt_exit was_edited(const char *table)
 
 static jlt_exit load(const jlt_descriptor **descriptor, bool *has_said, const char *table, bool lanes)
 {
-    const char *sha256 = find_loaded(descriptor, table, lanes);
+    const jlt_descriptor *before = find_loaded(descriptor, table, lanes);
     char path[PATH_MAX];
     jlt_status st;
 
@@ -157,7 +168,7 @@ static jlt_exit load(const jlt_descriptor **descriptor, bool *has_said, const ch
     if (st != JLT_OK)
         return jlt_command_fail(JLT_EXIT_IO, "the kernels of %s cannot be loaded from %s: %s", table, path,
                                 st == JLT_ERR_UNSUPPORTED ? "ttc is of another version than this program" : "remove this file");
-    if (sha256 != NULL && strcmp((*descriptor)->sha256, sha256) != 0) return was_edited(table);
+    if (before != NULL && !is_of_one_text(*descriptor, before)) return was_edited(table);
     char *name = loaded_count < LOADED_MAX ? strdup(table) : NULL;
     if (name != NULL) {
         loaded[loaded_count].table = name;
@@ -186,17 +197,37 @@ static bool beside(char *path, size_t size, const char *table, const char *file)
     return used > 0 && (size_t)used < size;
 }
 
-/* Whether there is a file of this name and digest beside the table `model`. */
-static bool is_beside(const char *model, const char *file, const char *sha256)
+/* The files that this process, or the one that forked it, has looked for beside tables, with their digests then; "": none. They
+ * make sure that one process and its children go by one text of a table that is built in, or of coordinates, as well. */
+static struct {
+    char *path, digest[65];
+} seen[LOADED_MAX];
+static size_t seen_count;
+
+static void read_digest(char digest[65], const char *path)
 {
     ttc_diagnostics *diagnostics = ttc_diagnostics_create();
-    char path[PATH_MAX], digest[65] = "", *text = NULL;
     size_t length;
+    char *text = diagnostics != NULL ? ttc_source_read(path, &length, diagnostics) : NULL;
 
-    if (diagnostics != NULL && beside(path, sizeof path, model, file)) text = ttc_source_read(path, &length, diagnostics);
+    digest[0] = '\0';
     if (text != NULL) ttc_sha256(digest, text, length);
     free(text);
     ttc_diagnostics_destroy(diagnostics);
+}
+
+/* Whether there is a file of this name and digest beside the table `model`. */
+static bool is_beside(const char *model, const char *file, const char *sha256)
+{
+    char path[PATH_MAX], digest[65];
+    size_t i = 0;
+
+    if (!beside(path, sizeof path, model, file)) return false;
+    while (i < seen_count && strcmp(seen[i].path, path) != 0) i++;
+    if (i < seen_count) return strcmp(seen[i].digest, sha256) == 0;
+    read_digest(digest, path);
+    if (seen_count < LOADED_MAX && (seen[seen_count].path = strdup(path)) != NULL)
+        memcpy(seen[seen_count++].digest, digest, sizeof digest);
     return strcmp(digest, sha256) == 0;
 }
 

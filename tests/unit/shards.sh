@@ -174,6 +174,18 @@ sed 's/^levels.*//; s/^model.*//; 1i model = "./spherical_top.tt";' ends.scene >
 expect 0 "" jellett sweep levels.scene --shard=1/2
 sed -i 's/E = 2.15/E = 2.25/' spherical_top_section.tt
 expect 3 "kernels.spherical_top_section.tt: there" jellett sweep levels.scene --shard=1/2 --resume
+# Nor are they followed while pieces are computed.
+cp "$JLT_SOURCE_DIR"/codegen/models/spherical_top_section.tt .
+printf '%s\n' 'model = "./spherical_top.tt"; piece = 1;' \
+    'compute = ( { what = "fates"; grid = "6x6"; returns = 3000; } );' > long.scene
+expect 0 "" jellett sweep long.scene --into=before
+jellett sweep long.scene --into=during 2> log &
+during=$!
+for _ in $(seq 1200); do grep -q "of them are there" log && break; sleep 0.05; done
+sed -i 's/E = 2.15/E = 2.25/' spherical_top_section.tt
+wait $during || fail "a table of coordinates that is edited meanwhile: $?, $(cat log)"
+for into in before during; do jellett merge $into -o $into.csv || fail "$into cannot be merged"; done
+cmp before.csv during.csv || fail "a table of coordinates that is edited meanwhile: rows of both"
 # Also behind a reduction onto a table that stands between.
 cp "$JLT_SOURCE_DIR"/codegen/models/spherical_top*.tt .
 sed 's/spherical_top.tt/spherical_top_track.tt/' levels.scene > behind.scene
