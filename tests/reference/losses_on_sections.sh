@@ -163,7 +163,8 @@ EOF
 done
 
 # A dip much narrower than steps, to -1 at x = 1/2, is found from what it adds to the values beside it, also where another condition
-# is small all the time: its least value is told, the orbit ends there, and simulate tells of it.
+# is small all the time: its least value is told, the orbit ends there, and simulate tells of it;
+# a hole of the domain likewise.
 cat > dip.tt <<'T'
 model dip
 param d > 0
@@ -175,6 +176,7 @@ eq y = - x
 valid wide : 3 - 4*d^2/((x - 1/2)^2 + d^2) > 0
 valid low : (x^2 + y^2)/100 > 0
 T
+sed 's/model dip/model hole/; s/^valid wide/domain wide/' dip.tt > hole.tt
 for case in 0.03:lanes 0.1:lanes {0.03,0.003}:{gauss,taylor} {0.03,0.01}:{dop853,rk8pd,rkf45,msadams}; do
     how=(--method "${case#*:}")
     [ "${case#*:}" = lanes ] && how=()
@@ -184,6 +186,8 @@ for case in 0.03:lanes 0.1:lanes {0.03,0.003}:{gauss,taylor} {0.03,0.01}:{dop853
         fail "least values of a narrow dip, $case: $(cat err)"
     [ "$(jellett "${dip[@]}" --contact end 2> err | grep -c ',lost_wide$')" -eq 20 ] ||
         fail "orbits do not end in a narrow dip, $case: $(cat err)"
+    [ "$(jellett "${dip[@]/dip.tt/hole.tt}" 2> err | grep -c ',left_domain$')" -eq 20 ] ||
+        fail "orbits do not end in a narrow hole of the domain, $case: $(cat err)"
 done
 expect 0 ',lost_wide$' jellett simulate ./dip.tt --start x=1,y=0 --times 2
 exit $status
