@@ -292,6 +292,13 @@ bool ttc_task_moves_at_point(ttc_task *task, ttc_id id)
     const ttc_model *model = task->model;
     bool moves = false;
     if (!ttc_task_open(task) || root_count(model) < MANY_ROOTS || ttc_task_restricts_states(task)) return false;
+    ttc_ratio root;
+    ttc_ratio_init(task->ring, &root);
+    for (uint32_t i = 0; i < model->symbol_count; i++)
+        if (model->symbols[i].kind == TTC_ROOT && ttc_model_depends(model, id, i))
+            ttc_evaluate(task->field, &root, model->symbols[i].node);
+    ttc_ratio_clear(task->ring, &root);
+    if (task->ring->choice_count > 0) return false; /* it may be constant for one sign of a root */
     for (size_t j = 0; !moves && j < model->state_count; j++) {
         const ttc_id slope = ttc_derive_state(model, id, j);
         moves = slope != TTC_NONE && slope != ttc_integer(model->graph, 0) && is_not_zero_at_point(task, slope, NULL, NULL);
