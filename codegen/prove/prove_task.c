@@ -199,6 +199,114 @@ void ttc_task_jacobian(ttc_task *task, ttc_ratio *out, size_t row, size_t column
     ttc_evaluate(task->field, out, entry);
 }
 
+<<<<<<< HEAD
+=======
+static size_t root_count(const ttc_model *model)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < model->symbol_count; i++) count += model->symbols[i].kind == TTC_ROOT;
+    return count;
+}
+
+void ttc_task_shorten(ttc_task *task, const char *form)
+{
+    char *value = task->status == TTC_REFUTED && task->remainder != NULL ? strstr(task->remainder, " = ") : NULL;
+    if (form != NULL && value != NULL && strlen(form) < strlen(value + 3)) strcpy(value + 3, form);
+}
+
+/* Set a ball evaluator to a point, and bind the symbols of `when` to their expressions. Returns false if others are bound. */
+static bool set_ball(ttc_ball *ball, ttc_task *task, const ttc_witness *point)
+{
+    bool ok = true;
+    size_t bound_count = 0;
+    for (uint32_t i = 0; i < task->model->symbol_count && ok; i++) {
+        const ttc_symbol_kind kind = task->model->symbols[i].kind;
+        const bool is_bound = ttc_valuation_is_bound(task->field, i);
+        bound_count += is_bound;
+        if ((kind != TTC_PARAM && kind != TTC_STATE && kind != TTC_LEVEL) || is_bound) continue;
+        char *value = fmpq_get_str(NULL, 10, point->values + ttc_valuation_variable(task->field, i));
+        ok = ttc_ball_set_fraction(ball, i, value);
+        flint_free(value);
+    }
+    for (size_t i = 0; i < task->claim->when.count; i++)
+        ttc_ball_bind(ball, task->claim->when.items[i].symbol, task->claim->when.items[i].expression);
+    return ok && bound_count == task->claim->when.count;
+}
+
+/* Below this number of roots algebra is quick enough. */
+enum { MANY_ROOTS = 5 };
+
+/* Shift all free values of a point, each by another amount: the first point found often has values that are equal. */
+static void shift_point(ttc_witness *point, unsigned times)
+{
+    fmpq_t shift;
+    fmpq_init(shift);
+    for (size_t v = 0; v < point->ring->variable_count; v++) {
+        if (!ttc_witness_is_free(point, (slong)v)) continue;
+        fmpq_set_si(shift, (slong)((v + 1) * (v + 1) * times % 23), 64);
+        fmpq_add(point->values + v, point->values + v, shift);
+    }
+    fmpq_clear(shift);
+    ttc_witness_changed(point);
+}
+
+/* Returns true if an expression is not zero at a point that meets the conditions of the leaf, in ball arithmetic. text, where:
+ * NULL, or get the value and the point. */
+static bool is_not_zero_at_point(ttc_task *task, ttc_id id, char **text, char **where)
+{
+    enum { DIGITS = 12, POINTS = 4 };
+    bool excludes_zero = false;
+    ttc_ball *ball = ttc_ball_create(task->model);
+    ttc_witness point;
+    const bool found = ttc_witness_init(&point, task->field) && ball != NULL &&
+                       ttc_search_point(&point, &task->domain) == TTC_POINT_FOUND;
+    for (unsigned times = 0; found && !excludes_zero && times < POINTS; times++) {
+        if (times > 0) shift_point(&point, times);
+        if (ttc_witness_meets_all(&point, &task->domain) != TTC_HOLDS || ttc_witness_sines(&point) != TTC_HOLDS) continue;
+        if (!set_ball(ball, task, &point)) break;
+        char *value = ttc_ball_text(ball, id, DIGITS, &excludes_zero);
+        excludes_zero = value != NULL && excludes_zero;
+        if (excludes_zero && where != NULL) *where = ttc_witness_text(&point);
+        if (excludes_zero && text != NULL) *text = value;
+        else free(value);
+    }
+    ttc_witness_clear(&point);
+    ttc_ball_destroy(ball);
+    return excludes_zero;
+}
+
+bool ttc_task_refute_at_point(ttc_task *task, ttc_id id, const char *name)
+{
+    char *value = NULL, *where = NULL;
+    if (!ttc_task_open(task) || root_count(task->model) < MANY_ROOTS || id == TTC_NONE) return false;
+    if (!is_not_zero_at_point(task, id, &value, &where)) return false;
+    char *text = malloc(strlen(name) + strlen(value) + 8);
+    if (text != NULL) sprintf(text, "%s = %s", name, value);
+    settle(task, TTC_REFUTED, text, where);
+    free(value);
+    return true;
+}
+
+bool ttc_task_moves_at_point(ttc_task *task, ttc_id id)
+{
+    const ttc_model *model = task->model;
+    bool moves = false;
+    if (!ttc_task_open(task) || root_count(model) < MANY_ROOTS || ttc_task_restricts_states(task)) return false;
+    ttc_ratio root;
+    ttc_ratio_init(task->ring, &root);
+    for (uint32_t i = 0; i < model->symbol_count; i++)
+        if (model->symbols[i].kind == TTC_ROOT && ttc_model_depends(model, id, i))
+            ttc_evaluate(task->field, &root, model->symbols[i].node);
+    ttc_ratio_clear(task->ring, &root);
+    if (task->ring->choice_count > 0) return false; /* it may be constant for one sign of a root */
+    for (size_t j = 0; !moves && j < model->state_count; j++) {
+        const ttc_id slope = ttc_derive_state(model, id, j);
+        moves = slope != TTC_NONE && slope != ttc_integer(model->graph, 0) && is_not_zero_at_point(task, slope, NULL, NULL);
+    }
+    return moves;
+}
+
+>>>>>>> proofs13
 ttc_ratio *ttc_task_ratios(ttc_task *task, size_t count)
 {
     ttc_ratio *ratios = malloc((count + 1) * sizeof *ratios);
