@@ -76,11 +76,24 @@ static bool is_open_in_states(const ttc_task *task)
     return task->claim->modulo_count == 0 && task->level_count == 0 && !ttc_task_restricts_states(task);
 }
 
+/* Returns true if an expression has one form on the whole leaf, whatever the signs of roots whose radicand is a square. */
+static bool has_one_form(ttc_task *task, ttc_id id)
+{
+    const ttc_model *model = task->model;
+    ttc_ratio root;
+    ttc_ratio_init(task->ring, &root);
+    for (uint32_t i = 0; i < model->symbol_count; i++)
+        if (model->symbols[i].kind == TTC_ROOT && ttc_model_depends(model, id, i))
+            ttc_evaluate(task->field, &root, model->symbols[i].node);
+    ttc_ratio_clear(task->ring, &root);
+    return ttc_task_open(task) && task->ring->choice_count == 0;
+}
+
 bool ttc_task_moves_at_point(ttc_task *task, ttc_id id)
 {
     const ttc_model *model = task->model;
     bool moves = false;
-    if (!ttc_task_open(task) || !is_open_in_states(task)) return false;
+    if (!ttc_task_open(task) || !is_open_in_states(task) || !has_one_form(task, id)) return false;
     for (size_t j = 0; !moves && j < model->state_count; j++) {
         const ttc_id slope = ttc_derive_state(model, id, j);
         moves = slope != TTC_NONE && !ttc_is_number(model->graph, slope, 0) && is_not_zero_at_point(task, slope, NULL, NULL);
