@@ -80,7 +80,10 @@ void jlt_simulate_closing_words(const jlt_simulate_request *r)
         if (r->session.descriptor->family[0]->valid_count == 1) fprintf(stderr, " (least value %.6g)", row->least);
         fputs(": from there on the model does not hold\n", stderr);
     }
-    if (row->unknown != NULL)
+    if (row->unwatched)
+        fprintf(stderr, "jellett: beside the quadratures the orbit could not be followed beyond t = %.10g: whether %s holds from "
+                        "there on is not known\n", row->unknown_at, row->unknown);
+    else if (row->unknown != NULL)
         fprintf(stderr, "jellett: %s has no value by t = %.10g (it is not a number): whether the model holds there is not known\n",
                 row->unknown, row->unknown_at);
     tell_unvalued(r);

@@ -295,6 +295,7 @@ static void fill(jlt_course *self, jlt_course_row *row, jlt_end end, double t)
     if (jlt_course_conditions_by(self->conditions.unknown_at, t)) {
         row->unknown_at = self->conditions.unknown_at;
         row->unknown = self->conditions.unknown;
+        row->unwatched = self->conditions.unwatched;
     }
     if (self->more.count > 0) {
         jlt_course_more_fill(&self->more, self->leg);
@@ -362,6 +363,7 @@ jlt_status jlt_course_to(jlt_course *self, double t, jlt_course_row *row)
     row->x = NULL; /* until a point is reached */
     row->lost_at = row->unknown_at = NAN;
     row->lost = row->unknown = NULL;
+    row->unwatched = false;
     t = ldexp(t, -self->units.time);
     if (self->direction != 0 && self->direction * (t - self->t) < 0) return JLT_ERR_ARG;
     if (t == self->t) {
@@ -371,9 +373,14 @@ jlt_status jlt_course_to(jlt_course *self, double t, jlt_course_row *row)
     }
     self->direction = t < self->t ? -1 : 1;
     row->end = JLT_END_TIME;
-    if (self->leg != NULL) JLT_PASS(along_orbit(self, t, row));
-    else self->t = t;
-    if (!self->is_rod) return JLT_OK;
+    const jlt_status st = self->leg != NULL ? along_orbit(self, t, row) : JLT_OK;
+    if (self->is_rod && (row->end == JLT_END_POLE || (st != JLT_OK && st != JLT_ERR_NOMEM))) {
+        jlt_course_conditions_stop(&self->conditions, self->t);
+        jlt_leg_close(self->leg);
+        self->leg = NULL;
+        row->end = JLT_END_TIME;
+    } else if (st != JLT_OK || !self->is_rod) return st;
+    if (self->leg == NULL) self->t = t;
     JLT_PASS(jlt_rod_at(&self->rod, self->x, self->t));
     fill(self, row, row->end, self->t);
     return JLT_OK;

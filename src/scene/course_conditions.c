@@ -32,6 +32,14 @@ bool jlt_course_conditions_note(jlt_course_conditions *self, const char **unknow
     return isnan(value);
 }
 
+void jlt_course_conditions_stop(jlt_course_conditions *self, double t)
+{
+    if (!isnan(self->lost_at) || !isnan(self->unknown_at)) return;
+    self->unwatched = true;
+    self->unknown_at = t;
+    self->unknown = jlt_observed_condition(self->observed, JLT_OBSERVED_ANY);
+}
+
 typedef struct {
     jlt_observed_one condition;
     const jlt_leg *leg;

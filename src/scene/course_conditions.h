@@ -11,6 +11,7 @@ typedef struct {
     const char *lost;       /* the condition that broke; NULL: none */
     double unknown_at;
     const char *unknown;
+    bool unwatched;
 } jlt_course_conditions;
 
 /** Begin to watch the conditions of `model`. In: params, shape (param_count,), in the table's units; units, those in which states
@@ -22,6 +23,10 @@ void jlt_course_conditions_close(jlt_course_conditions *self); /* legal on zeros
 /** Evaluate the conditions at time t in the state x, shape (states of the asked model,). Returns true if none is known to be broken
  *  there but one has no value; *unknown is then its name. */
 bool jlt_course_conditions_note(jlt_course_conditions *self, const char **unknown, double t, const double *x);
+
+/** Watch no longer than to time t, beyond which the motion beside quadratures cannot be followed: if all conditions hold up to
+ *  there, it is not known whether they hold from there on. */
+void jlt_course_conditions_stop(jlt_course_conditions *self, double t);
 
 /** Whether `noted`, which is lost_at or unknown_at, is at or before time t of a course that began at 0. Returns false for NaN. */
 bool jlt_course_conditions_by(double noted, double t);

@@ -61,6 +61,11 @@ for until in 3 -3; do
     says "$lost"
     [ "$(rows "$scratch/own" | sed 's/.*,//' | xargs)" = "alive lost_contact" ] || fail "by $until: $(rows "$scratch/own")"
 done
+# Beyond the steps of that motion quadratures go on, to a state with the integrals of the start.
+run 0 own simulate --set I3=0 --start gamma3=-0.1,v_nu=0.8,omega_tau=0.26,omega_n=1.27,omega3=0 --times 0.1,4e6
+says "whether contact holds from there on is not known"
+rows "$scratch/own" | awk -F, '{ ok = $7 < 1e-14 && $8 < 1e-14; fates = fates $NF }
+    END { exit !(ok && fates == "aliveunknown_contact") }' || fail "a late time: $(rows "$scratch/own")"
 
 # What is missing, and what is false.
 run 3 out portrait lorenz
