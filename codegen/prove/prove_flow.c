@@ -41,7 +41,7 @@ void ttc_prove_integral(ttc_task *task)
     ttc_id rate = ttc_derive_field(task->model, claim->expression);
     char *form = NULL;
     bool is_zero = ttc_task_open(task) && ttc_task_is_zero_in_general(task, rate, &form);
-    const bool moves = ttc_task_moves_at_point(task, claim->expression);
+    const bool moves = !ttc_task_restricts_states(task) && ttc_task_moves_at_point(task, claim->expression);
     if (!moves) ttc_evaluate(task->field, &value, claim->expression);
     const bool constant = ttc_task_open(task) && !moves && !ttc_task_moves(task, &value);
     task->varies |= !constant;

@@ -291,7 +291,7 @@ bool ttc_task_moves_at_point(ttc_task *task, ttc_id id)
 {
     const ttc_model *model = task->model;
     bool moves = false;
-    if (!ttc_task_open(task) || root_count(model) < MANY_ROOTS || ttc_task_restricts_states(task)) return false;
+    if (!ttc_task_open(task) || root_count(model) < MANY_ROOTS) return false;
     ttc_ratio root;
     ttc_ratio_init(task->ring, &root);
     for (uint32_t i = 0; i < model->symbol_count; i++)

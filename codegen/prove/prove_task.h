@@ -131,7 +131,8 @@ void ttc_task_shorten(ttc_task *task, const char *form);
 /** Try to refute that an expression is zero at one point of the leaf in ball arithmetic, without algebra: for tables with so many
  *  roots that the remainder cannot be computed. Returns true if it is refuted. */
 bool ttc_task_refute_at_point(ttc_task *task, ttc_id id, const char *name);
-/* Returns true if an expression is found, in the same way, to change with a state at one point of the leaf. */
+/* Returns true if an expression is found, in the same way, to change with a state at one point of the leaf, on which conditions
+ * must not restrict the states. */
 bool ttc_task_moves_at_point(ttc_task *task, ttc_id id);
 /* Returns true if a ratio changes with the states. */
 bool ttc_task_moves(ttc_task *task, const ttc_ratio *ratio);
