@@ -38,6 +38,26 @@ void ttc_subcase_close(ttc_task *task)
     task->ring = NULL;
 }
 
+void ttc_subcase_keep_signs(ttc_subcase *b, ttc_task *task)
+{
+    const ttc_model *model = task->model;
+    ttc_ratio root;
+    ttc_ratio_init(task->ring, &root);
+    for (uint32_t i = 0; task->ring->choice_count > 0 && i < model->symbol_count && task->ring->status == TTC_RING_OK; i++) {
+        const ttc_symbol_entry *entry = &model->symbols[i];
+        if ((entry->kind != TTC_ROOT && entry->kind != TTC_SINE) || !ttc_valuation_has_value(task->field, i) ||
+            ttc_ring_is_generator(task->ring, ttc_valuation_variable(task->field, i)))
+            continue;
+        ttc_evaluate(task->field, &root, entry->node);
+        const ttc_id top = ttc_task_expression(task, root.numerator), bottom = ttc_task_expression(task, root.denominator);
+        if (top == TTC_NONE || bottom == TTC_NONE) continue;
+        const ttc_id zero = ttc_subtract(model->graph, top, ttc_multiply(model->graph, entry->node, bottom));
+        if (b->met_count < sizeof b->met / sizeof *b->met) b->met[b->met_count++] = zero;
+        else ttc_task_unsettle(task, "the zero level falls into too many cases");
+    }
+    ttc_ratio_clear(task->ring, &root);
+}
+
 void ttc_subcase_add_conditions(ttc_task *task, const ttc_subcase *subcase)
 {
     ttc_ratio value;
