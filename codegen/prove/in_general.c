@@ -97,13 +97,14 @@ static bool is_zero_with(ttc_task *task, liberation liberate, size_t fewest, ttc
 
 /* Returns true if an expression is zero on the leaf with functions as variables of their own (of one alone the exact test is as
  * quick), or definitions that divide by sums, as multipliers of constraints and reactions do, or sums by which something divides.
- * Else `form` gets the expression by names of these definitions, or NULL. */
-static bool is_zero_in_general(ttc_task *task, ttc_id id, char **form)
+ * Else `by_functions` and `by_quotients` get the expression by names of functions and of definitions, or NULL. */
+static bool is_zero_in_general(ttc_task *task, ttc_id id, char **by_functions, char **by_quotients)
 {
-    char *unnamed = NULL;
-    const bool zero = is_zero_with(task, ttc_free_functions, 2, id, &unnamed) || is_zero_with(task, free_quotients, 1, id, form)
-                      || is_zero_with(task, free_divisors, 1, id, &unnamed);
-    free(unnamed);
+    char *by_divisors = NULL;
+    const bool zero = is_zero_with(task, ttc_free_functions, 2, id, by_functions)
+                      || is_zero_with(task, free_quotients, 1, id, by_quotients)
+                      || is_zero_with(task, free_divisors, 1, id, &by_divisors);
+    free(by_divisors); /* divisors have no names */
     return zero;
 }
 
@@ -125,11 +126,15 @@ static void shorten(ttc_task *task, const char *form)
 void ttc_task_require_identity(ttc_task *task, ttc_id left, ttc_id right, const char *what)
 {
     const ttc_id difference = ttc_subtract(task->model->graph, left, right);
-    char *form = NULL;
-    bool settled = ttc_task_open(task) && is_zero_in_general(task, difference, &form);
-    settled |= ttc_task_open(task) && has_many_roots(task->model) && ttc_task_refute_at_point(task, difference, what);
+    char *by_functions = NULL, *by_quotients = NULL;
+    bool settled = ttc_task_open(task) && is_zero_in_general(task, difference, &by_functions, &by_quotients);
+    if (!settled && ttc_task_open(task) && has_many_roots(task->model) && ttc_task_refute_at_point(task, difference, what)) {
+        settled = true;
+        shorten(task, by_functions);
+    }
     if (!settled) ttc_task_require_equal(task, task->field, left, task->field, right, "%s", what);
-    shorten(task, form);
-    free(form);
+    shorten(task, by_quotients);
+    free(by_quotients);
+    free(by_functions);
     if (task->ring->status == TTC_RING_TOO_LARGE) ttc_task_refute_at_point(task, difference, what);
 }

@@ -133,8 +133,8 @@ bool ttc_task_has_rate_in_other_states(ttc_task *task, ttc_id expression, ttc_id
 /** Try to refute that an expression is zero at one point of the leaf in ball arithmetic, without algebra: where the remainder
  *  cannot be computed, or takes too long. The ring may have failed. Returns true if it is refuted; else the ring is as it was. */
 bool ttc_task_refute_at_point(ttc_task *task, ttc_id id, const char *name);
-/* Returns true if an expression is found, in the same way, to change with a state at one point of the leaf, on which conditions
- * must not restrict the states. */
+/* Returns true if an expression is found, in the same way, to change with a state at one point of the leaf, whose conditions do not
+ * restrict the states. */
 bool ttc_task_moves_at_point(ttc_task *task, ttc_id id);
 /* Returns true if a ratio changes with the states. */
 bool ttc_task_moves(ttc_task *task, const ttc_ratio *ratio);
