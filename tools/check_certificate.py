@@ -224,8 +224,9 @@ def main(arguments):
     if arguments[:1] == ["--table"] and len(arguments) > 2:
         table_file, arguments = arguments[1], arguments[2:]
     if len(arguments) != 1 or arguments[0].startswith("-"):
-        print(__doc__, file=sys.stderr)
-        return 2
+        asked = arguments[:1] in (["-h"], ["--help"])
+        print(__doc__.rstrip(), file=sys.stdout if asked else sys.stderr)
+        return 0 if asked else 2
     path = arguments[0]
     try:
         certificate = json.load(open(path))

@@ -49,6 +49,11 @@ else echo "skipped: Open MPI is not installed"; fi
 if parallel --version 2> /dev/null | grep -q '^GNU parallel'; then
     "$scenes/sweep-parallel" small.scene parallel 9 > log 2>&1 || { fail "GNU parallel:"; cat log; }
     same "GNU parallel" small
+    # Blanks and letters with a meaning to the shell are parts of names.
+    cp small.scene 'a small > study.scene'
+    "$scenes/sweep-parallel" 'a small > study.scene' 'its $(shards)' 2 > log 2>&1 ||
+        { fail "GNU parallel, a name with blanks:"; cat log; }
+    same "GNU parallel, a name with blanks" 'a small > study'
     # As the environment says.
     seq 5 | parallel -N0 jellett sweep small.scene --into=seq --shard=/5 > log 2>&1 || { fail "GNU parallel by itself:"; cat log; }
     jellett merge seq -o small.csv -o small.npy -o small.sqlite

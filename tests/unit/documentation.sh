@@ -92,6 +92,15 @@ for header in "${headers[@]}"; do
     grep -qF "\`$header\`" tools/docs/library.md || fail "tools/docs/library.md: $header is not mentioned"
 done
 
+# Every script of the tools says on --help how it is used, and does nothing else.
+scripts=0
+while IFS= read -r script; do
+    scripts=$((scripts + 1))
+    usage=$("$script" --help < /dev/null 2> /dev/null | head -n 1; exit "${PIPESTATUS[0]}") && [[ $usage = *usage:* ]] ||
+        fail "$script --help: '$usage'"
+done < <(grep -rlE '^(# |""")?usage: (tools|sbatch)' tools | xargs -I{} find {} -perm -u+x)
+[ $scripts -ge 15 ] || fail "only $scripts scripts say how they are used"
+
 [ "$(wc -l < README.md)" -le 150 ] || fail "README.md is longer than 150 lines"
 
 # From README.md every page is at most two links away.
