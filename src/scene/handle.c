@@ -126,7 +126,7 @@ jlt_status jlt_handle_section_plane(jlt_handle_section **out, const char *model,
 
     *out = NULL;
     JLT_PASS(find_model(&d, model));
-    if (!jlt_descriptor_state(d, state, &column)) return JLT_ERR_ARG;
+    if (direction < -1 || direction > 1 || !jlt_descriptor_state(d, state, &column)) return JLT_ERR_ARG;
     JLT_PASS(read_params(&params, d, names, values, count));
     JLT_PASS(jlt_system_plane(&system, jlt_system_regular(d), params, (unsigned)column, level, NULL, &options));
     JLT_PASS(set_angles(system, d));

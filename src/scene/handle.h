@@ -34,7 +34,7 @@ JLT_CHECKED jlt_status jlt_handle_section_known(jlt_handle_section **out, const 
 
 /** The section STATE = level of any model, with all its other states as coordinates; states that its table proves to be periodic
  *  are angles. direction: +1 crossed upwards, -1 downwards, 0 both; names: parameters. Errors: as above; ARG also if the model does
- *  not have this state, or the level is not finite. */
+ *  not have this state, the level is not finite, or the direction is another number. */
 JLT_CHECKED jlt_status jlt_handle_section_plane(jlt_handle_section **out, const char *model, const char *state, double level,
                                                 int direction, const char *const *names, const double *values, size_t count,
                                                 double tolerance);

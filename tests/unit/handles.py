@@ -201,6 +201,7 @@ def failures():
     assert not handle, "a handle beside a failure"
     expect(ARG, jlt.jlt_handle_section_plane(byref(handle), b"lorenz", b"w", 0, 1, *named({}), 0))
     expect(ARG, jlt.jlt_handle_section_plane(byref(handle), b"lorenz", b"z", 0, 1, *named({"w": 0.0}), 0))
+    expect(ARG, jlt.jlt_handle_section_plane(byref(handle), b"lorenz", b"z", 0, 2, *named({}), 0))
     expect(ARG, jlt.jlt_handle_motion_create(byref(handle), b"no_such_model", *named({}), 0))
     expect(ARG, jlt.jlt_handle_motion_create(byref(handle), b"lorenz", *named({"w": 0.0}), 0))
     expect(DOMAIN, jlt.jlt_handle_motion_create(byref(handle), b"spherical_top", *named({"m": -1.0}), 0))
