@@ -47,11 +47,25 @@ static size_t free_divisors(ttc_valuation *general)
     return count;
 }
 
+static bool uses_free(ttc_valuation *general, const ttc_ratio *value);
+
+/* Returns true if the value of a variable may depend on what was made free: a root is looked at, other functions all may. */
+static bool is_in_question(ttc_valuation *general, slong variable)
+{
+    const ttc_model *model = ttc_valuation_model(general);
+    const ttc_ring *ring = ttc_valuation_ring(general);
+    const size_t symbol = ttc_valuation_symbol(general, variable);
+    if (ttc_valuation_is_free(general, variable)) return true;
+    for (size_t i = 0; i < ring->generator_count; i++)
+        if (ring->generators[i].variable == variable) return uses_free(general, &ring->generators[i].square);
+    return symbol < model->symbol_count && ttc_symbol_is_function(model->symbols[symbol].kind);
+}
+
 static bool uses_free(ttc_valuation *general, const ttc_ratio *value)
 {
     const ttc_ring *ring = ttc_valuation_ring(general);
     for (slong v = 0; v < (slong)ring->variable_count; v++)
-        if (ttc_valuation_is_free(general, v) && ttc_ratio_uses(ring, value, v)) return true;
+        if (ttc_ratio_uses(ring, value, v) && is_in_question(general, v)) return true;
     return false;
 }
 

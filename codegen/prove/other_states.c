@@ -169,8 +169,16 @@ static bool has_rate(ttc_task *task, const exchange *e, ttc_id expression, ttc_i
     return equal;
 }
 
-/* The definitions that divide by the same sum as this one, and the states of which they are of first degree. */
-static bool find_exchange(ttc_task *task, exchange *e, uint32_t first)
+static bool uses_definitions(const ttc_model *model, const exchange *e, ttc_id expression)
+{
+    for (size_t i = 0; i < e->count; i++)
+        if (ttc_model_depends(model, expression, e->definitions[i])) return true;
+    return false;
+}
+
+/* The definitions that divide by the same sum as this one, and the states of which they are of first degree. Returns false as well
+ * if the expression uses none of them: its rate then divides once at most, and the inverse of A may be long. */
+static bool find_exchange(ttc_task *task, exchange *e, uint32_t first, ttc_id expression)
 {
     const ttc_model *model = task->model;
     const ttc_id divisor = divisor_of(model, &model->symbols[first]);
@@ -181,7 +189,7 @@ static bool find_exchange(ttc_task *task, exchange *e, uint32_t first)
         if (i < first || e->count == MOST) return false;
         e->definitions[e->count++] = i;
     }
-    if (!find_states(task, e)) return false;
+    if (!uses_definitions(model, e, expression) || !find_states(task, e)) return false;
     find_constants(model, e);
     ttc_valuation *own = ttc_valuation_create(model, 0); /* without conditions, as motion may lead away from them */
     ttc_task view = { .model = model, .field = own };
@@ -196,7 +204,7 @@ bool ttc_task_has_rate_in_other_states(ttc_task *task, ttc_id expression, ttc_id
 {
     exchange e;
     for (uint32_t i = 0; i < task->model->symbol_count; i++)
-        if (find_exchange(task, &e, i)
+        if (find_exchange(task, &e, i, expression)
             && (has_rate(task, &e, expression, rate, true) || has_rate(task, &e, expression, rate, false)))
             return true;
     return false;
