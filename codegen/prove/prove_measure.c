@@ -86,8 +86,7 @@ static void say_where_zero(ttc_task *task)
     free(point);
 }
 
-/* div(NAME f) = grad(NAME) . f + NAME div f */
-/* The divergence of density times field: the density's rate, and the density times the trace of the Jacobian. */
+/* div(rho f) = grad(rho) . f + rho div f */
 static ttc_id divergence_of(const ttc_model *model, ttc_id density)
 {
     ttc_id trace = ttc_integer(model->graph, 0);
