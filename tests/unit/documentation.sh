@@ -96,8 +96,7 @@ done
 scripts=0
 while IFS= read -r script; do
     scripts=$((scripts + 1))
-    usage=$("$script" --help < /dev/null 2> /dev/null | head -n 1; exit "${PIPESTATUS[0]}") && [[ $usage = *usage:* ]] ||
-        fail "$script --help: '$usage'"
+    usage=$("$script" --help < /dev/null 2> /dev/null) && [[ ${usage%%$'\n'*} = *usage:* ]] || fail "$script --help: '$usage'"
 done < <(grep -rlE '^(# |""")?usage: (tools|sbatch)' tools | xargs -I{} find {} -perm -u+x)
 [ $scripts -ge 15 ] || fail "only $scripts scripts say how they are used"
 
