@@ -94,7 +94,8 @@ jlt_exit jlt_motion_failures(const jlt_system *system, const jlt_failures *failu
     if (failures->spent > 0)
         fprintf(stderr,
                 "jellett: %zu of %zu orbits ended by budget, all steps or time spent on one return: it lasts too long "
-                "(--max-steps allows more), never comes, or the motion is stiff ('jellett simulate' tells which)\n",
+                "(--max-steps allows more), never comes, cannot be told from errors where an orbit settles on the section, or the "
+                "motion is stiff ('jellett simulate' tells which)\n",
                 failures->spent, orbits);
     if (failures->count == 0) return JLT_EXIT_DONE;
     if (failures->unbounded > 0)
