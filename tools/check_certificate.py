@@ -17,11 +17,12 @@ import os
 import re
 import sys
 from fractions import Fraction
+from math import isqrt
 
 sys.dont_write_bytecode = True
-from replay import family, pole
-from replay.balls import (ONE, P, ball, exact, exponential, hull, inside, less, matadd, matmul, meet, plus, product, quotient, size,
-                          sum_of, unit)
+from replay import family, form, pole
+from replay.balls import (ONE, P, ball, exact, exponential, hull, inside, less, matadd, matmul, meet, plus, product, quotient, root,
+                          size, sum_of, unit)
 from replay.flow import Flow, Refused, must
 from replay.series import CLOCK, Program
 from replay.table import Table, Unserved, parity
@@ -43,17 +44,26 @@ def inverse_of(A):
 
 
 def read_ball(value):
-    return ball(Fraction(value["middle"]), Fraction(value["radius"])) if isinstance(value, dict) else ball(Fraction(value))
+    if not isinstance(value, dict):
+        return ball(Fraction(value))
+    must(set(value) == {"middle", "radius"} and Fraction(value["radius"]) >= 0, "a ball has no middle and radius")
+    return ball(Fraction(value["middle"]), Fraction(value["radius"]))
+
+
+def multipliers_of(trace, determinant):
+    """The roots of mu^2 - trace mu + determinant, as (re, im): (trace + root)/2 first, the root's real part >= 0, else its
+    imaginary part."""
+    half = (trace[0] >> 1, (trace[1] >> 1) + 1)
+    square = less(product(half, half), determinant)
+    apart = root((abs(square[0]), square[1])) if abs(square[0]) > square[1] else (0, isqrt(size(square) << P) + 1)
+    re, im = (apart, (0, 0)) if square[0] > square[1] else ((0, 0), apart) if square[0] < -square[1] else (apart, apart)
+    return [(plus(half, re), im), (less(half, re), less((0, 0), im))]
 
 
 def replay(certificate, table):
     given, shown, states = certificate["given"], certificate["shown"], table.states
-    if certificate["kind"] not in ("cycle", "obstruction", "sink", "symmetric", "elliptic"):
-        raise Unserved("it is of kind " + certificate["kind"])
     if any(isinstance(v, dict) for part in ("parameters", "levels") for v in given[part].values()):
         raise Unserved("parameters or levels are intervals")
-    if any("turns" in leg for leg in given["legs"]):
-        raise Unserved("the orbit closes up to periods of states")
     must(sorted(given["parameters"]) == sorted(table.params), "its parameters are not the table's")
     for name, sign in table.signs.items():
         value = Fraction(given["parameters"][name])
@@ -152,14 +162,14 @@ def replay(certificate, table):
         return [quotient((-slopes[0][others.index(q)][0], slopes[0][others.index(q)][1]), by) for q in kept]
 
     R, expansion, least, more = unit(2), exact(0), None, ""
-    for i, (state, D, _, more, low, _) in enumerate(arrivals):
+    for i, (state, D, _, growth, low, _) in enumerate(arrivals):
         there = (i + 1) % len(legs) * width
         if left:
             follow([hull(a, state[j]) if j in left else a for j, a in zip(others, K[there:there + width])])  # the legs meet
             w = follow(K[i * width:(i + 1) * width])
         D = [[plus(D[a][q], product(D[a][left[0]], w[k])) if left else D[a][q] for k, q in enumerate(kept)] for a in kept]
         R = matmul(D, R)
-        expansion = plus(expansion, more)
+        expansion = plus(expansion, growth)
         least = low if least is None else [tuple(map(min, a, b)) for a, b in zip(least, low)]
     trace = plus(R[0][0], R[1][1])
     determinant = exponential(expansion)
@@ -167,6 +177,9 @@ def replay(certificate, table):
     must(meet(determinant, matrix), "the two determinants exclude each other")
     for name, value in (("trace", trace), ("determinant", determinant), ("determinant_of_matrix", matrix)):
         must(meet(value, read_ball(shown[name])), name + " is another one")
+    must(len(shown["multipliers"]) == 2, "its multipliers are not as many as its coordinates")
+    for (re_part, im_part), said in zip(multipliers_of(trace, determinant), shown["multipliers"]):
+        must(meet(re_part, read_ball(said["re"])) and meet(im_part, read_ball(said["im"])), "a multiplier is another one")
     for name, (low, high) in zip(flow.valids, least):
         said = Fraction(shown["conditions"][name])
         must(said <= 0 or low > 0, "the condition " + name + " is not shown to hold")
@@ -208,7 +221,8 @@ def replay(certificate, table):
         more = ", twist %s +- %.2g" % (decimal(twist[0]), twist[1] / ONE)
     if certificate["kind"] == "sink":
         must(size(determinant) < ONE and size(trace) < ONE + determinant[0] - determinant[1], "it is not shown to attract")
-        must(any(table.reverses(set(re.findall(r"(\w+) *->", rest))) for rest in table.reversors),
+        must("reversor" not in shown["claims"]
+             or any(table.reverses(set(re.findall(r"(\w+) *->", rest))) for rest in table.reversors),
              "the table claims no reversor that changes signs")
     return ("det %s +- %.2g, trace %s +- %.2g%s, conditions above %s"
             % (decimal(determinant[0]), determinant[1] / ONE, decimal(trace[0]), trace[1] / ONE, more,
@@ -239,6 +253,7 @@ def main(arguments):
         table = open(table_file, "rb").read()
         if hashlib.sha256(table).hexdigest() != certificate["given"]["table"]["sha256"]:
             raise Unserved("the table %s has another SHA-256" % table_file)
+        form.check(certificate, Table(table.decode()))
         if certificate["kind"] == "equilibria":
             bounds, boxes = family.replay(certificate, Table(table.decode()))
             print("%s: proved by a second program: trace from %.5g to %.5g, %d boxes" % (path, *bounds, boxes))

@@ -121,6 +121,27 @@ python3 tools/check_certificate.py --table "$scratch/lorenz.tt" "$scratch/higher
 [ $got -eq 1 ] && grep -q 'less than the bound' "$scratch/out" ||
     { echo "second program, a bound: $got"; cat "$scratch/out"; status=1; }
 
+# Nor does it leave anything unread that stands in `given` or `shown`.
+second_refuses() { # TEXT STATEMENT
+    local got=0
+    certificate=tools/certificates/roessler_1.json change unread "s = c['shown']; $2" digest
+    python3 tools/check_certificate.py "$scratch/unread.json" > "$scratch/out" 2>&1 || got=$?
+    [ $got -eq 1 ] && grep -qF -- "refused: $1" "$scratch/out" ||
+        { echo "second program on $2: status $got"; cat "$scratch/out"; status=1; }
+}
+second_refuses 'a multiplier is another one' 's["multipliers"][0]["re"]["middle"] = "0.5"'
+second_refuses 'a multiplier is another one' 's["multipliers"][1]["im"]["middle"] = "1e-3"'
+second_refuses 'its multipliers are not as many as its coordinates' 's["multipliers"].pop()'
+for statement in 's["exponent"] = "1"' 's["symmetry"] = {"type": "elliptic"}' 's["conditions"]["high"] = "1"' \
+    's["orbit"][0]["y"] = "1"' 's["multipliers"][0]["note"] = "1"' 'c["given"]["note"] = "1"' 'c["note"] = "1"' \
+    'c["given"]["legs"][0]["note"] = "1"' 'c["given"]["section"]["note"] = "1"'; do
+    second_refuses "" "$statement"
+    grep -q "has other members than those that are replayed" "$scratch/out" || { cat "$scratch/out"; status=1; }
+done
+second_refuses 'a ball has no middle and radius' 's["trace"]["radius"] = "-1e-25"'
+second_refuses 'the section is crossed in no direction' 'c["given"]["section"]["direction"] = -7'
+second_refuses 'it says to rest on other claims' 's["claims"] = ["integral E"]'
+
 # The second program proves the same, and refuses the same.
 python3 tools/check_certificate.py $certificate > "$scratch/out" 2>&1 || { cat "$scratch/out"; status=1; }
 for name in box still; do

@@ -105,7 +105,7 @@ END
     refuse_again outside 'outside the interval' 'g["box"]["x"] = {"middle": "1.8", "radius": "0.1"}'
     refuse_again vanish 'not shown to settle' 's["vanish"] = ["y"]; s["limit"] = {}'
     refuse_again missing 'not of the table' 's["limit"] = {}'
-    refuse_again state 'the table claims no pole y' 'g["pole"] = "y"; s["limit"] = {"x": "1"}'
+    refuse_again state 'the table claims no pole y' 'g["pole"] = "y"; s["limit"] = {"x": "1"}; s["claims"] = ["pole y"]'
 done
 
 # What must not be proved. y comes to 1 before x = sin(t) does, as du/dt = -u/r - 4: there u = 0, but the equations with lifted

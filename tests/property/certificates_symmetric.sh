@@ -70,7 +70,8 @@ for claim in 'x -> -x, y -> -y' 'x -> -x, px -> y, y -> px'; do
 c["given"]["table"]["sha256"] = "'"$(sha256sum < "$scratch/claimed.tt" | cut -c1-64)"'"'
     table=$scratch/claimed.tt second 1 "$scratch/claimed.json" 'the table claims another reversor, or none'
 done
-second 1 "$scratch/type.json" 'it is not hyperbolic'
+change hyperbolic 's["type"] = "hyperbolic"; del s["rotation"]'
+second 1 "$scratch/hyperbolic.json" 'it is not hyperbolic'
 second 1 "$scratch/reversor.json" 'the table claims another reversor'
 
 refuse() { # STATUS TEXT OPTION...
