@@ -59,10 +59,8 @@ static void write_check(FILE *stream, jlt_section_table *table, const jlt_sectio
     }
     table->checked++;
     for (unsigned k = 0; k < d; k++) trace += image.slope[k * d + k];
-    if (!(fabs(image.defect) <= table->worst_share * image.bound)) {
-        table->worst_share = fabs(image.defect) / image.bound;
-        table->worst_defect = fabs(image.defect);
-    }
+    if (!(fabs(image.defect) <= table->worst_share * image.bound)) table->worst_share = fabs(image.defect) / image.bound;
+    if (!(fabs(image.defect) <= table->worst_defect)) table->worst_defect = fabs(image.defect);
     const double values[] = { trace, image.determinant, image.expansion, image.defect };
     jlt_csv_more(stream, values, 4);
 }
@@ -105,7 +103,7 @@ bool jlt_section_table_verdict(const jlt_section_table *table)
                 table->unchecked + table->checked,
                 table->system->flow.chart->solved_count > 0 ? ": from or to another branch of --solve there is none" : "");
     if (table->checked == 0) return table->unchecked == 0;
-    fprintf(stderr, "jellett: det DP against flux and divergence: worst relative defect %.2g, %.2g of its bound\n",
+    fprintf(stderr, "jellett: det DP against flux and divergence: worst relative defect %.2g; at most %.2g of its bound\n",
             table->worst_defect, table->worst_share);
     return table->worst_share <= 1;
 }

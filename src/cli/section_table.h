@@ -13,7 +13,7 @@ typedef struct {
     bool check;   /* add columns for DP */
     jlt_map *map; /* computes DP for `check`; not owned */
     int time_direction;
-    double worst_share, worst_defect; /* the largest ratio of a defect to its bound, and that defect */
+    double worst_share, worst_defect; /* the largest ratio of a defect to its bound, the largest defect */
     size_t checked, unchecked;        /* returns whose DP was computed; whose DP could not be */
 } jlt_section_table;
 

@@ -109,7 +109,8 @@ static jlt_orbit_type classify(const double *re, const double *im, unsigned d, d
 }
 
 /* Replace the multipliers that the error of DP changes by more than a thousandth, as those of two do where its determinant is off
- * by that: a single one follows from the determinant, which the divergence gives; several become NaN, and with all the trace. */
+ * by that: a single one follows from the determinant, which the divergence gives; several become NaN, and with all the trace, and
+ * the type, unless they are all small. */
 static void leave_known(jlt_periodic *orbit, double error, unsigned d)
 {
     double rest = orbit->determinant;
@@ -121,7 +122,9 @@ static void leave_known(jlt_periodic *orbit, double error, unsigned d)
         orbit->re[i] = known + 1 == d ? rest : NAN;
         orbit->im[i] = known + 1 == d ? 0 : NAN;
     }
-    if (known == 0) orbit->trace = NAN;
+    if (known > 0) return;
+    orbit->trace = NAN;
+    if (1e3 * error >= 1) orbit->type = JLT_ORBIT_DEGENERATE;
 }
 
 /* Two multipliers whose product is the determinant: the smaller of two real ones keeps its digits through it, and a pair keeps its
@@ -161,7 +164,10 @@ jlt_status jlt_periodic_measure(jlt_map *map, jlt_periodic *io)
     orbit.defect = at.defect;
     orbit.determinant = exp(at.expansion);
     orbit.determinant_slope = at.determinant;
-    const double error = (tolerance != 0 ? tolerance : JLT_ORBIT_TOLERANCE) * fmax(1, jlt_linear_length(slope, d * d));
+    /* Of DP: at least what its determinant is off by allows, where tangent vectors grew and shrank again and left their errors. */
+    const double length = jlt_linear_length(slope, d * d), off = fabs(orbit.determinant_slope - orbit.determinant);
+    const double least = (tolerance != 0 ? tolerance : JLT_ORBIT_TOLERANCE) * fmax(1, length);
+    const double error = length > least ? fmax(least, off / pow(length, d - 1)) : least;
     JLT_PASS(jlt_linear_eigenvalues(orbit.re, orbit.im, slope, d));
     /* With one coordinate, a small multiplier keeps its digits through the divergence alone; DP gives its sign. */
     if (d == 1) {

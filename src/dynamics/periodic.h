@@ -14,7 +14,7 @@ typedef enum {
     JLT_ORBIT_ATTRACTING,  /* all inside the unit circle */
     JLT_ORBIT_REPELLING,   /* all outside */
     JLT_ORBIT_DEGENERATE   /* a multiplier +-1 within 1e-7, or a double one within the square root of the error of DP, or, where it
-                              is 1, of 1e-9 */
+                              is 1, of 1e-9; or none is known, nor that all are small */
 } jlt_orbit_type;
 
 const char *jlt_periodic_type_name(jlt_orbit_type type);
@@ -28,7 +28,7 @@ typedef struct {
     double trace;            /* of D(P^period), on any section; of two complex multipliers it is their sum; NaN if none is known */
     double determinant;      /* of D(P^period): exp of the integral of the divergence, for the flux is the same at both ends */
     double determinant_slope; /* the same a second way: the product of det DP over the returns */
-    double re[JLT_CHART_DIM_MAX], im[JLT_CHART_DIM_MAX]; /* (dim,): multipliers, largest first; NaN: too small to be known */
+    double re[JLT_CHART_DIM_MAX], im[JLT_CHART_DIM_MAX]; /* (dim,): multipliers, largest first; NaN: not known, see trace */
     double residual;         /* largest distance of P(q_i) from q_(i+1) */
     double defect;           /* worst defect of the flux identity, see map.h */
     bool symmetric;          /* its own mirror image under the chart's reversor, within the distance 1e-7 */

@@ -108,4 +108,18 @@ for rates in '3 4' '5 5.1' '0.1 12' '7 9' '8 8' '60 70'; do
             fail "$method, rates $rates: $(tail -1 out) $(cat err)"
     done
 done
+
+# A pendulum on its separatrix, and a bead on a turning hoop: returns by rounding, from a saddle where tangent vectors grow and
+# shrink by 1e16. Orbits beside it are closed, all of them: their multipliers are 1, and none is told as another.
+printf '%s\n' 'model hoop' 'param W' 'state x' 'state y' 'state w' 'eq x = -y*w' 'eq y = x*w' 'eq w = W^2*x*y - y' > hoop.tt
+for turning in 0 1/2 2 3; do
+    hoop=(./hoop.tt --section y=0 --set W=$turning --start x=1,w=2)
+    jellett orbits "${hoop[@]}" --period 1 > out 2> err
+    awk -F, '/^1,/ { bad += $12 != "degenerate" || ($7 != "" && ($7 - 1)^2 > 1e-6) } END { exit !!bad }' out ||
+        fail "on a separatrix, W = $turning: $(tail -1 out)"
+    jellett section "${hoop[@]}" --start x=1,w=1 --returns 1 --check > out 2> err
+    awk -F, 'FNR == NR { if (/^[01],1,/) { defect = $10 < 0 ? -$10 : $10; worst = defect > worst ? defect : worst }; next }
+        match($0, /relative defect [^,;]*/) { split(substr($0, RSTART, RLENGTH), word, " "); said = word[3] }
+        END { exit (said - worst)^2 > (worst/10)^2 }' out err || fail "the worst defect is another: $(cat out err)"
+done
 exit $status
