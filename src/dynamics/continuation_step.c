@@ -11,6 +11,9 @@ enum { U = JLT_CONTINUATION_U, NEWTON = 12, HALVINGS = 12 };
 
 static const double same_point = 1e-7;
 static const double steep = 1e6;      /* |DP| above which a residual that errors of the map may cause hides errors of the orbit, */
+/* Largest residual of an orbit, relative to |DP| and to the way that it goes: a turn around an equilibrium that passes for an orbit
+ * has a multiplier closer to 1 than 1e-7, and so is degenerate. */
+static const double returns = 1e-8;
 static const double settled = 1e-8;   /* unless the last step was as small as this, scaled, and as errors of DP may make it */
 
 static jlt_status image_at(const jlt_continuation_runner *self, jlt_image *image, const double *u, bool with_slope)
@@ -62,6 +65,7 @@ jlt_status jlt_continuation_step_evaluate(const jlt_continuation_runner *self, j
     jlt_chart_difference(&self->chart, difference, above.q, below.q);
     jlt_chart_scaled(&self->chart, difference, difference);
     out->noise = fmax(1e-10, self->tolerance);
+    out->T = image.T;
     for (unsigned i = 0; i < d; i++) {
         for (unsigned j = 0; j < d; j++) out->jacobian[i * (d + 1) + j] = out->slope[i * d + j] - (i == j);
         out->jacobian[i * (d + 1) + d] = difference[i] / (up - down);
@@ -182,8 +186,9 @@ jlt_status jlt_continuation_step_measure(const jlt_continuation_runner *self, jl
     return JLT_OK;
 }
 
-/* The least part of the velocity that crosses the section at the points of the orbit at u; 0 if there is none. */
-static double least_crossing(const jlt_continuation_runner *self, const double *u)
+/* The least part of the velocity that crosses the section at the points of the orbit at u; 0 if there is none. Out: *way, the way
+ * that the orbit goes in its time T. */
+static double least_crossing(const jlt_continuation_runner *self, double *way, const double *u, double T)
 {
     double q[JLT_CHART_DIM_MAX], least;
     jlt_image image;
@@ -192,6 +197,7 @@ static double least_crossing(const jlt_continuation_runner *self, const double *
     if (self->family->map_at(self->family->context, &map, u[self->d] * self->options.scale) != JLT_OK) return 0;
     jlt_chart_unscaled(&self->chart, q, u);
     least = jlt_periodic_crossing(jlt_map_flow(map), q);
+    *way = jlt_periodic_way(jlt_map_flow(map), q, T);
     for (size_t k = 1; least > 0 && k < self->period; k++) {
         if (jlt_map_point(map, &image, q, 1, 1) != JLT_OK) return 0;
         memcpy(q, image.q, self->d * sizeof *q);
@@ -200,15 +206,16 @@ static double least_crossing(const jlt_continuation_runner *self, const double *
     return least;
 }
 
-/* Whether the residual is as small as noise allows where DP is large only because the orbit almost touches the section: then the
- * multipliers, which are not, are known no better than the residual times |DP|. */
-static bool is_on_section(const jlt_continuation_runner *self, const jlt_continuation_equation *at, const double *u)
+/* Whether the residual tells an orbit from none. Where DP is large only because the orbit almost touches the section, the
+ * multipliers, which are not, are known no better than the residual times |DP|. And around an equilibrium any small turn comes back
+ * to within its size times the distance of the multipliers from 1. */
+static bool is_orbit(const jlt_continuation_runner *self, const jlt_continuation_equation *at, const double *u)
 {
-    const double allowed = at->noise * at->scale * least_crossing(self, u);
-    double residual = 0;
+    double residual = 0, way = 0;
+    const double crossing = least_crossing(self, &way, u, at->T);
 
     for (unsigned i = 0; i < self->d; i++) residual = fmax(residual, fabs(at->f[i]));
-    return residual < allowed;
+    return residual < at->noise * at->scale * crossing && residual <= returns * at->scale * way;
 }
 
 /* Test functions at a point, in the order of jlt_bifurcation from FOLD. NaN: does not apply. */
@@ -232,7 +239,7 @@ jlt_status jlt_continuation_step_to(const jlt_continuation_runner *self, jlt_con
 
     for (unsigned i = 0; i <= d; i++) next.u[i] = from->u[i] + step * from->tangent[i];
     JLT_PASS(jlt_continuation_step_correct(self, next.u, &next.at, from->tangent, iterations));
-    if (!is_on_section(self, &next.at, next.u)) return JLT_ERR_NO_CONVERGENCE;
+    if (!is_orbit(self, &next.at, next.u)) return JLT_ERR_NO_CONVERGENCE;
     JLT_PASS(tangent_at(self, next.tangent, &next.at, from->tangent));
     test_functions(next.test, &next.at, next.tangent, next.symmetric, d);
     *out = next;

@@ -202,16 +202,23 @@ double jlt_periodic_crossing(const jlt_flow *flow, const double *q)
     return crossing(x, &speed, flow, q);
 }
 
+double jlt_periodic_way(const jlt_flow *flow, const double *q, double T)
+{
+    double x[JLT_CHART_STATES_MAX], speed;
+
+    if (!(crossing(x, &speed, flow, q) > 0)) return 0;
+    return speed / jlt_field_time_rate(flow->field, x) * ldexp(T, -flow->units.time);
+}
+
 bool jlt_periodic_moves(const jlt_flow *flow, const jlt_periodic *orbit)
 {
     const jlt_chart *chart = flow->chart;
-    double x[JLT_CHART_STATES_MAX], q[D], speed = 0;
+    double q[D];
 
-    for (size_t k = orbit->period; k-- > 0;) { /* the first point last */
-        if (!(crossing(x, &speed, flow, orbit->points + k * chart->dim) > 0)) return false;
-    }
+    for (size_t k = 1; k < orbit->period; k++)
+        if (!(jlt_periodic_crossing(flow, orbit->points + k * chart->dim) > 0)) return false;
     jlt_chart_scaled(chart, q, orbit->points);
-    return speed / jlt_field_time_rate(flow->field, x) * ldexp(orbit->T, -flow->units.time) / (double)orbit->period >
+    return jlt_periodic_way(flow, orbit->points, orbit->T / (double)orbit->period) >
            standstill * fmax(1, jlt_linear_length(q, chart->dim));
 }
 

@@ -61,6 +61,10 @@ size_t jlt_periodic_primitive(const jlt_chart *chart, const double *points, size
  *  that the orbit may lie in the section. */
 double jlt_periodic_crossing(const jlt_flow *flow, const double *q);
 
+/** The way |f| T that a motion from q, shape (dim,), goes in a time T [time] at its velocity there, in scaled coordinates; 0 where
+ *  jlt_periodic_crossing is 0. */
+double jlt_periodic_way(const jlt_flow *flow, const double *q, double T);
+
 /** Whether period, points and T describe a true orbit. False if it lies in the section, which it then leaves and meets again by
  *  rounding alone; or if |f| T is negligible: where the flow is tangent to the section an orbit returns at once, and every such
  *  point looks fixed; or if a point has no state. */

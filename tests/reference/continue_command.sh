@@ -104,7 +104,15 @@ awk -F, '/^[0-9]/ && $2 > 24.07402 { n++; if ($17 != "" || ($8 - 1.0286668)^2 > 
 # Lorenz's orbit around one wing comes from a homoclinic one, at rho = 13.926.
 jellett continue lorenz --section z=15 --set rho=20 --along rho=13:25 --start x=10,y=15 --decreasing --count 1000 -o rows.csv \
     2> log || fail "homoclinic: $?"
-grep -q 'branch 0: .*homoclinic to an equilibrium' log || fail "homoclinic: $(cat log)"
+grep -q 'branch 0: .*homoclinic to one' log || fail "homoclinic: $(cat log)"
+# It shrinks onto the equilibrium on the wing, and has a multiplier above 1, up to Hopf's bifurcation at rho = 470/19. Turns around
+# that equilibrium come back to within their size times what its own multiplier is off 1, and are no orbits.
+printf '%s\n' 'model wing' 'param rho' 'state x' 'state y' 'state u "z - (rho - 1)"' 'eq x = 10*y - 10*x' 'eq y = x - y - x*u' \
+    'eq u = x*y - 8/3*u - 8/3*rho + 8/3' > wing.tt
+jellett continue ./wing.tt --section u=0 --set rho=24 --start x=9.57,y=11.1 --along rho=14:25 -o rows.csv 2> log
+grep -q 'branch 0: .*equilibrium onto which orbits shrink' log || fail "Hopf: $(cat log)"
+awk -F, '/^0,/ { n++; last = $2; if ($2 > 470/19 + 1e-7 || $15 != "degenerate" && ($10 < 1 || $15 != "saddle")) wrong = 1 }
+    END { exit !(n > 40 && last > 470/19 - 1e-5) || wrong }' rows.csv || fail "beyond Hopf's: $(tail -3 rows.csv)"
 
 # Two bifurcations within one step: the edges of the second and the third gap of Mathieu's equation, at its characteristic values
 # b2, a2, b3 and a3 for q = 1 (SciPy), where the orbit x = 0 has trace 2, and -2; and the folds of p = x^3 - e x.
