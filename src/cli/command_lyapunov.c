@@ -153,8 +153,7 @@ static jlt_exit draw_history(const options *o, const jlt_system *system)
     for (unsigned k = 0; k < system->flow.chart->dim; k++) jlt_plot_value(&plot, system->flow.chart->names[k], q[k]);
     jlt_plot_words(&plot, "\n");
     jlt_motion_caption(&plot, system, NULL);
-    jlt_plot_axis(&plot, 'x', "t [s]", JLT_EXTENT_OPEN, 0);
-    jlt_plot_log(&plot, 'x', 10);
+    jlt_plot_log(&plot, 'x', "t [s]", JLT_EXTENT_OPEN, 10);
     jlt_plot_axis(&plot, 'y', "λ [1/s]", JLT_EXTENT_OPEN, 0);
     fputs(JLT_LOOK_GRID "plot ", plot.stream);
     for (unsigned k = 0; k < system->flow.chart->dim; k++) {

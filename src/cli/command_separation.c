@@ -116,8 +116,7 @@ static jlt_exit draw(const options *o, const jlt_system *system, const jlt_separ
     fputs("END\n", plot.stream);
     jlt_plot_words(&plot, "Cells visited forwards and backwards\n");
     jlt_motion_caption(&plot, system, NULL);
-    jlt_plot_axis(&plot, 'x', "returns of every orbit", JLT_EXTENT_OPEN, 0);
-    jlt_plot_log(&plot, 'x', 2);
+    jlt_plot_log(&plot, 'x', "returns of every orbit", JLT_EXTENT_OPEN, 2);
     jlt_plot_axis(&plot, 'y', "overlap", (jlt_extent){ 0, 1.05 }, 0);
     fputs("plot $OVERLAP using 1:2 ", plot.stream);
     jlt_look_pen(plot.stream, plot.look, (jlt_pen){ "linespoints", .colour = 2, .size = 0.7 });

@@ -298,8 +298,9 @@ static jlt_exit draw(const study *s, jlt_motion_map *map)
     jlt_plot_words(&plot, "Density that stays under the %s map\n", s->o->backwards ? "inverse" : "return");
     jlt_motion_caption(&plot, s->system, NULL);
     jlt_motion_map_frame(map, &plot);
-    jlt_motion_map_palette(map, &plot, "log10 of the density");
+    jlt_motion_map_palette(map, &plot, "log_{10} of the density");
     jlt_motion_map_plot(map, &plot);
+    jlt_motion_map_blank(map, &plot, "without states");
     fputc('\n', plot.stream);
     return jlt_plot_draw(&plot);
 }

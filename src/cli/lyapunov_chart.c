@@ -37,6 +37,8 @@ jlt_exit jlt_lyapunov_chart_draw(const jlt_lyapunov_chart_options *o, const jlt_
     jlt_motion_map_frame(map, &plot);
     jlt_motion_map_palette(map, &plot, "exponent [1/s]");
     jlt_motion_map_plot(map, &plot);
+    if (o->others > 0) jlt_motion_map_blank(map, &plot, "without an exponent");
+    else jlt_motion_map_blank(map, &plot, "ended before %zu return%s", o->returns, o->returns == 1 ? "" : "s");
     fputc('\n', plot.stream);
     return jlt_plot_draw(&plot);
 }
@@ -102,6 +104,7 @@ jlt_exit jlt_lyapunov_chart_write(jlt_motion_map *picture, jlt_map *map, jlt_map
     }
     jlt_progress_end(&progress);
     jlt_map_batch_images_clear(&images);
+    o->others = unresolved + strayed;
     if (unresolved > 0)
         fprintf(stderr, "jellett: returns of %zu starts contract by more than the tolerance resolves: they have no exponent\n",
                 unresolved);

@@ -8,6 +8,7 @@
 typedef struct {
     jlt_motion_options motion;
     size_t returns, skip, threads;
+    size_t others; /* starts without an exponent that did not end; set by jlt_lyapunov_chart_write */
 } jlt_lyapunov_chart_options;
 
 /** Move q, shape (dim,), forward by `skip` returns, to the point from which exponents are measured. Errors: as jlt_map_point;

@@ -1,6 +1,7 @@
 #include "cli/motion_map.h"
 
 #include <math.h>
+#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -153,4 +154,18 @@ void jlt_motion_map_plot(const jlt_motion_map *self, jlt_plot *plot)
     fputs(image ? " '++' using 1:2:(VALUE(CELL_x($1),CELL_y($2))) with image notitle" : "NaN notitle", plot->stream);
     if (self->size > 0)
         fprintf(plot->stream, ", $STARTS using 1:2:3 with points pt 5 ps %.3g lc palette notitle", 0.7 * plot->look->size);
+}
+
+void jlt_motion_map_blank(const jlt_motion_map *self, jlt_plot *plot, const char *meaning, ...)
+{
+    size_t blank = 0;
+    va_list arguments;
+
+    for (size_t i = 0; i < self->count[0] * self->count[1]; i++) blank += isnan(self->grid[i]) ? 1 : 0;
+    if (blank == 0) return;
+    fprintf(plot->stream, ", keyentry with boxes fill solid border rgb '#808080' fillcolor rgb 'white' title '%zu ", blank);
+    va_start(arguments, meaning);
+    vfprintf(plot->stream, meaning, arguments);
+    va_end(arguments);
+    fputc('\'', plot->stream);
 }

@@ -37,4 +37,7 @@ void jlt_motion_map_palette(const jlt_motion_map *self, jlt_plot *plot, const ch
 /** Write "plot ...": the grid as an image, whose size in bytes does not grow with its cells, and other starts as points. */
 void jlt_motion_map_plot(const jlt_motion_map *self, jlt_plot *plot);
 
+/** Behind it: say in the key how many cells have no value, and what that means, formatted as by printf; nothing if all have one. */
+JLT_PRINTF(3, 4) void jlt_motion_map_blank(const jlt_motion_map *self, jlt_plot *plot, const char *meaning, ...);
+
 #endif

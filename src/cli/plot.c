@@ -216,7 +216,8 @@ void jlt_plot_value(jlt_plot *self, const char *name, double value)
     if (isnan(value)) return;
     if (self->valued) fputs(", ", self->title.stream);
     jlt_symbol_write(self->title.stream, name);
-    fprintf(self->title.stream, "=%.6g", value);
+    fputc('=', self->title.stream);
+    jlt_symbol_number(self->title.stream, value);
     self->valued = true;
 }
 
@@ -235,17 +236,31 @@ void jlt_plot_label(char *label, const jlt_descriptor *model, const char *name)
                                                                : "");
 }
 
-jlt_extent jlt_plot_axis(jlt_plot *self, char axis, const char *label, jlt_extent range, double period)
-{
-    const unsigned panels = axis == 'x' ? self->columns : self->rows;
+/* The least margin beside stacked panels, in units of the font size; on the right, that of keys. */
+enum { MARGIN = 6 };
 
-    return jlt_look_axis(self->stream, self->look, axis, label, range, period, panels > 0 ? panels : 1);
+/* How many panels share the picture in the direction of an axis, for jlt_look_axis, which gives axes three fourths of a width. */
+static double panels_along(const jlt_plot *self, char axis)
+{
+    const double width = self->look->width * 72 / 2.54 / jlt_look_points(self->look);
+
+    if (self->rows == 0) return 1;
+    if (axis == 'y') return self->rows;
+    return self->stacked ? 0.75 / (1 - (MARGIN + fmax(MARGIN, self->beside)) / width) : self->columns;
 }
 
-void jlt_plot_log(jlt_plot *self, char axis, int base)
+jlt_extent jlt_plot_axis(jlt_plot *self, char axis, const char *label, jlt_extent range, double period)
 {
-    fprintf(self->stream, "set logscale %c %d\n", axis, base);
-    if (base == 10) fprintf(self->stream, "set %ctics autofreq\nset format %c '10^{%%T}'\n", axis, axis);
+    double letters;
+
+    range = jlt_look_axis(self->stream, self->look, axis, label, range, period, panels_along(self, axis), &letters);
+    if (axis == 'y') self->letters = fmax(self->letters, letters);
+    return range;
+}
+
+void jlt_plot_log(jlt_plot *self, char axis, const char *label, jlt_extent range, int base)
+{
+    jlt_look_log(self->stream, self->look, axis, label, range, base, panels_along(self, axis));
 }
 
 void jlt_plot_panels(jlt_plot *self, unsigned count, bool stacked)
@@ -300,8 +315,8 @@ static void write_panels(FILE *stream, const jlt_plot *self)
     fprintf(stream, "set multiplot layout %u,%u title ", self->rows, self->columns);
     const unsigned lines = write_title(stream, self);
     if (self->stacked)
-        fprintf(stream, " margins %.4f,%.4f,%.4f,%.4f spacing 0,%.4f", 6 * x, 1 - fmax(6, self->beside) * x, 3.8 * y,
-                1 - (1.1 + 1.2 * lines) * y, 1.15 * y);
+        fprintf(stream, " margins %.4f,%.4f,%.4f,%.4f spacing 0,%.4f", fmax(MARGIN, 3 + 0.6 * self->letters) * x,
+                1 - fmax(MARGIN, self->beside) * x, 3.8 * y, 1 - (1.1 + 1.2 * lines) * y, 1.15 * y);
     fputc('\n', stream);
 }
 

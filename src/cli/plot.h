@@ -19,6 +19,7 @@ typedef struct {
     unsigned rows, columns; /* of panels; 0: there is one picture without panels */
     bool stacked;           /* panels share the x axis */
     double beside;          /* the room for the keys of stacked panels, in units of the font size */
+    double letters;         /* in the longest label of a tick on a y axis */
     jlt_command_output script, title;
     bool valued;            /* the caption ends with NAME=VALUE */
 } jlt_plot;
@@ -40,9 +41,8 @@ void jlt_plot_label(char *label, const jlt_descriptor *model, const char *name);
 /** Write the axis 'x' or 'y' of the panel that is drawn next, as jlt_look_axis does. Returns its range. */
 jlt_extent jlt_plot_axis(jlt_plot *self, char axis, const char *label, jlt_extent range, double period);
 
-/** Make this axis logarithmic, after jlt_plot_axis. base: 10, ticks at powers of ten; 2, ticks at powers of two as plain
- *  numbers. */
-void jlt_plot_log(jlt_plot *self, char axis, int base);
+/** The same for a logarithmic axis, as jlt_look_log does. */
+void jlt_plot_log(jlt_plot *self, char axis, const char *label, jlt_extent range, int base);
 
 /** Lay out `count` panels in place of one picture: if stacked, one below the other with a common x axis, else side by side where
  *  there is room. */

@@ -31,7 +31,7 @@ static double value_of(const jlt_simulate_request *r, const jlt_course_row *row,
 
     if (column == 0) return row->t;
     if (column < drift) return row->x[column - 1];
-    if (column < observed) return fmax(row->drift[column - drift], 1e-17);
+    if (column < observed) return isnan(row->drift[column - drift]) ? NAN : fmax(row->drift[column - drift], 1e-17);
     return column < more ? row->observed[column - observed] : row->more[column - more];
 }
 
@@ -61,7 +61,8 @@ static void caption(jlt_plot *plot, const jlt_simulate_request *r)
     jlt_session_caption(plot, &r->session);
     jlt_plot_words(plot, "; start ");
     for (unsigned i = 0; i < d->state_count; i++) jlt_plot_value(plot, d->states[i].name, r->session.x[i]);
-    jlt_plot_words(plot, "; tier %s, tolerance %.3g", jlt_plan_tier(&r->plans[0]), r->session.tolerance);
+    jlt_plot_words(plot, "; tier %s, ", jlt_plan_tier(&r->plans[0]));
+    jlt_plot_value(plot, "tolerance", r->session.tolerance);
 }
 
 /* Write one curve of `plot`: a column against t, of which a single row is a point. series: the number of the curve in its panel. */
@@ -148,8 +149,8 @@ static void draw_states(jlt_plot *plot, const jlt_simulate_request *r)
         jlt_extent_add(&drift, r->extents[first_drift(r) + i].low);
         jlt_extent_add(&drift, r->extents[first_drift(r) + i].high);
     }
-    fprintf(plot->stream, "set ylabel 'drift'\nset yrange [%.3g:%.3g]\nset ytics 100\nset logscale y\nset format y '10^{%%T}'\n",
-            drift.low / 2, drift.high * 2);
+    fputs("unset label\n", plot->stream);
+    jlt_plot_log(plot, 'y', "drift", (jlt_extent){ drift.low / 1.01, drift.high * 1.01 }, 10);
     for (unsigned i = 0; i < drifts; i++) curve(plot, r, first_drift(r) + 1 + i, i, jlt_course_integral(r->courses[0], i));
     fputc('\n', plot->stream);
 }

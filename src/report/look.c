@@ -7,6 +7,7 @@
 
 #include "core/digits.h"
 #include "report/symbol.h"
+#include "report/ticks.h"
 
 /* The first colours are those of Okabe and Ito (2008), dark and light in turn. The greys, for areas, are chosen far apart. */
 static const char *const colours[JLT_LOOK_SERIES] = { "#1a1a1a", "#d55e00", "#0072b2", "#e69f00", "#009e73",
@@ -93,7 +94,13 @@ static double breadth(char first)
 /* Whether the character at text[i] is a mark of enhanced text; behind a backslash it is a character like others. */
 static bool is_mark(const char *text, size_t i)
 {
-    return strchr("_{}\\", text[i]) != NULL && (i == 0 || text[i - 1] != '\\');
+    return strchr("_^{}\\", text[i]) != NULL && (i == 0 || text[i - 1] != '\\');
+}
+
+/* The size of letters behind a mark of enhanced text: braces enclose an index or a power. */
+static double size_after(double size, char mark)
+{
+    return mark == '{' ? 0.8 : mark == '}' ? 1 : size;
 }
 
 double jlt_look_breadth(const char *label)
@@ -102,8 +109,7 @@ double jlt_look_breadth(const char *label)
 
     for (size_t i = 0; label[i] != '\0'; i++) {
         if (!is_mark(label, i)) width += size * breadth(label[i]);
-        else if (label[i] == '{') size = 0.8; /* an index */
-        else if (label[i] == '}') size = 1;
+        else size = size_after(size, label[i]);
     }
     return width;
 }
@@ -114,10 +120,12 @@ double jlt_look_breadth(const char *label)
 static size_t fitting(const char *text, double room, bool markup)
 {
     size_t last = 0, joint = 0, i;
+    double size = 1;
 
     for (i = 0; text[i] != '\0' && text[i] != '\n'; i++) {
         if (text[i] == ' ') last = i;
-        if (!markup || !is_mark(text, i)) room -= breadth(text[i]);
+        if (!markup || !is_mark(text, i)) room -= size * breadth(text[i]);
+        else size = size_after(size, text[i]);
         if (room < 0 && last + joint > 0) return last > 0 ? last : joint;
         if (text[i] == '_' && (!markup || !is_mark(text, i))) joint = i + 1;
     }
@@ -158,65 +166,80 @@ void jlt_look_label(char *label, const char *name, const char *unit)
     label[JLT_LOOK_LABEL_MAX - 1] = '\0';
 }
 
-/* Write ticks at multiples of pi/2, or, if these do not fit, of the least multiple of pi that does. */
-static void angle_ticks(FILE *stream, char axis, double low, double high, double room)
+/* Write the label of an axis whose ticks count in powers of ten, which becomes a part of the unit. */
+static void write_label(FILE *stream, const char *axis, const char *label, int power)
 {
-    const double half = acos(0);
-    const int first = (int)ceil(low / half - 1e-9), last = (int)floor(high / half + 1e-9);
-    const int step = last - first <= room ? 1 : 2 * (int)ceil((last - first) / fmax(2, room) / 2);
+    const char *unit = strrchr(label, '[');
+    const size_t name = unit != NULL ? (size_t)(unit - label) : strlen(label);
+    const char *sign = power < 0 ? "−" : "";
+    char whole[JLT_LOOK_LABEL_MAX + 32];
 
-    fprintf(stream, "set %ctics (", axis);
-    for (int i = first - first % step; i <= last; i += step) {
-        const int multiple = abs(i % 2 == 0 ? i / 2 : i);
-        fprintf(stream, "%s'%s", i == first - first % step ? "" : ", ", i < 0 ? "−" : "");
-        if (multiple != 1) fprintf(stream, "%d", multiple);
-        fprintf(stream, "%s%s' %d*pi/2", i == 0 ? "" : "π", i % 2 == 0 ? "" : "/2", i);
-    }
-    fputs(")\n", stream);
+    if (power == 0 || *label == '\0') snprintf(whole, sizeof whole, "%s", label);
+    else if (unit == NULL) snprintf(whole, sizeof whole, "%s [10^{%s%d}]", label, sign, abs(power));
+    else if (strcmp(unit, "[1]") == 0) snprintf(whole, sizeof whole, "%.*s[10^{%s%d}]", (int)name, label, sign, abs(power));
+    else snprintf(whole, sizeof whole, "%.*s[10^{%s%d} %s", (int)name, label, sign, abs(power), unit + 1);
+    fprintf(stream, "set %slabel ", axis);
+    jlt_look_quote(stream, whole);
 }
 
-/* How many multiples of the step lie in the range. */
-static double ticks(jlt_extent range, double step)
+/* How many ticks there is room for. Labels take a fourth of the width and a third of the height; a tick gets the room of six
+ * letters in x, of 1.8 lines in y. */
+static double tick_room(const jlt_look *self, char axis, double panels)
 {
-    return floor(range.high / step + 1e-9) - ceil(range.low / step - 1e-9) + 1;
-}
+    const double letters = 72 / 2.54 / jlt_look_points(self) / panels;
 
-/* The distance between ticks, so that about `room` of them or fewer lie in the range, and at least two if it is not empty. */
-static double step_of(jlt_extent range, double room)
-{
-    const double least = (range.high - range.low) / fmax(3, room), power = pow(10, floor(log10(least))),
-                 part = least / power * (1 - 1e-9);
-
-    const double round = part <= 1 ? 1 : part <= 2 ? 2 : part <= 5 ? 5 : 10;
-    /* One tick gives no scale: take the largest step that puts two ticks into the range. */
-    static const double shorter[] = { 10, 8, 6, 5, 4, 3, 2, 1.5, 1 };
-    for (size_t i = 0; i < sizeof shorter / sizeof *shorter; i++)
-        if (shorter[i] <= round && ticks(range, shorter[i] * power) >= 2) return shorter[i] * power;
-    return round * power;
+    return axis == 'x' ? 0.75 * self->width * letters / (6 * 0.55) : 0.65 * self->height * letters / 1.8;
 }
 
 jlt_extent jlt_look_axis(FILE *stream, const jlt_look *self, char axis, const char *label, jlt_extent range, double period,
-                         unsigned panels)
+                         double panels, double *letters)
 {
-    const double two_pi = 4 * acos(0), letters = 72 / 2.54 / jlt_look_points(self) / panels;
-    /* labels take a fourth of the width and a third of the height; a tick gets the room of six letters in x, of 1.8 lines in y */
-    const double room = axis == 'x' ? 0.75 * self->width * letters / (6 * 0.55) : 0.65 * self->height * letters / 1.8;
+    const double two_pi = 4 * acos(0), room = tick_room(self, axis, panels);
     const int k = axis == 'y';
+    const char name[] = { axis, '\0' };
+    jlt_ticks ticks = { 0 };
     char ends[2][JLT_DIGITS_SIZE];
 
-    fprintf(stream, "set %clabel ", axis);
-    jlt_look_quote(stream, label);
-    fputs(axis == 'x' ? " offset 0,0.3\n" : "\n", stream);
     if (!isnan(self->low[k])) range = (jlt_extent){ self->low[k], self->high[k] };
     if (range.high <= range.low) range = jlt_extent_wider(range);
-    if (!(range.high > range.low)) return range;
+    const bool known = range.high > range.low;
+    const bool turns = known && fabs(period - two_pi) < 1e-9 && range.high - range.low > two_pi / 2.001
+                       && range.high - range.low < 1000;
+    if (known && !turns) ticks = jlt_ticks_choose(range, room, axis == 'x');
+    const bool beside = axis == 'y' && panels > 1; /* where a label has no room for the power, it stands above the axis */
+    write_label(stream, name, label, beside ? 0 : ticks.power);
+    if (beside) fputs("\nunset label", stream);
+    if (beside && ticks.power != 0)
+        fprintf(stream, "\nset label '{/*0.85 ×10^{%s%d}}' at graph 0,1 left offset 0,0.45", ticks.power < 0 ? "−" : "",
+                abs(ticks.power));
+    fputs(axis == 'x' ? " offset 0,0.3\n" : "\n", stream);
+    *letters = ticks.letters;
+    if (!known) return range;
     jlt_digits_shortest(ends[0], range.low); /* in full: points may lie exactly at the ends of an angle's range */
     jlt_digits_shortest(ends[1], range.high);
     fprintf(stream, "set %crange [%s:%s]\n", axis, ends[0], ends[1]);
-    if (fabs(period - two_pi) < 1e-9 && range.high - range.low > two_pi / 2.001 && range.high - range.low < 1000)
-        angle_ticks(stream, axis, range.low, range.high, room);
-    else fprintf(stream, "set %ctics %.15g\n", axis, step_of(range, room));
+    if (turns) jlt_ticks_angle(stream, name, range, room);
+    else jlt_ticks_write(stream, name, range, &ticks, *label != '\0');
     return range;
+}
+
+void jlt_look_log(FILE *stream, const jlt_look *self, char axis, const char *label, jlt_extent range, int base, double panels)
+{
+    const double room = tick_room(self, axis, panels);
+    const char name[] = { axis, '\0' };
+    const int k = axis == 'y';
+    const bool typed = isnan(range.low) && !isnan(self->low[k]);
+    jlt_ticks ticks = { 0 };
+
+    if (typed) range = (jlt_extent){ self->low[k], self->high[k] };
+    const bool short_range = typed && floor(log(range.high) / log(base) + 1e-9) < ceil(log(range.low) / log(base) - 1e-9) + 1;
+    if (short_range) ticks = jlt_ticks_choose(range, room, axis == 'x');
+    write_label(stream, name, label, ticks.power);
+    fprintf(stream, "%s\nset logscale %c %d\n", axis == 'x' ? " offset 0,0.3" : "", axis, base);
+    if (short_range) jlt_ticks_list(stream, name, range, &ticks, true);
+    else if (range.high > range.low && base == 10) jlt_ticks_decades(stream, name, &range, room, !typed);
+    else if (base == 10) fprintf(stream, "set %ctics autofreq\nset format %c '10^{%%T}'\n", axis, axis);
+    if (range.high > range.low) fprintf(stream, "set %crange [%.15g:%.15g]\n", axis, range.low, range.high);
 }
 
 void jlt_look_key(FILE *stream, const jlt_look *self, const char *where)
@@ -245,26 +268,19 @@ void jlt_look_pen(FILE *stream, const jlt_look *self, jlt_pen pen)
         fprintf(stream, " pt %d ps %.3g", shapes[pen.mark % (sizeof shapes / sizeof *shapes)], pen.size * self->size);
 }
 
-/* The number of letters in the longest tick label of the colour box. */
-static int widest(jlt_extent values, double step)
-{
-    int most = 0;
-
-    for (double k = floor(values.low / step); k <= ceil(values.high / step); k++)
-        most = (int)fmax(most, snprintf(NULL, 0, "%.6g", k * step));
-    return most;
-}
-
 void jlt_look_palette(FILE *stream, const jlt_look *self, const char *label, jlt_extent values)
 {
-    const double step = values.high > values.low ? step_of(values, 6) : 0;
+    const bool known = values.high > values.low;
+    const jlt_ticks ticks = known ? jlt_ticks_choose(values, 6, false) : (jlt_ticks){ 0 };
 
-    fputs("set cblabel ", stream);
-    jlt_look_quote(stream, label);
+    write_label(stream, "cb", label, ticks.power);
     fputs(" offset 0.7,0\n", stream);
-    /* set the margin: gnuplot leaves the same room for the colour box however long its tick labels are */
-    if (step > 0) fprintf(stream, "set cbtics %.15g\nset rmargin %.1f\n", step, 4.7 + 0.8 * widest(values, step));
-    fputs(self->grey ? "set palette defined (0 '#202020', 1 '#f0f0f0')\n"
+    if (known) {
+        jlt_ticks_write(stream, "cb", values, &ticks, true);
+        /* set the margin: gnuplot leaves the same room for the colour box however long its tick labels are */
+        fprintf(stream, "set rmargin %.1f\n", 4.7 + 0.8 * ticks.letters);
+    }
+    fputs(self->grey ? "set palette defined (0 '#202020', 1 '#d8d8d8')\n"
                      : "set palette defined (0 '#440154', 1 '#3b528b', 2 '#21918c', 3 '#5ec962', 4 '#fde725')\n",
           stream);
 }

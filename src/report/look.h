@@ -56,10 +56,15 @@ double jlt_look_breadth(const char *label);
 void jlt_look_label(char *label, const char *name, const char *unit);
 
 /** Write the axis 'x' or 'y' with its label in markup, its range and as many ticks as fit. panels: how many panels share the
- *  picture in the direction of this axis. period: 2 pi for an angle, whose ticks are multiples of pi/2 where the range is long;
- *  else 0. Returns the range drawn: that of --xrange or --yrange where given. */
+ *  picture in the direction of this axis; not whole where margins differ. period: 2 pi for an angle, whose ticks are multiples of
+ *  pi/2 where the range is long; else 0. Very large or small numbers are counted in a power of ten, which the label tells. Out:
+ *  letters, in the longest label of a tick, 0 for an angle. Returns the range drawn: that of --xrange or --yrange where given. */
 jlt_extent jlt_look_axis(FILE *stream, const jlt_look *self, char axis, const char *label, jlt_extent range, double period,
-                         unsigned panels);
+                         double panels, double *letters);
+
+/** The same for a logarithmic axis of this base, 10 or 2. range: made longer up to powers of ten; OPEN: that of
+ *  --xrange or --yrange, or else left to gnuplot. */
+void jlt_look_log(FILE *stream, const jlt_look *self, char axis, const char *label, jlt_extent range, int base, double panels);
 
 /** Write "set key WHERE", or "unset key" with --style nokey. */
 void jlt_look_key(FILE *stream, const jlt_look *self, const char *where);

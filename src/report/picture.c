@@ -90,7 +90,7 @@ void jlt_picture_terminal(FILE *stream, const char *path, const jlt_look *look)
 {
     fputs("set terminal ", stream);
     format_of(path)->terminal(stream, look);
-    fputs("\nset encoding utf8\n", stream);
+    fputs("\nset encoding utf8\nset minussign\n", stream);
 }
 
 /* Why gnuplot failed, from its words: EMPTY, there is nothing to draw; IO for any other reason, and the words are passed on. */

@@ -2,6 +2,7 @@
 
 #include <ctype.h>
 #include <stdbool.h>
+#include <stdlib.h>
 #include <string.h>
 
 static const struct {
@@ -49,4 +50,18 @@ void jlt_symbol_write(FILE *stream, const char *name)
     if (is_letter) fwrite(name + letters, 1, stem - letters, stream);
     if (indexed) (void)write_part(stream, name + stem + 1, strlen(name + stem + 1));
     fputc('}', stream);
+}
+
+void jlt_symbol_number(FILE *stream, double value)
+{
+    char text[32];
+    const char *digits = text;
+
+    (void)snprintf(text, sizeof text, "%.6g", value);
+    if (*digits == '-') fputs("−", stream), digits++;
+    const size_t length = strcspn(digits, "e");
+    const int power = digits[length] == 'e' ? atoi(digits + length + 1) : 0;
+    const bool is_power = power != 0 && length == 1 && *digits == '1';
+    if (!is_power) fwrite(digits, 1, length, stream);
+    if (power != 0) fprintf(stream, "%s10^{%s%d}", is_power ? "" : "×", power < 0 ? "−" : "", abs(power));
 }

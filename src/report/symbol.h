@@ -8,6 +8,9 @@
  *  behind a single letter, as an index. Any other text is written as it stands. */
 void jlt_symbol_write(FILE *stream, const char *name);
 
+/** Write a number as it is printed, to six digits: 0.51, −3×10^{−14}. */
+void jlt_symbol_number(FILE *stream, double value);
+
 /** Write `length` bytes of text with gnuplot's marks escaped, so that enhanced text shows them as they are. */
 void jlt_symbol_plain(FILE *stream, const char *text, size_t length);
 

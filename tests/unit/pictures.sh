@@ -199,6 +199,67 @@ done
 jellett simulate ./long.tt --start "$start" --times 0 --plot p.svg --keep p.gp -o rows.csv 2> log
 grep -q '^plot .* with points' p.gp || fail "a single row is drawn as a line, which is not seen: $(cat log)"
 
+# Numbers beside an axis tell its ticks apart and do not run into each other, over any range; numbers are written as in print, not
+# as in programs; and a key says what cells without a value are.
+cat > scaled.tt << END
+model scaled
+param k > 0
+state x [m]
+state v [m/s]
+state phi
+eq x = v
+eq v = - k*x
+eq phi = 1
+integral energy = v^2 + k*x^2
+default k = 1
+END
+map="./scaled.tt --section phi=0 --modulo phi=2*pi"
+while read -r line; do
+    jellett $line --size 8x6 --plot p.svg --keep p.gp -o rows.csv 2> log || { fail "jellett $line: $(cat log)"; continue; }
+    python3 - "$line" << 'END' || status=1
+import re, sys
+picture, axes = open("p.svg").read(), {}
+width = float(re.search(r'viewBox="0 0 ([0-9.]+)', picture).group(1))
+for x, y, size, anchor, inner in re.findall(
+        r'translate\(([0-9.]+),([0-9.]+)\)"[^>]*font-size="([0-9.]+)" *text-anchor="(\w+)">\s*<text>(.*?)</text>', picture, re.S):
+    parts = [(float(s or size), t) for s, t in re.findall(r'<tspan(?: [^>]*?font-size="([0-9.]+)")?[^>]*>([^<]*)', inner)]
+    text = re.sub(r"<[^>]*>", "", inner).strip()
+    if re.search("[0-9]e[-+]?[0-9]", text): sys.exit(f"{sys.argv[1]}: '{text}' is not how numbers are printed")
+    long = 0.5 * sum(s * len(t) for s, t in parts or [(float(size), text)])
+    place = (x if anchor == "end" else y, anchor)
+    if re.fullmatch("[−0-9.π/×]+", text): axes.setdefault(place, []).append((float(x), float(y), long, text))
+for (_, anchor), ticks in axes.items():
+    ticks.sort(key=lambda t: t[0] if anchor == "middle" else t[1])
+    for a, b in zip(ticks, ticks[1:]):
+        if a[3] == b[3] and "×" not in a[3] and abs(b[1] - a[1]) < 60: sys.exit(f"{sys.argv[1]}: two ticks say {a[3]}")
+        if anchor == "middle" and b[0] - a[0] < (a[2] + b[2]) / 2: sys.exit(f"{sys.argv[1]}: {a[3]} runs into {b[3]}")
+        if anchor == "end" and b[1] - a[1] < 8: sys.exit(f"{sys.argv[1]}: {a[3]} lies over {b[3]}")
+if not any(len(ticks) > 1 for (_, anchor), ticks in axes.items() if anchor == "middle"): sys.exit(f"{sys.argv[1]}: no scale in x")
+if not any(len(ticks) > 1 for (_, anchor), ticks in axes.items() if anchor == "end"): sys.exit(f"{sys.argv[1]}: no scale in y")
+END
+done << END
+simulate ./scaled.tt --start x=1e-300,v=0,phi=0 --until 9 --every 1/10
+simulate ./scaled.tt --start x=1e150,v=0,phi=1e9 --until 9 --every 1/10
+simulate ./scaled.tt --start x=1,v=0,phi=0 --until 1e-3 --every 1e-4
+simulate ./scaled.tt --start x=1e-9,v=0,phi=0 --until 9 --every 1/10 --axes x,v
+section $map --start x=1,v=0 --returns 9 --xrange 1:1.00000001 --yrange -1e-300:1e300
+continue --along E=2.1499999:2.15 --decreasing
+drift $map --start x=1,v=0 --returns 20 --xrange 2:8
+drift $map --start x=1,v=0 --returns 20 --yrange 2e-15:8e-15
+lyapunov $map --start x=1,v=0 --returns 20 --xrange 20:90
+lyapunov --grid eta=0.3:0.3000001:3,gamma3=-0.63:-0.61:2 --returns 1
+eigen --set a3=0,I1=2/5 --at v_nu=0.7,omega3=1.1 --sweep gamma3=0.3:0.3000001:3
+rod --start gamma3=0.2,v_nu=0.6,omega_tau=0.4,omega_n=1,omega3=0 --sweep omega_n=1:1.00001:30
+END
+jellett simulate ./scaled.tt --start x=1e-300,v=0,phi=0 --until 9 --every 1/10 --size 8x6 --plot p.svg --keep p.gp -o rows.csv
+[ "$(grep -c "^set label '.*×10^{−300}}' at graph" p.gp)" -eq 2 ] ||
+    fail "two panels do not say their power of ten: $(grep label p.gp)"
+jellett lyapunov --grid 5x4 --returns 5 --plot p.svg --keep p.gp -o rows.csv 2> log || fail "lyapunov: $(cat log)"
+grep -q "title '$(grep -vc '^#\|^eta\|,[^,]\+,[^,]\+,[^,]' rows.csv) ended before 5 returns'" p.gp ||
+    fail "a chart does not say what its white cells are"
+jellett transfer --boxes 8x8 --plot p.svg --keep p.gp -o rows.csv 2> log || fail "transfer: $(cat log)"
+grep -q "title '$((65 - $(grep -vc '^#' rows.csv))) without states'" p.gp || fail "a density does not say what its white boxes are"
+
 refuse() { # WORDS OPTION...: status 2, the option named, and nothing written
     local words=$1 code
     shift
