@@ -82,7 +82,7 @@ bool jlt_section_fate_of(jlt_fate *fate, jlt_status status)
     return last > JLT_FATE_EQUILIBRIUM;
 }
 
-/* Whether an orbit has settled on the section: no return can be told from errors any more. A passage is over in fewer steps. */
+/* Whether the orbit has settled on the section: no return can be told from errors any more. A passage is over in fewer steps. */
 static bool has_settled(const jlt_section *self)
 {
     return self->settled > 1024;
@@ -281,7 +281,8 @@ static void end_by(jlt_section *self, jlt_return *row, const jlt_outcome *outcom
         row->lost = outcome->crossing.event - self->crossings;
         return;
     case JLT_END_OBSERVER:
-        if (has_settled(self)) end(self, row, outcome->t, outcome->x, JLT_FATE_BUDGET);
+        if (has_settled(self) && !jlt_rest_ends(jlt_orbit_stepper(self->orbit), self->limit))
+            end(self, row, outcome->t, outcome->x, JLT_FATE_BUDGET);
         else if (is_pole(self)) end_at_pole(self, row, outcome);
         else end(self, row, outcome->t, self->limit, JLT_FATE_EQUILIBRIUM);
         return;
