@@ -1,6 +1,7 @@
 #include "analysis/family.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "analysis/linearization.h"
 #include "kernel/descriptor.h"
@@ -54,22 +55,36 @@ const jlt_equilibria *jlt_family_refuted(const jlt_descriptor *d)
     return NULL;
 }
 
+/* How ill the states that were given go with a family: by how many of them it fixes, and worst, where it fixes one at
+ * another value than point, shape (state_count,), has. */
+static unsigned misfit(const jlt_equilibria *family, const double *point, const double *x, const unsigned char *given, unsigned n)
+{
+    unsigned fixed = 0;
+
+    for (unsigned i = 0; i < n; i++) {
+        if (!given[i] || family->is_free[i]) continue;
+        if (!near(point[i], x[i])) return n + 1;
+        fixed++;
+    }
+    return fixed;
+}
+
 void jlt_family_complete(double *x, const unsigned char *given, const jlt_descriptor *d, const double *params)
 {
     const unsigned n = d->state_count;
-    double point[JLT_LINEARIZATION_SIZE_MAX];
+    double point[JLT_LINEARIZATION_SIZE_MAX], best[JLT_LINEARIZATION_SIZE_MAX];
+    unsigned least = n + 2;
 
     if (n > JLT_LINEARIZATION_SIZE_MAX) return;
     for (unsigned i = 0; i < n; i++)
         if (!given[i]) x[i] = 0.0;
-    for (int belongs = 1; belongs >= 0; belongs--)
-        for (unsigned k = 0; k < d->equilibria_count; k++) {
-            if (is_refuted(d, &d->equilibria[k]) || !jlt_family_point(point, &d->equilibria[k], d, params, x)) continue;
-            bool fits = true;
-            for (unsigned i = 0; belongs && fits && i < n; i++) fits = !given[i] || near(point[i], x[i]);
-            if (!fits) continue;
-            for (unsigned i = 0; i < n; i++)
-                if (!given[i]) x[i] = point[i];
-            return;
-        }
+    for (unsigned k = 0; k < d->equilibria_count && least > 0; k++) {
+        const jlt_equilibria *family = &d->equilibria[k];
+        if (is_refuted(d, family) || !jlt_family_point(point, family, d, params, x)) continue;
+        const unsigned fit = misfit(family, point, x, given, n);
+        if (fit < least) memcpy(best, point, n * sizeof *best);
+        least = fit < least ? fit : least;
+    }
+    for (unsigned i = 0; least < n + 2 && i < n; i++)
+        if (!given[i]) x[i] = best[i];
 }

@@ -147,6 +147,8 @@ expect 0 '^the trace is [^ ]* \(exactly\), so no invariant measure' jellett meas
 grep -q '^obstruction: at the equilibrium v=[^ ]* w=0 z=1$' out || fail "not on the family: $(grep obstruction out)"
 expect 0 '^state  *v=2 w=0 z=1$' jellett eigen ./behind.tt --at v=2
 expect 0 '^state  *v=0 w=0 z=2$' jellett eigen ./behind.tt --at z=2
+expect 0 '^0,0,1,' jellett eigen ./behind.tt --at w=0 --sweep v=0:2:3
+grep -q '^2,0,1,' out || fail "a sweep leaves its family: $(cat out)"
 sed '/^obstructs/d; s/w = 0, z = 1/w = 1, z = 1/' behind.tt > broken.tt
 expect 3 'residual 2, .*; the family straight is refuted, and gives none' jellett eigen ./broken.tt --at v=2
 # What a family excludes is told of claims that are proved: this one keeps areas.
