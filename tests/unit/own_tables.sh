@@ -48,6 +48,8 @@ rows out | awk -F, '
     }' || fail "drift_G is not what friction makes it: $(tail -1 out)"
 expect 0 alive jellett simulate ./spherical_top.tt --start $start --times 0,1 --tier five
 [ "$(find cache -name '*.so' | wc -l)" -eq 2 ] || fail "larger tables are compiled though the tier asked for is no tier of theirs"
+grep -q "the reduction level of spherical_top is refuted: spherical_top_level.tt and this table do not serve" err ||
+    fail "of kernels in the cache nobody says that the smaller model no longer serves: $(cat err)"
 rows out > without
 agree without built_in || fail "without friction the motion is another"
 expect 3 "a claim that it rests on is refuted .reduction level: dG/dt" \
