@@ -65,6 +65,7 @@ extern "C" {
 #include "analysis/charpoly.h"
 #include "analysis/deflation.h"
 #include "analysis/density.h"
+#include "analysis/family.h"
 #include "analysis/linearization.h"
 #include "analysis/transfer.h"
 #include "analysis/transfer_finding.h"

@@ -75,7 +75,9 @@ const char *ttc_ring_status_text(ttc_ring_status status)
     case TTC_RING_ANGLE_ALONE:
         return "a state that is given by an atan2 is used by itself (expected its cosine and sine alone; where it is a state of "
                "this table, that state in place of the atan2)";
-    case TTC_RING_ANGLE: return "an angle is mapped to one that is no sum of angles that the model names";
+    case TTC_RING_ANGLE:
+        return "an angle is mapped to one that is no sum of those in the table it is mapped into (expected a record 'angle C S = "
+               "cos(...) sin(...)' for it there)";
     case TTC_RING_ANGLE_FRACTION:
         return "an angle is a fraction of others (expected an angle record for their common part, of which all are multiples)";
     case TTC_RING_EXPONENT: return "an exponential is mapped to one that is no product of those that the model names";

@@ -228,6 +228,8 @@ void ttc_domain_add(ttc_task *task, ttc_conditions *c, ttc_domain_extent extent)
 {
     const ttc_model *model = task->model;
     const bool parameters_alone = is_of_parameters(task);
+    /* What the other table is subject to may use an angle that nothing here uses. */
+    const bool leads_elsewhere = task->claim->target != NULL || task->outer != NULL;
     unsigned char *support = ttc_domain_support(task, extent);
     ttc_ratio value, end;
     if (support == NULL) {
@@ -250,7 +252,7 @@ void ttc_domain_add(ttc_task *task, ttc_conditions *c, ttc_domain_extent extent)
         /* Evaluating the sine adjoins the root of 1 - C^2, which is real only if a bound cosine C lies between -1 and 1. */
         if (entry->kind == TTC_COSINE && ttc_valuation_is_bound(task->field, i))
             ttc_evaluate(task->field, &value, model->symbols[entry->partner].node);
-        if (entry->kind == TTC_COSINE && support[i]) ttc_domain_add_angle(task, c, i);
+        if (entry->kind == TTC_COSINE && (support[i] || leads_elsewhere)) ttc_domain_add_angle(task, c, i);
     }
     for (size_t i = 0; i < model->region_count; i++) {
         if (parameters_alone && depends_on_states(model, model->regions[i].expression)) continue;

@@ -70,7 +70,8 @@ bool ttc_image_has_states(const ttc_image *image, const ttc_model *table, const 
         if (image->forms[k] == TTC_GIVEN_ANGLE && !ttc_angle_cosine(table, table->states[i], &cosine))
             return ttc_refuse(reason, size, "%s is an angle, and %s has no record 'angle' for it", entry->name, file);
         if (image->forms[k] == TTC_GIVEN_ANGLE && (entry->low != TTC_NONE || entry->high != TTC_NONE))
-            return ttc_refuse(reason, size, "%s is an angle, which has no interval in %s", entry->name, file);
+            return ttc_refuse(reason, size, "%s is given by atan2, an angle of any size: its record 'state %s' in %s must have no "
+                              "interval", entry->name, entry->name, file);
     }
     return true;
 }

@@ -1,6 +1,7 @@
 #include "analysis/linearization.h"
 
 #include "analysis/charpoly.h"
+#include "analysis/family.h"
 #include "kernel/descriptor.h"
 #include "kernel/instance.h"
 #include "kernel/kernel.h"
@@ -28,70 +29,6 @@ const char *jlt_linearization_motion(jlt_motion motion)
 {
     static const char *const texts[] = { "not settled", "asymptotically stable", "stable", "unstable" };
     return texts[motion];
-}
-
-static bool near(double a, double b)
-{
-    return fabs(a - b) <= JLT_LINEARIZATION_TOLERANCE * fmax(fabs(a), fabs(b));
-}
-
-/* Whether the parameters satisfy the family's condition at x. */
-static bool admits(const jlt_equilibria *family, const jlt_descriptor *d, const double *params, const double *x)
-{
-    double imposed[JLT_DESCRIPTOR_VALUES_MAX];
-
-    if (jlt_kernel_eval_function(imposed, family->impose, d->param_count, x, d->state_count, params, d->param_count) !=
-        JLT_OK)
-        return false;
-    for (unsigned i = 0; i < d->param_count; i++)
-        if (!near(imposed[i], params[i])) return false;
-    return true;
-}
-
-/* The point of the family with the free states of x. Returns false if there is none. */
-static bool point_of(double *point, const jlt_equilibria *family, const jlt_descriptor *d, const double *params,
-                     const double *x)
-{
-    return jlt_kernel_eval_function(point, family->point, d->state_count, x, d->state_count, params, d->param_count) ==
-           JLT_OK;
-}
-
-void jlt_linearization_complete(double *x, const unsigned char *given, const jlt_descriptor *descriptor,
-                                const double *params)
-{
-    const unsigned n = descriptor->state_count;
-    double point[SIZE];
-
-    if (n > SIZE) return;
-    for (unsigned i = 0; i < n; i++)
-        if (!given[i]) x[i] = 0.0;
-    for (unsigned k = 0; k < descriptor->equilibria_count; k++) {
-        const jlt_equilibria *family = &descriptor->equilibria[k];
-        if (!admits(family, descriptor, params, x) || !point_of(point, family, descriptor, params, x)) continue;
-        for (unsigned i = 0; i < n; i++)
-            if (!given[i]) x[i] = point[i];
-        return;
-    }
-}
-
-/* The family on which x lies; of several, the one with the most formulas. */
-static const jlt_equilibria *family_of(const jlt_descriptor *d, const double *params, const double *x)
-{
-    const jlt_equilibria *best = NULL;
-    int most = -1;
-
-    for (unsigned k = 0; k < d->equilibria_count; k++) {
-        const jlt_equilibria *family = &d->equilibria[k];
-        const int says = (family->trace != NULL) + (family->charpoly != NULL) + (family->matrix != NULL);
-        double point[SIZE];
-        bool on = admits(family, d, params, x) && point_of(point, family, d, params, x);
-        for (unsigned i = 0; on && i < d->state_count; i++) on = near(point[i], x[i]);
-        if (on && says > most) {
-            best = family;
-            most = says;
-        }
-    }
-    return best;
 }
 
 /* The least change of x_j that exceeds, in some component of the field, the effect of rounding all states. It matters for a state
@@ -199,7 +136,7 @@ static jlt_status formulas(jlt_linearization *r, const jlt_descriptor *general, 
 
     r->trace_formula = NAN;
     for (size_t k = 0; k <= n; k++) r->charpoly_formula[k] = NAN;
-    r->family = family_of(general, params, x);
+    r->family = jlt_family_of(general, params, x);
     if (r->family == NULL) return JLT_OK;
     if (r->family->trace != NULL)
         JLT_PASS(jlt_kernel_eval_function(&r->trace_formula, r->family->trace, 1, x, n, params, general->param_count));

@@ -69,12 +69,6 @@ typedef struct {
 const char *jlt_linearization_verdict(jlt_verdict verdict); /* "stable", "unstable", "centre", "not settled" */
 const char *jlt_linearization_motion(jlt_motion motion);    /* "asymptotically stable", "stable", "unstable", "not settled" */
 
-/** Fill the states that were not given from the first family of equilibria whose condition the parameters satisfy; with zero if
- *  there is none.
- *  In/out: x, shape (state_count,). In: given, shape (state_count,), 1 where x is kept; descriptor, a general field. */
-void jlt_linearization_complete(double *x, const unsigned char *given, const jlt_descriptor *descriptor,
-                                const double *params);
-
 /** Choose the variant, and compute the residual and what it needs. Out: f, residual, residual_ratio, reach, jacobian, gradients,
  *  integrals, held, descriptor, n of *result.
  *  Errors: as jlt_linearization_compute, but a large residual is no error. */

@@ -1,5 +1,6 @@
 #include "analysis/measure.h"
 
+#include "analysis/family.h"
 #include "core/memory.h"
 #include "kernel/descriptor.h"
 #include "kernel/kernel.h"
@@ -264,14 +265,14 @@ static jlt_status confirm(jlt_measure_finding *f, const jlt_descriptor *d, const
 jlt_status jlt_measure_obstruct(jlt_measure_finding *f, const jlt_descriptor *d, const double *params,
                                 const char *const *exact, jlt_random *random)
 {
-    unsigned char given[JLT_LINEARIZATION_SIZE_MAX] = { 0 };
+    double point[JLT_LINEARIZATION_SIZE_MAX];
 
     if (d->state_count > JLT_LINEARIZATION_SIZE_MAX) return JLT_OK;
     for (unsigned k = 0; k < d->equilibria_count; k++) {
-        for (unsigned i = 0; i < d->state_count; i++) given[i] = d->equilibria[k].is_free[i];
         for (int attempt = 0; attempt < POINTS_TRIED && d->equilibria[k].obstructs; attempt++) {
             jlt_density_draw_state(f->x, f->instance->descriptor, f->instance->prepared, random);
-            jlt_linearization_complete(f->x, given, d, params);
+            if (!jlt_family_point(point, &d->equilibria[k], d, params, f->x)) continue;
+            memcpy(f->x, point, d->state_count * sizeof *point);
             jlt_status st = jlt_linearization_compute(&f->obstruction, d, params, f->x, NULL, NULL);
             if (st == JLT_OK && f->obstruction.obstructs) st = confirm(f, d, params, exact);
             if (st == JLT_ERR_NOMEM || f->obstructed) return st;

@@ -28,8 +28,13 @@ static void warn_of(const jlt_descriptor *of)
 {
     char claims[1024];
 
-    if (of == NULL || !jlt_descriptor_unproved(claims, sizeof claims, of)) return;
-    fprintf(stderr, "jellett: warning: kernels of %s rest on claims that are not proved: %s\n", of->model, claims);
+    if (of == NULL) return;
+    if (jlt_descriptor_unproved(claims, sizeof claims, of))
+        fprintf(stderr, "jellett: warning: kernels of %s rest on claims that are not proved: %s\n", of->model, claims);
+    for (const jlt_claim *claim = of->claims; claim->kind != NULL; claim++) /* a section is among the above */
+        if (claim->file != NULL && claim->verdict != JLT_PROVED && strcmp(claim->kind, "section") != 0)
+            fprintf(stderr, "jellett: warning: the %s %s of %s is %s: %s and this table do not serve in place of each other\n",
+                    claim->kind, claim->name, of->model, claim->verdict == JLT_REFUTED ? "refuted" : "not settled", claim->file);
 }
 
 void jlt_command_warn_unproved(const jlt_descriptor *descriptor)

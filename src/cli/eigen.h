@@ -49,7 +49,7 @@ jlt_exit jlt_eigen_parse_sweep(jlt_eigen_request *request, const char *text);
 jlt_exit jlt_eigen_sweep(const jlt_eigen_request *request);
 
 /* Writers. */
-enum { JLT_EIGEN_REASON_MAX = 160 };
+enum { JLT_EIGEN_REASON_MAX = 256 };
 void jlt_eigen_reason(char *text, const jlt_eigen_row *row); /* why a row was refused; text: shape (JLT_EIGEN_REASON_MAX,) */
 void jlt_eigen_write_text(FILE *stream, const jlt_eigen_row *row);
 JLT_CHECKED jlt_status jlt_eigen_write_json(FILE *stream, jlt_eigen_rows rows, bool array);

@@ -1,6 +1,7 @@
 /* Writes the results of `jellett eigen` as text, JSON and CSV. */
 #include "cli/eigen.h"
 
+#include "analysis/family.h"
 #include "core/digits.h"
 #include "kernel/descriptor.h"
 #include "report/csv.h"
@@ -51,9 +52,13 @@ void jlt_eigen_reason(char *text, const jlt_eigen_row *row)
                      : jlt_status_text(e->status));
     else if (e->stage == JLT_EQUILIBRIUM_SEARCH)
         snprintf(text, size, "Newton's method finds no equilibrium from here (try another guess with --at)");
-    else if (e->status == JLT_ERR_EMPTY)
+    else if (e->status == JLT_ERR_EMPTY) {
+        const jlt_equilibria *refuted = jlt_family_refuted(d);
         snprintf(text, size, "this state is no equilibrium: residual %.6g, relative %.3g (--at gives its states; --find looks "
-                             "for one nearby)", e->result.residual, e->result.residual_ratio);
+                             "for one nearby)%s%s%s", e->result.residual, e->result.residual_ratio,
+                 refuted != NULL ? "; the family " : "", refuted != NULL ? refuted->name : "",
+                 refuted != NULL ? " is refuted, and gives none" : "");
+    }
     else if (e->status == JLT_ERR_NONFINITE)
         snprintf(text, size, "a value overflows or underflows on the way: use units in which parameters and states are nearer "
                              "one");

@@ -1,5 +1,6 @@
 #include "spectrum/equilibrium.h"
 
+#include "analysis/family.h"
 #include "core/memory.h"
 #include "ext/number.h"
 #include "kernel/descriptor.h"
@@ -133,7 +134,7 @@ void jlt_equilibrium_compute(jlt_equilibrium *out, const jlt_equilibrium_questio
     out->stage = JLT_EQUILIBRIUM_PARAMS;
     out->status = jlt_descriptor_check_params(d, params, &out->index);
     if (out->status != JLT_OK) return;
-    jlt_linearization_complete(x, q->given, d, params);
+    jlt_family_complete(x, q->given, d, params);
     out->stage = JLT_EQUILIBRIUM_STATES;
     out->status = jlt_descriptor_check_state(d, x, &out->index);
     if (out->status != JLT_OK) return;

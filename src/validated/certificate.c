@@ -183,7 +183,7 @@ static json_t *prove(jlt_certificate_report *report, const char *kind, const jso
         st = serves ? jlt_cycle_create(&cycle, &given.question) : JLT_OK;
         if (!serves)
             *report = jlt_judge_say(JLT_CERTIFICATE_MALFORMED, "orbits that close up to periods of states are served as cycle, "
-                                                               "obstruction and sink");
+                                                               "obstruction and sink: ask for 'certify cycle' with these options");
         else if (st != JLT_OK) *report = jlt_judge_failure(st);
         else if (strcmp(kind, "homoclinic") == 0) shown = prove_homoclinic(report, json, &given, cycle);
         else shown = prove_cycle(report, kind, json, &given, cycle);

@@ -163,6 +163,7 @@ expect 0 "but for these periods: phi 1 at the end of each leg." jellett check do
 # Other kinds are refused by that, also where a search of their own would come first: x" = x + cos(phi)/100 has a saddle.
 sed 's/^eq v = .*/eq v = x + c\/100\nreversor v -> -v, phi -> -phi/; s/^model forced/model hill/; /k/d' forced.tt > hill.tt
 for kind in symmetric homoclinic; do
-    expect 3 "served as cycle, obstruction and sink" jellett certify $kind ./hill.tt --section phi=0 --start x=-0.005,v=0
+    expect 3 "served as cycle, obstruction and sink: ask for 'certify cycle'" \
+        jellett certify $kind ./hill.tt --section phi=0 --start x=-0.005,v=0
 done
 exit $status

@@ -127,6 +127,30 @@ TABLE
 expect 0 'density of y alone' jellett measure ./rounded.tt
 ! grep obstruction out || fail "a density is there: $(tail -2 out)"
 expect 0 'the trace is 1 .error < .*, so no invariant measure' jellett measure ./rounded.tt --set p=2
+# A family that excludes densities behind others whose conditions hold as well: states that are not named follow from the family to
+# which the others belong, and from none that is refuted.
+cat > behind.tt << 'TABLE'
+model behind
+param a
+default a = 1
+state v
+state w
+state z
+eq v = a*w^2 + (z - 1)*v
+eq w = -a*v*w
+eq z = z*(z - 1)*(z - 2)
+equilibria high : v = 0, w = 0, z = 2
+equilibria straight : w = 0, z = 1
+obstructs straight
+TABLE
+expect 0 '^the trace is [^ ]* \(exactly\), so no invariant measure' jellett measure ./behind.tt
+grep -q '^obstruction: at the equilibrium v=[^ ]* w=0 z=1$' out || fail "not on the family: $(grep obstruction out)"
+expect 0 '^state  *v=2 w=0 z=1$' jellett eigen ./behind.tt --at v=2
+expect 0 '^state  *v=0 w=0 z=2$' jellett eigen ./behind.tt --at z=2
+expect 0 '^0,0,1,' jellett eigen ./behind.tt --at w=0 --sweep v=0:2:3
+grep -q '^2,0,1,' out || fail "a sweep leaves its family: $(cat out)"
+sed '/^obstructs/d; s/w = 0, z = 1/w = 1, z = 1/' behind.tt > broken.tt
+expect 3 'residual 2, .*; the family straight is refuted, and gives none' jellett eigen ./broken.tt --at v=2
 # What a family excludes is told of claims that are proved: this one keeps areas.
 for claim in 'trace rest = 0' 'obstructs rest'; do
     printf '%s\n' 'model turning' 'state x' 'state y' 'eq x = y' 'eq y = -x' 'equilibria rest : x = 0, y = 0' "$claim" > turning.tt

@@ -48,6 +48,8 @@ rows out | awk -F, '
     }' || fail "drift_G is not what friction makes it: $(tail -1 out)"
 expect 0 alive jellett simulate ./spherical_top.tt --start $start --times 0,1 --tier five
 [ "$(find cache -name '*.so' | wc -l)" -eq 2 ] || fail "larger tables are compiled though the tier asked for is no tier of theirs"
+grep -q "the reduction level of spherical_top is refuted: spherical_top_level.tt and this table do not serve" err ||
+    fail "of kernels in the cache nobody says that the smaller model no longer serves: $(cat err)"
 rows out > without
 agree without built_in || fail "without friction the motion is another"
 expect 3 "a claim that it rests on is refuted .reduction level: dG/dt" \
@@ -151,6 +153,14 @@ printf 'model ring\nparam c\nstate x\nstate v\nstate y\neq x = v\neq v = -x\neq 
 'section level : by ring_section.tt at y = 0 with x = x, v = v\n' > ring.tt
 printf 'model ring_section\nstate x\nstate v\nlift into ring.tt with x = x, v = v, y = 0\n' > ring_section.tt
 expect 3 "the parameter c of ring is missing in ring_section: write 'param c' there" ttc prove ring.tt
+# So is one that lacks an angle, and one whose angle has an interval.
+printf 'model lean\nstate th\nstate v\nangle c s = cos(th) sin(th)\ndomain up : 3 + c*s - s^3 > 0\neq th = v\neq v = c\n'\
+'section level : by lean_section.tt at v = 0 with th = th\n'\
+'section bound : by lean_bound.tt at v = 0 with th = atan2(s, c)\n' > lean.tt
+printf 'model lean_section\nstate th\nlift into lean.tt with th = th, v = 0\n' > lean_section.tt
+printf 'model lean_bound\nstate th in (-3, 3)\nangle c s = cos(th) sin(th)\nlift into lean.tt with th = th, v = 0\n' > lean_bound.tt
+expect 3 "expected a record 'angle C S = cos.*sin.*' for it there" ttc prove lean.tt
+grep -q "its record 'state th' in lean_bound.tt must have no interval" err || fail "an interval of an angle: $(cat err)"
 
 # One text under two names: another table embeds itself into each, and into one of them wrongly.
 printf 'model pace\nparam k\nstate y\neq y = k\nreduction same : by slow.tt with y = y\n' | tee one.tt > two.tt

@@ -1,0 +1,90 @@
+#include "analysis/family.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "analysis/linearization.h"
+#include "kernel/descriptor.h"
+#include "kernel/kernel.h"
+
+static bool near(double a, double b)
+{
+    return fabs(a - b) <= JLT_LINEARIZATION_TOLERANCE * fmax(fabs(a), fabs(b));
+}
+
+bool jlt_family_point(double *point, const jlt_equilibria *family, const jlt_descriptor *d, const double *params, const double *x)
+{
+    double imposed[JLT_DESCRIPTOR_VALUES_MAX];
+
+    if (jlt_kernel_eval_function(imposed, family->impose, d->param_count, x, d->state_count, params, d->param_count) != JLT_OK)
+        return false;
+    for (unsigned i = 0; i < d->param_count; i++)
+        if (!near(imposed[i], params[i])) return false;
+    return jlt_kernel_eval_function(point, family->point, d->state_count, x, d->state_count, params, d->param_count) == JLT_OK;
+}
+
+const jlt_equilibria *jlt_family_of(const jlt_descriptor *d, const double *params, const double *x)
+{
+    const jlt_equilibria *best = NULL;
+    int most = -1;
+
+    for (unsigned k = 0; k < d->equilibria_count; k++) {
+        const jlt_equilibria *family = &d->equilibria[k];
+        const int says = (family->trace != NULL) + (family->charpoly != NULL) + (family->matrix != NULL);
+        double point[JLT_LINEARIZATION_SIZE_MAX];
+        bool on = jlt_family_point(point, family, d, params, x);
+        for (unsigned i = 0; on && i < d->state_count; i++) on = near(point[i], x[i]);
+        if (on && says > most) {
+            best = family;
+            most = says;
+        }
+    }
+    return best;
+}
+
+static bool is_refuted(const jlt_descriptor *d, const jlt_equilibria *family)
+{
+    const jlt_claim *claim = jlt_descriptor_claim(d, "equilibria", family->name);
+    return claim != NULL && claim->verdict == JLT_REFUTED;
+}
+
+const jlt_equilibria *jlt_family_refuted(const jlt_descriptor *d)
+{
+    for (unsigned k = 0; k < d->equilibria_count; k++)
+        if (is_refuted(d, &d->equilibria[k])) return &d->equilibria[k];
+    return NULL;
+}
+
+/* How ill the states that were given go with a family: by how many of them it fixes, and worst, where it fixes one at
+ * another value than point, shape (state_count,), has. */
+static unsigned misfit(const jlt_equilibria *family, const double *point, const double *x, const unsigned char *given, unsigned n)
+{
+    unsigned fixed = 0;
+
+    for (unsigned i = 0; i < n; i++) {
+        if (!given[i] || family->is_free[i]) continue;
+        if (!near(point[i], x[i])) return n + 1;
+        fixed++;
+    }
+    return fixed;
+}
+
+void jlt_family_complete(double *x, const unsigned char *given, const jlt_descriptor *d, const double *params)
+{
+    const unsigned n = d->state_count;
+    double point[JLT_LINEARIZATION_SIZE_MAX], best[JLT_LINEARIZATION_SIZE_MAX];
+    unsigned least = n + 2;
+
+    if (n > JLT_LINEARIZATION_SIZE_MAX) return;
+    for (unsigned i = 0; i < n; i++)
+        if (!given[i]) x[i] = 0.0;
+    for (unsigned k = 0; k < d->equilibria_count && least > 0; k++) {
+        const jlt_equilibria *family = &d->equilibria[k];
+        if (is_refuted(d, family) || !jlt_family_point(point, family, d, params, x)) continue;
+        const unsigned fit = misfit(family, point, x, given, n);
+        if (fit < least) memcpy(best, point, n * sizeof *best);
+        least = fit < least ? fit : least;
+    }
+    for (unsigned i = 0; least < n + 2 && i < n; i++)
+        if (!given[i]) x[i] = best[i];
+}
