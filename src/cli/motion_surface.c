@@ -153,12 +153,18 @@ static bool tell_unfollowed(const jlt_descriptor *table, const jlt_claim *claim,
     if (is_bound && jlt_way_of(table, claim) == NULL)
         jlt_command_fail(JLT_EXIT_INPUT, "the %s %s of %s holds only where %s, and no section is taken from its table", claim->kind,
                          claim->name, table->model, claim->condition);
+    else if (renamed != NULL && !jlt_descriptor_param(table, renamed, &(size_t){ 0 })
+             && jlt_descriptor_claim(table, "integral", renamed) == NULL)
+        jlt_command_fail(JLT_EXIT_INPUT, "the %s %s gives %s of %s, which %s does not have: call it %s there too, or ask %s",
+                         claim->kind, claim->name, renamed, to->model, table->model, renamed, to->model);
     else if (renamed != NULL)
         jlt_command_fail(JLT_EXIT_INPUT, "the %s %s sets %s of %s to something other than %s of %s: rename one of the two, or ask "
                          "%s", claim->kind, claim->name, renamed, to->model, renamed, table->model, to->model);
     else if (wider != NULL)
-        jlt_command_fail(JLT_EXIT_INPUT, "the %s %s of %s leads onto %s, where %s does not bound the motion by the same words",
-                         claim->kind, claim->name, table->model, to->model, wider);
+        jlt_command_fail(JLT_EXIT_INPUT,
+                         "the %s %s of %s leads onto %s, where %s does not bound the motion by the same words: write "
+                         "it with the same names in both, or ask %s", claim->kind, claim->name, table->model, to->model, wider,
+                         to->model);
     else return false;
     return true;
 }

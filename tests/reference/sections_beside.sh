@@ -135,6 +135,20 @@ for command in 'section --returns 1' 'orbits --period 1' lyapunov 'certify sink'
     expect 3 'the reduction held sets K of hard to something other than K of other: rename one' \
         jellett $command --start x=-1 ./other.tt
 done
+# What has another name, or its interval in other words, is told with what to write.
+mkdir words
+printf 'model low\nparam k > 0\ndefault k = 1\nstate x\nstate v\neq x = v\neq v = -k*x\n'\
+'section rest : by low_section.tt at v = 0 with x = x\n' > words/low.tt
+printf 'model low_section\nparam k > 0\nstate x\nlift into low.tt with x = x, v = 0\n' > words/low_section.tt
+printf 'model high\nparam stiff > 0\nstate x\nstate v\nstate z\neq x = v\neq v = -stiff*x\neq z = x\n'\
+'reduction down : onto low.tt with k = stiff, x = x, v = v\n' > words/high.tt
+expect 3 'the reduction down gives k of low, which high does not have: call it k there too, or ask low' \
+    jellett section words/high.tt --set stiff=2 --start x=-1 --returns 1
+sed -i 's/stiff/k/g; s/with k = k, x = x/with x = y/; s/x/y/g; s/with y = y/with x = y/; s/^state y/state y in (-5, 5)/' \
+    words/high.tt
+sed -i 's/^state x/state x in (-5, 5)/' words/low.tt words/low_section.tt
+expect 3 'where y does not bound the motion by the same words: write it with the same names in both, or ask low' \
+    jellett section words/high.tt --set k=2 --start x=-1 --returns 1
 # So where that happens on the way, in a table between the two.
 sed 's/^reduction/embedding up : into wide.tt with x = x, p = p, z = z, w = J\n&/' -i other.tt
 sed 's/model other/model wide/; /J > 0/d; /default/d; s/J\*x/w*x/; /^integral/d; /^embedding/d; /^reduction/d
