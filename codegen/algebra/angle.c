@@ -88,11 +88,15 @@ bool ttc_angle_weigh(ttc_ring *ring, fmpq *weights, const ttc_ratio *angle, cons
     return related;
 }
 
-ttc_angle_relation ttc_angle_relate(ttc_ring *ring, long *multiples, const ttc_ratio *angle, const ttc_ratio *basis,
+ttc_angle_relation ttc_angle_relate(ttc_ring *ring, long *multiples, fmpq *quarters, const ttc_ratio *angle, const ttc_ratio *basis,
                                     size_t count)
 {
     fmpq *weights = _fmpq_vec_init((slong)count + 1);
     ttc_angle_relation relation = ttc_angle_weigh(ring, weights, angle, basis, count) ? TTC_ANGLE_WHOLE : TTC_ANGLE_FREE;
+    if (relation == TTC_ANGLE_WHOLE && quarters != NULL && ttc_angle_has_roots(weights)) {
+        fmpq_set(quarters, weights);
+        fmpq_zero(weights);
+    }
     for (size_t i = 0; i < count && relation == TTC_ANGLE_WHOLE; i++)
         if (!fmpz_is_one(fmpq_denref(weights + i))) relation = TTC_ANGLE_FRACTION;
     for (size_t i = 0; i < count && relation == TTC_ANGLE_WHOLE; i++) {
@@ -108,14 +112,17 @@ ttc_angle_relation ttc_angle_relate(ttc_ring *ring, long *multiples, const ttc_r
 /* One pass in the order given. *fraction is the position, in this order, of the first angle that is a fraction of chosen ones and
  * was not tried as the first; count if there is none. */
 static size_t choose_in_order(ttc_ring *ring, size_t *chosen, const ttc_ratio *angles, const size_t *order, size_t count,
-                              const bool *tried, size_t *fraction)
+                              bool has_turn, const bool *tried, size_t *fraction)
 {
     ttc_ratio basis[TTC_ANGLE_LIMIT]; /* borrowed */
     long multiples[TTC_ANGLE_LIMIT];
     size_t found = 0;
+    fmpq_t quarters;
+    fmpq_init(quarters);
     *fraction = count;
     for (size_t i = 0; i < count && ring->status == TTC_RING_OK; i++) {
-        ttc_angle_relation relation = ttc_angle_relate(ring, multiples, angles + order[i], basis, found);
+        fmpq *turn = has_turn && found > 0 ? quarters : NULL;
+        ttc_angle_relation relation = ttc_angle_relate(ring, multiples, turn, angles + order[i], basis, found);
         if (relation == TTC_ANGLE_FREE) {
             basis[found] = angles[order[i]];
             chosen[found++] = order[i];
@@ -123,10 +130,11 @@ static size_t choose_in_order(ttc_ring *ring, size_t *chosen, const ttc_ratio *a
             *fraction = i;
         }
     }
+    fmpq_clear(quarters);
     return found;
 }
 
-size_t ttc_angle_choose(ttc_ring *ring, size_t *chosen, const ttc_ratio *angles, size_t count, size_t fixed)
+size_t ttc_angle_choose(ttc_ring *ring, size_t *chosen, const ttc_ratio *angles, size_t count, size_t fixed, bool has_turn)
 {
     size_t order[TTC_ANGLE_LIMIT], fraction = count, found;
     bool tried[TTC_ANGLE_LIMIT];
@@ -135,32 +143,11 @@ size_t ttc_angle_choose(ttc_ring *ring, size_t *chosen, const ttc_ratio *angles,
         tried[i] = i < fixed;
     }
     for (;;) {
-        found = choose_in_order(ring, chosen, angles, order, count, tried, &fraction);
+        found = choose_in_order(ring, chosen, angles, order, count, has_turn, tried, &fraction);
         if (fraction == count) return found;
         size_t first = order[fraction];
         for (size_t i = fraction; i > fixed; i--) order[i] = order[i - 1];
         order[fixed] = first;
         tried[first] = true;
     }
-}
-
-void ttc_angle_turn(ttc_ring *ring, ttc_ratio *cosine, ttc_ratio *sine, const ttc_ratio *c, const ttc_ratio *s, long multiple)
-{
-    ttc_ratio turn, real, imaginary;
-    ttc_ratio_init(ring, &turn);
-    ttc_ratio_init(ring, &real);
-    ttc_ratio_init(ring, &imaginary);
-    if (multiple > 0) ttc_ratio_set(ring, &turn, s);
-    else ttc_ratio_scale(ring, &turn, s, ring->minus_one);
-    for (long k = labs(multiple); k > 0 && ring->status == TTC_RING_OK; k--) {
-        ttc_ratio_multiply(ring, &imaginary, cosine, &turn);
-        ttc_ratio_add_product(ring, &imaginary, sine, c);
-        ttc_ratio_multiply(ring, &real, sine, &turn);
-        ttc_ratio_multiply(ring, cosine, cosine, c);
-        ttc_ratio_subtract(ring, cosine, cosine, &real);
-        ttc_ratio_set(ring, sine, &imaginary);
-    }
-    ttc_ratio_clear(ring, &imaginary);
-    ttc_ratio_clear(ring, &real);
-    ttc_ratio_clear(ring, &turn);
 }

@@ -1,5 +1,5 @@
 /* Angles of a valuation: a basis that is linearly independent over the rationals, and the others as integer combinations of it. If
- * the table uses pi, the quarter turn pi/2 is one more angle of the basis, with cosine 0 and sine 1. */
+ * the table uses pi, the quarter turn pi/2 is one more angle of the basis, of which others may contain fractions too. */
 #include "algebra/angle.h"
 #include "algebra/valuation_state.h"
 #include "base/array.h"
@@ -27,24 +27,25 @@ static void set_quarter_turn(ttc_valuation *v, ttc_ratio *out)
     fmpq_clear(half);
 }
 
-/* The relation of an angle to the basis and, by the last multiple, the quarter turn. multiples: shape (basis_count + 1,). */
-static ttc_angle_relation relate(ttc_valuation *v, long *multiples, const ttc_ratio *angle)
+/* The relation of an angle to the quarter turn and the basis. multiples: shape (basis_count + 1,), the first one is not used. */
+static ttc_angle_relation relate(ttc_valuation *v, long *multiples, fmpq *quarters, const ttc_ratio *angle)
 {
     ttc_angle_relation relation = TTC_ANGLE_FREE;
-    const size_t count = v->basis_count, turns = has_pi(v);
+    const size_t count = v->basis_count;
+    const bool has_turn = has_pi(v);
     ttc_ratio *angles = calloc(count + 1, sizeof *angles);
     if (angles == NULL) {
         ttc_ring_fail(v->ring, TTC_RING_NO_MEMORY);
         return relation;
     }
-    for (size_t i = 0; i < count; i++) {
+    for (size_t i = 0; i <= count; i++) {
         ttc_ratio_init(v->ring, angles + i);
-        ttc_evaluate(v, angles + i, v->model->symbols[v->basis[i]].definition);
+        if (i > 0) ttc_evaluate(v, angles + i, v->model->symbols[v->basis[i - 1]].definition);
     }
-    ttc_ratio_init(v->ring, angles + count);
-    if (turns > 0) set_quarter_turn(v, angles + count);
-    multiples[count] = 0;
-    if (v->ring->status == TTC_RING_OK) relation = ttc_angle_relate(v->ring, multiples, angle, angles, count + turns);
+    if (has_turn) set_quarter_turn(v, angles);
+    if (v->ring->status == TTC_RING_OK)
+        relation = has_turn ? ttc_angle_relate(v->ring, multiples, quarters, angle, angles, count + 1)
+                            : ttc_angle_relate(v->ring, multiples + 1, NULL, angle, angles + 1, count);
     for (size_t i = 0; i <= count; i++) ttc_ratio_clear(v->ring, angles + i);
     free(angles);
     return relation;
@@ -80,18 +81,18 @@ static size_t plain_angles(ttc_valuation *v, uint32_t *cosines)
     return count;
 }
 
-/* ttc_angle_choose with the quarter turn, if the table uses pi, as one more fixed angle, which is not among those returned. */
+/* ttc_angle_choose with the quarter turn, if the table uses pi, before the fixed angles; it is not among those returned. */
 static size_t choose(ttc_valuation *v, size_t *chosen, const ttc_ratio *angles, size_t count, size_t fixed)
 {
     ttc_ratio all[TTC_ANGLE_LIMIT], turn; /* entries of `all` are shallow copies */
     size_t found = 0;
-    if (!has_pi(v)) return ttc_angle_choose(v->ring, chosen, angles, count, fixed);
+    if (!has_pi(v)) return ttc_angle_choose(v->ring, chosen, angles, count, fixed, false);
     ttc_ratio_init(v->ring, &turn);
     set_quarter_turn(v, &turn);
-    for (size_t i = 0; i <= count; i++) all[i] = i < fixed ? angles[i] : i == fixed ? turn : angles[i - 1];
-    size_t total = ttc_angle_choose(v->ring, chosen, all, count + 1, fixed + 1);
+    for (size_t i = 0; i <= count; i++) all[i] = i == 0 ? turn : angles[i - 1];
+    size_t total = ttc_angle_choose(v->ring, chosen, all, count + 1, fixed + 1, true);
     for (size_t i = 0; i < total; i++)
-        if (chosen[i] != fixed) chosen[found++] = chosen[i] > fixed ? chosen[i] - 1 : chosen[i];
+        if (chosen[i] != 0) chosen[found++] = chosen[i] - 1;
     ttc_ratio_clear(v->ring, &turn);
     return found;
 }
@@ -129,8 +130,9 @@ static void find_basis(ttc_valuation *v)
     free(cosines);
 }
 
-/* cos or sin of the sum of these multiples of the basis and, the last one, of the quarter turn */
-static void sum_of_angles(ttc_valuation *v, ttc_ratio *out, const long *multiples, size_t count, bool is_sine)
+/* cos or sin of the sum of these quarter turns and multiples of the basis, of which the first one is not used */
+static void sum_of_angles(ttc_valuation *v, ttc_ratio *out, const fmpq_t quarters, const long *multiples, size_t count,
+                          bool is_sine)
 {
     ttc_ratio cosine, sine, c, s;
     ttc_ratio_init(v->ring, &cosine);
@@ -138,13 +140,12 @@ static void sum_of_angles(ttc_valuation *v, ttc_ratio *out, const long *multiple
     ttc_ratio_init(v->ring, &c);
     ttc_ratio_init(v->ring, &s);
     ttc_ratio_set_integer(v->ring, &cosine, 1);
-    for (size_t i = 0; i <= count; i++) {
-        if (multiples[i] == 0) continue;
-        ttc_ratio_set_integer(v->ring, &c, 0);
-        ttc_ratio_set_integer(v->ring, &s, 1);
-        if (i < count) ttc_valuation_value(v, &c, v->basis[i]);
-        if (i < count) ttc_valuation_value(v, &s, v->model->symbols[v->basis[i]].partner);
-        ttc_angle_turn(v->ring, &cosine, &sine, &c, &s, multiples[i]);
+    ttc_angle_turn_exactly(v->ring, &cosine, &sine, quarters);
+    for (size_t i = 0; i < count; i++) {
+        if (multiples[i + 1] == 0) continue;
+        ttc_valuation_value(v, &c, v->basis[i]);
+        ttc_valuation_value(v, &s, v->model->symbols[v->basis[i]].partner);
+        ttc_angle_turn(v->ring, &cosine, &sine, &c, &s, multiples[i + 1]);
     }
     ttc_ratio_set(v->ring, out, is_sine ? &sine : &cosine);
     ttc_ratio_clear(v->ring, &s);
@@ -158,18 +159,19 @@ static void value_at_angle(ttc_valuation *v, ttc_ratio *out, const ttc_ratio *an
 {
     if (!v->has_basis) find_basis(v);
     const size_t count = v->basis_count;
-    long *multiples = calloc(count + 2, sizeof *multiples);
+    long *multiples = calloc(count + 1, sizeof *multiples);
+    fmpq_t quarters;
+    fmpq_init(quarters);
     if (multiples == NULL) ttc_ring_fail(v->ring, TTC_RING_NO_MEMORY);
-    ttc_angle_relation relation = v->ring->status == TTC_RING_OK ? relate(v, multiples, angle) : TTC_ANGLE_FREE;
-    if (v->ring->status != TTC_RING_OK) {
-        free(multiples);
-        return;
-    }
-    if (relation == TTC_ANGLE_WHOLE) sum_of_angles(v, out, multiples, count, is_sine);
+    ttc_angle_relation relation = v->ring->status == TTC_RING_OK ? relate(v, multiples, quarters, angle) : TTC_ANGLE_FREE;
+    if (v->ring->status != TTC_RING_OK) goto done;
+    if (relation == TTC_ANGLE_WHOLE) sum_of_angles(v, out, quarters, multiples, count, is_sine);
     else if (relation == TTC_ANGLE_FRACTION) ttc_ring_fail(v->ring, TTC_RING_ANGLE_FRACTION);
     else if (cosine != NO_SYMBOL) join(v, cosine, angle);
     else if (ttc_valuation_meet(v)) value_at_angle(v, out, angle, is_sine, cosine);
     else ttc_ring_fail(v->ring, TTC_RING_ANGLE);
+done:
+    fmpq_clear(quarters);
     free(multiples);
 }
 

@@ -116,7 +116,7 @@ static void find_exponentials(ttc_valuation *v)
     }
     if (total > TTC_ANGLE_LIMIT) ttc_ring_fail(v->ring, TTC_RING_TOO_LARGE);
     if (v->ring->status == TTC_RING_OK) columns = columns_of(v, symbols, total);
-    if (columns != NULL && v->ring->status == TTC_RING_OK) found = ttc_angle_choose(v->ring, chosen, columns, total, fixed);
+    if (columns != NULL && v->ring->status == TTC_RING_OK) found = ttc_angle_choose(v->ring, chosen, columns, total, fixed, false);
     for (size_t i = fixed; i < found && v->ring->status == TTC_RING_OK; i++) join(v, symbols[chosen[i]], &columns[chosen[i]]);
     v->has_exponentials = v->ring->status == TTC_RING_OK;
     free_columns(v, columns, total);
@@ -158,7 +158,7 @@ static void value_at_exponent(ttc_valuation *v, ttc_ratio *out, const ttc_ratio 
     ttc_ratio *columns = symbols == NULL || multiples == NULL ? NULL : columns_of(v, symbols, count);
     if (columns == NULL) ttc_ring_fail(v->ring, TTC_RING_NO_MEMORY);
     if (v->ring->status == TTC_RING_OK) {
-        ttc_angle_relation relation = ttc_angle_relate(v->ring, multiples, exponent, columns, count);
+        ttc_angle_relation relation = ttc_angle_relate(v->ring, multiples, NULL, exponent, columns, count);
         if (v->ring->status != TTC_RING_OK) relation = TTC_ANGLE_FREE;
         else if (relation == TTC_ANGLE_WHOLE) product(v, out, symbols, multiples, count);
         else if (relation == TTC_ANGLE_FRACTION) ttc_ring_fail(v->ring, TTC_RING_EXPONENT_FRACTION);
