@@ -3,12 +3,7 @@
  * all nodes, x <- x0 + h A f(x), which a vector processor does for the price of one evaluation; the first guess is the
  * last step's polynomial, continued, and the field there is asked for at the end of that step already, so that it is evaluated
  * while events are looked for.
- *
- * Error. Let a_k be the coefficients of f on the step in Legendre polynomials, n_k their size relative to the states times h.
- * For analytic solutions n_k falls like r^k, and the quadrature at the end errs by the aliased part, ~ n_0 r^16. With
- * r = (n_7/n_0)^(1/7), where n_0 is the largest of the first three, the estimate is n_7 r^9, proportional to h^17. Where the last
- * two coefficients have fallen by less than r^2 from the two before, r is what they have fallen by. The polynomial inside the step
- * errs by the part left out, n_8 ~ r n_7.
+ * Errors of steps are estimated in gauss_error.h.
  *
  * Sweeps. They contract by a factor proportional to h. They end when what is left, change * rate/(1 - rate), is below a
  * twentieth of the tolerance or at the rounding level; a step that contracts slower than 0.7 is halved. */
@@ -20,13 +15,13 @@
 #include "core/memory.h"
 #include "integrate/gauss_batch.h"
 #include "integrate/gauss_coefficients.h"
+#include "integrate/gauss_error.h"
 #include "integrate/step_control.h"
 #include "kernel/batch_isa.h"
 
 enum { N = JLT_GAUSS_NODES, SWEEPS_MAX = 24 };
 static const double rounding = 8e-16; /* half a unit in each of 48 values, root of the sum of squares */
 static const double slowest_rate = 0.7, growth_max = 2.5, safety = 0.65;
-static const double scatter = 0.1, digits = 44; /* log2: 2 of 100 steps fall short of r by more; lower coefficients are rounding */
 static const double farthest = 128; /* in lengths of the last step: continued farther, its polynomial is rounding errors */
 
 typedef struct {
@@ -205,27 +200,6 @@ static bool solve(gauss *self, jlt_stepper *stepper, const jlt_gauss_nodes *node
     return insist && last <= jlt_larger(stepper->tolerance, 1e-12);
 }
 
-/* Binary logarithm of the local error at the end in units of the tolerance; sets self->dense_error too. It works on logarithms
- * alone, as the next step waits for it, and quotients and roots would take most of the time. */
-static double error_norm(gauss *self, const jlt_stepper *stepper, double h)
-{
-    self->batch->sizes(self->sizes, self->trial, self->nodes.inverse_weight, stepper->columns);
-    const double *n = self->sizes, size = jlt_larger(jlt_larger(n[0], n[1]), n[2]);
-    if (!(size < JLT_GAUSS_SIZE_MAX)) return NAN;
-    /* A seventh coefficient may vanish by chance; the sixth then stands in, one factor r lower. */
-    double last = jlt_larger(n[7], n[6] + (1.0 / 6) * (n[6] - size)), r = (1.0 / 7) * (last - size);
-    /* The last coefficients of a large smooth part plus a small rough one fall more slowly; those of rounding do not fall. */
-    const double tail = jlt_larger(n[6], n[7]), pairs = 0.5 * (tail - jlt_larger(n[4], n[5])) - 2 * scatter;
-    const double fall = jlt_larger(pairs, 0.25 * (n[6] + n[7] - n[4] - n[5]) - scatter);
-    if (fall > r && tail > size - digits) {
-        r = jlt_smaller(fall, 0);
-        last = jlt_larger(last, n[6] + r);
-    }
-    const double length = jlt_rough_log2(fabs(h)), units = length - jlt_rough_log2(stepper->tolerance);
-    self->dense_error = jlt_rough_exp2(jlt_larger(jlt_smaller(length + last + r, 999), -999));
-    return units + last + 9 * r;
-}
-
 static jlt_status step(jlt_stepper *stepper, double limit)
 {
     gauss *self = stepper->state;
@@ -250,7 +224,9 @@ static jlt_status step(jlt_stepper *stepper, double limit)
         if (solved) {
             if (rate < 1) self->rate = rate;
             expand(self, field, &self->nodes, self->trial);
-            error = error_norm(self, stepper, h);
+            self->batch->sizes(self->sizes, self->trial, self->nodes.inverse_weight, columns);
+            jlt_gauss_error seen = jlt_gauss_error_of(self->sizes, h, stepper->tolerance);
+            error = seen.local;
             if (error <= 0) {
                 for (unsigned c = 0; c < columns; c++) {
                     const double move = h * self->trial[c * N] + stepper->x_low[c];
@@ -260,7 +236,10 @@ static jlt_status step(jlt_stepper *stepper, double limit)
                 jlt_field_rates(field, self->end_f, self->end);
                 stepper->evaluations++;
                 for (unsigned c = 0; c < columns; c++) defect += 0 * (self->end[c] + self->end_f[c]);
-                if (defect == 0) break;
+                jlt_gauss_error_see_ends(&seen, self->trial, stepper->f, self->end_f, self->nodes.inverse_weight, columns);
+                error = seen.local;
+                self->dense_error = jlt_rough_exp2(jlt_larger(jlt_smaller(seen.dense, 999), -999));
+                if (defect == 0 && error <= 0) break;
             }
         }
         finite = solved && isfinite(error) && defect == 0;
