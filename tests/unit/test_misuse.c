@@ -3,7 +3,7 @@
 #include "unit/check.h"
 
 #include "analysis/density.h"
-#include "dynamics/map.h"
+#include "dynamics/orbits.h"
 #include "dynamics/surface.h"
 #include "integrate/orbit.h"
 #include "kernel/descriptor.h"
@@ -161,6 +161,28 @@ static void continuation_takes_its_options_as_they_are(void **unused)
     jlt_system_family_clear(&systems);
 }
 
+static void a_search_has_starts(void **unused)
+{
+    const jlt_orbits_options wrong[] = {
+        { .period_max = 0 },
+        { .period_max = 1, .counts = { 2 }, .high = { 1, 1 } },
+        { .period_max = 1, .counts = { 2, 2 }, .low = { NAN }, .high = { 1, 1 } },
+        { .period_max = 1, .counts = { 2, 2 }, .high = { 1, INFINITY } },
+        { .period_max = 1, .counts = { 2, 2 }, .high = { 1, 1 }, .near = -1 },
+    };
+    jlt_orbits found = { .count = 0 };
+    jlt_system *system;
+    jlt_map *map;
+    (void)unused;
+
+    assert_ok(jlt_system_plane(&system, lorenz(), lorenz_params, 2, 27, NULL, NULL));
+    assert_ok(jlt_map_create(&map, &system->flow));
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) refused(jlt_orbits_search(&found, map, &wrong[i]));
+    refused(jlt_orbits_search(&found, map, NULL));
+    jlt_map_destroy(map);
+    jlt_system_destroy(system);
+}
+
 static void a_density_is_along_a_state(void **unused)
 {
     jlt_density_point points[2];
@@ -222,6 +244,7 @@ int main(void)
         cmocka_unit_test(flows_have_a_direction_and_a_time),
         cmocka_unit_test(a_model_that_is_not_found_is_none),
         cmocka_unit_test(continuation_takes_its_options_as_they_are),
+        cmocka_unit_test(a_search_has_starts),
         cmocka_unit_test(a_density_is_along_a_state),
         cmocka_unit_test(handles_take_null_and_names_once),
     };
