@@ -100,7 +100,7 @@ jlt_status jlt_density_tabulate(jlt_density_point *points, size_t count, const j
     const size_t middle = count / 2;
     line l = { .instance = instance, .along = along };
 
-    if (count == 0 || instance->descriptor->state_count > SIZE) return JLT_ERR_ARG;
+    if (count == 0 || instance->descriptor->state_count > SIZE || along >= instance->descriptor->state_count) return JLT_ERR_ARG;
     memcpy(l.x, x, instance->descriptor->state_count * sizeof *x);
     for (size_t i = 0; i < count; i++) {
         const double part = count == 1 ? 0.5 : (double)i / (double)(count - 1);

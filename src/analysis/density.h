@@ -33,8 +33,8 @@ typedef struct {
 /** Tabulate rho along q by quadrature, with the other states fixed at `x`.
  *  Out: points, shape (count,), q equally spaced from low to high; not meaningful on failure. In: x, shape (states,); f_q must not
  *  vanish at any of these q.
- *  Errors: ARG, count is 0 or there are more than 64 states; DOMAIN, NONFINITE, NO_CONVERGENCE, NOMEM. Cost: mostly 31 evaluations
- *  of field and divergence per point (jlt_quadrature_integrate). */
+ *  Errors: ARG, count is 0, no state `along`, or more than 64 states; DOMAIN, NONFINITE, NO_CONVERGENCE, NOMEM. Cost: mostly 31
+ *  evaluations of field and divergence per point (jlt_quadrature_integrate). */
 JLT_CHECKED jlt_status jlt_density_tabulate(jlt_density_point *points, size_t count, const jlt_instance *instance,
                                             size_t along, double low, double high, const double *x);
 

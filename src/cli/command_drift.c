@@ -103,7 +103,7 @@ static bool tell(void *context, const jlt_drift_row *row, bool due)
         double point[1 + JLT_INVARIANTS_MAX] = { (double)row->returns };
         for (unsigned k = 0; k < self->drift.count; k++) {
             fprintf(self->file, ",%.3g", row->drift[k]);
-            point[1 + k] = row->drift[k];
+            point[1 + k] = jlt_plot_drift(row->drift[k]);
         }
         fputc('\n', self->file);
         if (self->points != NULL) jlt_look_row(self->points, point, 1 + self->drift.count);
@@ -226,7 +226,7 @@ static jlt_exit draw(const report *r, const options *o, unsigned drawn)
     jlt_plot_value(&plot, "tolerance", o->motion.flow.tolerance);
     if (o->project) jlt_plot_words(&plot, ", projected");
     jlt_plot_log(&plot, 'x', "returns", JLT_EXTENT_OPEN, 10);
-    jlt_plot_log(&plot, 'y', "relative drift", JLT_EXTENT_OPEN, 10);
+    jlt_plot_log(&plot, 'y', "relative drift, at least 10^{−17}", JLT_EXTENT_OPEN, 10);
     fputs(JLT_LOOK_GRID "plot ", stream);
     for (size_t m = 0; jlt_method_at(m) != NULL; m++) {
         const char *name = jlt_method_at(m)->name;

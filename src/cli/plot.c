@@ -263,6 +263,11 @@ void jlt_plot_log(jlt_plot *self, char axis, const char *label, jlt_extent range
     jlt_look_log(self->stream, self->look, axis, label, range, base, panels_along(self, axis));
 }
 
+double jlt_plot_drift(double drift)
+{
+    return isnan(drift) ? drift : fmax(drift, 1e-17);
+}
+
 void jlt_plot_panels(jlt_plot *self, unsigned count, bool stacked)
 {
     self->stacked = stacked;

@@ -44,6 +44,9 @@ jlt_extent jlt_plot_axis(jlt_plot *self, char axis, const char *label, jlt_exten
 /** The same for a logarithmic axis, as jlt_look_log does. */
 void jlt_plot_log(jlt_plot *self, char axis, const char *label, jlt_extent range, int base);
 
+/** A drift as it is drawn on a logarithmic axis: at least 1e-17, also where nothing drifts; NaN where it is not known. */
+double jlt_plot_drift(double drift);
+
 /** Lay out `count` panels in place of one picture: if stacked, one below the other with a common x axis, else side by side where
  *  there is room. */
 void jlt_plot_panels(jlt_plot *self, unsigned count, bool stacked);

@@ -31,7 +31,7 @@ static double value_of(const jlt_simulate_request *r, const jlt_course_row *row,
 
     if (column == 0) return row->t;
     if (column < drift) return row->x[column - 1];
-    if (column < observed) return isnan(row->drift[column - drift]) ? NAN : fmax(row->drift[column - drift], 1e-17);
+    if (column < observed) return jlt_plot_drift(row->drift[column - drift]);
     return column < more ? row->observed[column - observed] : row->more[column - more];
 }
 

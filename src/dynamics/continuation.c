@@ -356,7 +356,7 @@ jlt_status jlt_continuation_run(jlt_continuation_end *end, const jlt_family *fam
     bool ends = false, leaves;
     jlt_status st = JLT_OK;
 
-    if ((direction != 1 && direction != -1) || start->orbit.period == 0) return JLT_ERR_ARG;
+    if (start->orbit.period == 0 || !jlt_continuation_step_allows(&self.options, direction)) return JLT_ERR_ARG;
     JLT_TRY(jlt_continuation_step_open(&self, start->value));
     JLT_TRY(jlt_continuation_step_begin(&self, &here, start, direction));
     JLT_TRY(jlt_continuation_step_measure(&self, &first, here.u, here.tangent, 0, JLT_BIFURCATION_NONE));

@@ -49,7 +49,7 @@ typedef struct {
         step_min,              /* the shortest; default 1e-6 */
         step_max;              /* the longest; default 0.05 */
     double low,                /* the run ends where value falls below this, */
-        high;                  /* or rises above this */
+        high;                  /* or rises above this; both 0: there are no ends */
     size_t points_max;         /* default 500 */
     const volatile sig_atomic_t *interrupt;
 } jlt_continuation_options;
@@ -67,7 +67,8 @@ typedef enum {
 typedef jlt_status (*jlt_continuation_sink)(void *context, const jlt_continuation_point *point);
 
 /** Follow the orbit from `start` (value and orbit are read; a nonzero tangent gives the direction, otherwise the parameter
- *  first goes up for direction +1 and down for -1). Errors: ARG, NOMEM, the sink's, those of map_at and of the map at the
+ *  first goes up for direction +1 and down for -1). options NULL: all defaults. Errors: ARG, another direction, a negative or NaN
+ *  option, or low above high; NOMEM, the sink's, those of map_at and of the map at the
  *  start.
  *  Cost: about 4 evaluations of P^period with derivative a point. */
 JLT_CHECKED jlt_status jlt_continuation_run(jlt_continuation_end *end, const jlt_family *family,

@@ -248,14 +248,21 @@ jlt_status jlt_continuation_step_to(const jlt_continuation_runner *self, jlt_con
 
 jlt_continuation_options jlt_continuation_step_defaults(const jlt_continuation_options *asked)
 {
-    jlt_continuation_options options = *asked;
+    jlt_continuation_options options = asked != NULL ? *asked : (jlt_continuation_options){ .scale = 0 };
 
     if (options.scale == 0) options.scale = 1;
     if (options.step == 0) options.step = 0.01;
     if (options.step_min == 0) options.step_min = 1e-6;
     if (options.step_max == 0) options.step_max = 0.05;
     if (options.points_max == 0) options.points_max = 500;
+    if (options.low == 0 && options.high == 0) options.low = -INFINITY, options.high = INFINITY;
     return options;
+}
+
+bool jlt_continuation_step_allows(const jlt_continuation_options *options, int direction)
+{
+    return (direction == 1 || direction == -1) && options->scale > 0 && options->step > 0 && options->step_min > 0
+           && options->step_max > 0 && options->low <= options->high;
 }
 
 jlt_status jlt_continuation_step_open(jlt_continuation_runner *self, double value)

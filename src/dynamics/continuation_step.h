@@ -37,6 +37,9 @@ typedef struct {
 /* The options, with defaults in place of zeros. */
 jlt_continuation_options jlt_continuation_step_defaults(const jlt_continuation_options *asked);
 
+/* Whether a run may have these options, in this direction. */
+bool jlt_continuation_step_allows(const jlt_continuation_options *options, int direction);
+
 /* F and its Jacobian at u, shape (d + 1,). Cost: P^period with derivative once, and without it twice. Errors: as map_at, and as
  * jlt_map_apply. */
 JLT_CHECKED jlt_status jlt_continuation_step_evaluate(const jlt_continuation_runner *self, jlt_continuation_equation *out,

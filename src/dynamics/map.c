@@ -59,7 +59,7 @@ jlt_status jlt_map_create(jlt_map **out, const jlt_flow *flow)
     JLT_OWNED(jlt_map) *self = NULL;
 
     *out = NULL;
-    if (flow->chart == NULL || flow->field == NULL || flow->chart->states != flow->field->dim) return JLT_ERR_ARG;
+    if (flow == NULL || flow->chart == NULL || flow->field == NULL || flow->chart->states != flow->field->dim) return JLT_ERR_ARG;
     self = malloc(sizeof *self); /* sections of few coordinates leave most of it untouched */
     if (self == NULL) return JLT_ERR_NOMEM;
     self->orbit = NULL;

@@ -36,7 +36,7 @@ typedef struct jlt_map jlt_map;
 /** Create the map of a flow, which is copied; what it points to must live as long. A flow without a method gets the default, gauss,
  *  which evaluates the nodes of a step on vectors. Derivatives also use gauss when the flow's method needs a jet, since the
  *  variational equations have none.
- *  Errors: ARG; UNSUPPORTED, the field has no Jacobian; NOMEM. */
+ *  Errors: as jlt_section_create; UNSUPPORTED, the field has no Jacobian. */
 JLT_CHECKED jlt_status jlt_map_create(jlt_map **out, const jlt_flow *flow);
 void jlt_map_destroy(jlt_map *self); /* NULL is legal */
 JLT_OWNED_TYPE(jlt_map)

@@ -268,13 +268,22 @@ static jlt_status collect(void *context, const jlt_periodic *orbit)
     return jlt_orbits_add(self->list, self->chart, orbit);
 }
 
+static bool allows(const jlt_orbits_options *options, unsigned dim)
+{
+    if (options == NULL || options->period_max == 0 || options->period_max > JLT_PERIODIC_MAX) return false;
+    if (!(options->near >= 0)) return false;
+    for (unsigned k = 0; options->counts[0] > 0 && k < dim; k++)
+        if (options->counts[k] == 0 || !isfinite(options->low[k]) || !isfinite(options->high[k])) return false;
+    return true;
+}
+
 jlt_status jlt_orbits_search(jlt_orbits *self, jlt_map *map, const jlt_orbits_options *options)
 {
     const jlt_chart *chart = jlt_map_flow(map)->chart;
     collector into = { self, chart };
     jlt_status st = JLT_OK;
 
-    if (options->period_max == 0 || options->period_max > JLT_PERIODIC_MAX) return JLT_ERR_ARG;
+    if (!allows(options, chart->dim)) return JLT_ERR_ARG;
     for (size_t i = 0; i < options->line_count; i++)
         JLT_TRY(jlt_symmetric_search(map, &options->lines[i], options->period_max, options->kernels, options->threads, collect,
                                      &into));

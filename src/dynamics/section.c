@@ -126,7 +126,8 @@ jlt_status jlt_section_create(jlt_section **out, const jlt_flow *flow)
     JLT_OWNED(jlt_section) *self = NULL;
 
     *out = NULL;
-    if (flow->chart == NULL || flow->field == NULL || flow->chart->states != flow->field->dim) return JLT_ERR_ARG;
+    if (flow == NULL || flow->chart == NULL || flow->field == NULL || flow->chart->states != flow->field->dim) return JLT_ERR_ARG;
+    if ((int)flow->direction < -1 || (int)flow->direction > 1 || !(flow->t_max >= 0)) return JLT_ERR_ARG;
     self = calloc(1, sizeof *self);
     if (self == NULL) return JLT_ERR_NOMEM;
     self->flow = *flow;

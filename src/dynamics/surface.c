@@ -146,6 +146,7 @@ jlt_status jlt_surface_find(jlt_surface *out, const jlt_claim **broken, const jl
 
     *out = (jlt_surface){ .asked = asked };
     *broken = NULL;
+    if (asked == NULL) return JLT_ERR_ARG;
     for (size_t i = 0; i < count && !found; i++) {
         const jlt_descriptor *general = candidate(i, asked, others), *table = general != NULL ? widest(general) : NULL;
         for (unsigned k = 0; table != NULL && k < table->section_count && !found; k++) {
@@ -324,7 +325,7 @@ jlt_status jlt_surface_family_init(jlt_surface_family *out, const jlt_descriptor
     JLT_PASS(jlt_surface_find(&out->surface, &broken, asked, NULL, NULL));
     if (broken != NULL) return JLT_ERR_UNSUPPORTED;
     memcpy(out->values, out->surface.defaults, sizeof out->values);
-    out->runs = jlt_surface_value(&out->surface, runs);
+    out->runs = runs != NULL ? jlt_surface_value(&out->surface, runs) : out->surface.count;
     if (out->runs == out->surface.count) return JLT_ERR_ARG;
     return JLT_OK;
 }

@@ -110,7 +110,7 @@ jlt_status jlt_system_plane(jlt_system **out, const jlt_descriptor *descriptor, 
     JLT_OWNED(jlt_system) *self = NULL;
 
     *out = NULL;
-    if (descriptor->state_count > JLT_CHART_STATES_MAX) return JLT_ERR_ARG;
+    if (descriptor == NULL || descriptor->state_count > JLT_CHART_STATES_MAX) return JLT_ERR_ARG;
     self = calloc(1, sizeof(plane_system));
     if (self == NULL) return JLT_ERR_NOMEM;
     for (unsigned i = 0; i < descriptor->state_count; i++) {

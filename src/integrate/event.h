@@ -40,6 +40,22 @@ typedef struct {
     double slope;     /* dg/dtau there */
 } jlt_crossing;
 
+/** Whether a field of so many columns can watch this event: its column, level and direction are such. */
+static inline bool jlt_event_is_valid(const jlt_event *event, unsigned columns)
+{
+    const int direction = (int)event->direction;
+
+    return direction >= -1 && direction <= 1 && (event->value != NULL || (event->column < columns && isfinite(event->level)));
+}
+
+/** Whether two events are the same. */
+static inline bool jlt_event_same(const jlt_event *a, const jlt_event *b)
+{
+    return a->value == b->value && a->context == b->context && a->rate == b->rate && a->longest_step == b->longest_step
+           && a->direction == b->direction && a->grazing == b->grazing && a->loss == b->loss && a->column == b->column
+           && !(a->level < b->level) && !(a->level > b->level);
+}
+
 /** The least value of an event's function within a step, and at which fraction of the step. */
 typedef struct {
     double value, theta;

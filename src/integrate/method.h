@@ -40,7 +40,8 @@ extern const jlt_method jlt_method_gauss, jlt_method_dop853, jlt_method_taylor, 
  *  NULL past the end. */
 const jlt_method *jlt_method_at(size_t index);
 
-/** By name; NULL when there is none; the default for NULL. */
+/** By name; NULL when there is none; the default for NULL. A method of NULL means the default elsewhere: check a name that a user
+ *  typed. */
 const jlt_method *jlt_method_find(const char *name);
 
 #endif

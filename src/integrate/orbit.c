@@ -27,6 +27,7 @@ struct jlt_orbit {
     jlt_crossing pending[JLT_ORBIT_EVENTS_MAX * JLT_CROSSINGS_MAX]; /* of the last step, ascending, from `next_pending` on */
     unsigned pending_count, next_pending;
     double cursor;  /* theta up to which the last step has been handed out */
+    double told;    /* physical time of the start, crossing or t_end handed out last; NaN: the orbit is not started */
     double *at, *slope; /* (stride,): the state handed out, and work; the watches' arrays follow */
 
     double pace_time, paced; /* where the last PACE steps began, and the time that the PACE steps before them took the orbit */
@@ -44,7 +45,7 @@ jlt_status jlt_orbit_create(jlt_orbit **out, const jlt_method *method, const jlt
     const jlt_options defaults = { .tolerance = 0 };
     if (options == NULL) options = &defaults;
     if (options->tolerance < 0 || options->max_step < 0) return JLT_ERR_ARG;
-    if (!(options->first_step >= 0) || !isfinite(options->first_step)) return JLT_ERR_ARG;
+    if (!(options->first_step >= 0) || !isfinite(options->first_step) || isnan(options->t_last)) return JLT_ERR_ARG;
     if (options->invariants.count > JLT_INVARIANTS_MAX) return JLT_ERR_ARG;
     if (options->project && options->invariants.gradients == NULL) return JLT_ERR_ARG;
     if (options->project && method != NULL && method->multistep) return JLT_ERR_UNSUPPORTED;
@@ -58,6 +59,7 @@ jlt_status jlt_orbit_create(jlt_orbit **out, const jlt_method *method, const jlt
     self->at = jlt_memory_array((2 + 2 * JLT_ORBIT_EVENTS_MAX) * (size_t)self->stepper->stride, sizeof *self->at);
     if (self->at == NULL) return JLT_ERR_NOMEM;
     self->slope = self->at + self->stepper->stride;
+    self->told = NAN;
     for (size_t e = 0; e < JLT_ORBIT_EVENTS_MAX; e++) self->watch[e].zero = self->at + (2 + 2 * e) * self->stepper->stride;
     *out = self;
     self = NULL;
@@ -83,12 +85,14 @@ jlt_status jlt_orbit_start(jlt_orbit *self, double t, const double *x, int direc
     if (direction != 1 && direction != -1) return JLT_ERR_ARG;
     self->watch_count = self->pending_count = self->next_pending = 0;
     self->cursor = 1;
+    self->told = NAN;
     self->pole = (jlt_pole_verdict){ .ends = false };
     JLT_PASS(jlt_stepper_start(self->stepper, t, x, direction, self->options.first_step));
     jlt_invariant_begin(&self->invariants, &self->options.invariants, self->stepper->x);
     self->pace_step = self->stepper->steps + self->stepper->rejected;
     self->pace_time = jlt_stepper_time(self->stepper);
     self->paced = 0;
+    self->told = t;
     return look_for_pole(self);
 }
 
@@ -140,13 +144,6 @@ void jlt_orbit_drift(const jlt_orbit *self, double *drift)
     memcpy(drift, self->invariants.drift, self->options.invariants.count * sizeof *drift);
 }
 
-static bool same_event(const jlt_event *a, const jlt_event *b)
-{
-    return a->value == b->value && a->context == b->context && a->rate == b->rate && a->longest_step == b->longest_step
-           && a->direction == b->direction && a->grazing == b->grazing && a->loss == b->loss && a->column == b->column
-           && !(a->level < b->level) && !(a->level > b->level);
-}
-
 /* Crossings of all events on the last step, merged in order. */
 static jlt_status locate_step(jlt_orbit *self)
 {
@@ -171,7 +168,7 @@ static jlt_status locate_step(jlt_orbit *self)
 static jlt_status watch_events(jlt_orbit *self, const jlt_event *events, unsigned count)
 {
     bool same = count == self->watch_count;
-    for (unsigned e = 0; same && e < count; e++) same = same_event(&events[e], &self->watch[e].event);
+    for (unsigned e = 0; same && e < count; e++) same = jlt_event_same(&events[e], &self->watch[e].event);
     if (same) return JLT_OK;
 
     jlt_status st = JLT_OK;
@@ -248,12 +245,14 @@ static jlt_status rest_of_step(jlt_orbit *self, jlt_outcome *out, bool *found, d
             self->next_pending++;
             hand_out(self, out, JLT_END_EVENT, crossing.theta);
             out->crossing = crossing;
+            self->told = out->t;
             *found = true;
             return JLT_OK;
         }
     }
     if ((jlt_stepper_time(stepper) - t_end) * stepper->direction >= 0 || at_time(stepper, t_end)) {
         JLT_PASS(hand_out_time(self, out, t_end));
+        self->told = t_end;
         *found = true;
     }
     return JLT_OK;
@@ -326,6 +325,13 @@ static bool may_arrive(jlt_orbit *self, double t_end, size_t steps)
     return !told || 4 * ahead >= rest;
 }
 
+/* Whether a call may ask for this time: the orbit is started, and it does not turn back, but for rounding. */
+static bool lies_ahead(const jlt_orbit *self, double t_end)
+{
+    const double slack = 4 * DBL_EPSILON * jlt_larger(fabs(self->told), fabs(self->stepper->h));
+    return !isnan(self->told) && (!isfinite(t_end) || (t_end - self->told) * self->stepper->direction >= -slack);
+}
+
 jlt_status jlt_orbit_next(jlt_orbit *self, double t_end, const jlt_event *events, unsigned count, jlt_outcome *out)
 {
     jlt_status st = JLT_OK;
@@ -333,9 +339,9 @@ jlt_status jlt_orbit_next(jlt_orbit *self, double t_end, const jlt_event *events
     const size_t spent = stepper->steps + stepper->rejected;
     bool found = false;
 
-    if (count > JLT_ORBIT_EVENTS_MAX || isnan(t_end)) return JLT_ERR_ARG;
+    if (count > JLT_ORBIT_EVENTS_MAX || isnan(t_end) || !lies_ahead(self, t_end)) return JLT_ERR_ARG;
     for (unsigned e = 0; e < count; e++)
-        if (events[e].value == NULL && (events[e].column >= stepper->columns || !isfinite(events[e].level))) return JLT_ERR_ARG;
+        if (!jlt_event_is_valid(&events[e], stepper->columns)) return JLT_ERR_ARG;
     if (!isfinite(t_end)) t_end = stepper->direction * INFINITY;
     JLT_TRY(watch_events(self, events, count));
 

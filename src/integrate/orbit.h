@@ -56,7 +56,7 @@ typedef int (*jlt_observer)(void *context, jlt_orbit *orbit);
 
 /** Create an orbit; call jlt_orbit_start before the rest. Out: *out, NULL on failure. In: method and options, NULL for the
  *  defaults. `field` must live as long as the orbit.
- *  Errors: as jlt_stepper_create; ARG, an option below 0, more than JLT_INVARIANTS_MAX invariants, or project without their
+ *  Errors: as jlt_stepper_create; ARG, an option below 0 or NaN, more than JLT_INVARIANTS_MAX invariants, or project without their
  *  gradients; UNSUPPORTED, project with a multistep method. */
 JLT_CHECKED jlt_status jlt_orbit_create(jlt_orbit **out, const jlt_method *method, const jlt_field *field,
                                         const jlt_options *options);
@@ -79,10 +79,10 @@ enum { JLT_ORBIT_EVENTS_MAX = 16 };
 /** Go on to the next crossing of one of the events, shape (count,), to physical time t_end (+-INFINITY: no end), or into the
  *  pole, whichever comes first; *out says which. Call again to go on from there: with the same events no crossing is lost or
  *  found twice; with others the search begins at the current point.
- *  Errors: ARG, count > JLT_ORBIT_EVENTS_MAX, a column that the field has not, a level that is not finite, or t_end is NaN;
- *  NONFINITE, NO_PROGRESS, BUDGET; NO_CONVERGENCE, of a crossing (locate.h), a partial step or the eigenvalues near a pole;
- *  DOMAIN, the orbit came to the edge of its field's domain. On all but ARG *out holds the last accepted point, with end
- *  JLT_END_TIME. */
+ *  Errors: ARG, no orbit was started, count > JLT_ORBIT_EVENTS_MAX, a column that the field has not, a level that is not finite,
+ *  another direction, or t_end is NaN or lies before the point handed out last; NONFINITE, NO_PROGRESS, BUDGET; NO_CONVERGENCE, of
+ *  a crossing (locate.h), a partial step or the eigenvalues near a pole; DOMAIN, the orbit came to the edge of its field's domain.
+ *  On all but ARG *out holds the last accepted point, with end JLT_END_TIME. */
 JLT_CHECKED jlt_status jlt_orbit_next(jlt_orbit *self, double t_end, const jlt_event *events, unsigned count,
                                       jlt_outcome *out);
 
@@ -92,7 +92,7 @@ JLT_CHECKED jlt_status jlt_orbit_next(jlt_orbit *self, double t_end, const jlt_e
  *  before t_end, x then holds the limit. */
 JLT_CHECKED jlt_status jlt_orbit_propagate(jlt_orbit *self, double t_end, double *x);
 
-/** The states at `times`, shape (count,), which must be monotone in the orbit's direction.
+/** The states at `times`, shape (count,), in the order in which the orbit comes to them: ARG where one turns back.
  *  Out: states, shape (count, dim); *done, how many rows are filled. An interrupt, or an observer that ends the run, returns
  *  OK with *done < count.
  *  Errors: as jlt_orbit_propagate. */

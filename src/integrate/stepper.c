@@ -49,6 +49,9 @@ jlt_status jlt_stepper_create(jlt_stepper **out, const jlt_method *method, const
     if (method == NULL) method = jlt_method_find(NULL);
     if (field == NULL || field->call == NULL) return JLT_ERR_ARG;
     if (field->dim == 0 || field->dim > JLT_FIELD_DIM_MAX || field->controlled > field->dim) return JLT_ERR_ARG;
+    if (field->root >= (int)field->dim) return JLT_ERR_ARG;
+    for (unsigned i = 0; field->scale != NULL && i < field->dim; i++)
+        if (!(field->scale[i] >= 0)) return JLT_ERR_ARG;
     if (!(tolerance > 0) || !(tolerance < 1) || !(max_step > 0)) return JLT_ERR_ARG;
     if (method->needs_jet && field->jet == NULL) return JLT_ERR_UNSUPPORTED;
 

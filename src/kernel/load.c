@@ -3,13 +3,15 @@
 #include "registry.h"
 
 #include <dlfcn.h>
+#include <string.h>
 
 jlt_status jlt_load(const jlt_descriptor **model, const char *path)
 {
-    void *object = dlopen(path, RTLD_NOW | RTLD_LOCAL);
     const jlt_descriptor *const *registry;
     const unsigned *count, *size;
 
+    if (path == NULL || strchr(path, '/') == NULL) return JLT_ERR_ARG; /* dlopen would look elsewhere */
+    void *object = dlopen(path, RTLD_NOW | RTLD_LOCAL);
     if (object == NULL) return JLT_ERR_IO;
     registry = dlsym(object, "jlt_registry");
     count = dlsym(object, "jlt_registry_count");

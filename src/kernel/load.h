@@ -8,7 +8,7 @@
 /** Load an object. Out: *model, the general field of its first model; model->family lists the others. The object stays loaded
  *  until the program ends, since descriptors point into it.
  *  In: path, which must contain a slash. The object's code runs with the rights of this program: load only what you trust.
- *  Errors: IO, it cannot be loaded; UNSUPPORTED, it was built for another version of the kernel ABI. */
+ *  Errors: ARG, no slash; IO, it cannot be loaded; UNSUPPORTED, it was built for another version of the kernel ABI. */
 JLT_CHECKED jlt_status jlt_load(const jlt_descriptor **model, const char *path);
 
 #endif

@@ -202,12 +202,13 @@ jlt_status jlt_course_create(jlt_course **out, const jlt_plan *plan, const jlt_q
     JLT_OWNED(jlt_course) *self = NULL;
 
     *out = NULL;
+    if (question->start == NULL) return JLT_ERR_ARG;
     if (model->state_count > JLT_PLAN_STATES_MAX || model->param_count > JLT_PLAN_PARAMS_MAX
         || plan->reduced->integral_count > JLT_PLAN_STATES_MAX)
         return JLT_ERR_UNSUPPORTED;
     self = calloc(1, sizeof *self);
     if (self == NULL) return JLT_ERR_NOMEM;
-    copy_question(self, plan, question, options);
+    copy_question(self, plan, question, options != NULL ? options : &(jlt_course_options){ 0 });
     JLT_PASS(jlt_course_units(&self->units, plan, &self->question));
     jlt_units_count(self->params, question->params, model->params, model->param_count, &self->units);
     jlt_units_count(self->start, question->start, model->states, self->states, &self->units);

@@ -50,8 +50,9 @@ typedef struct {
 typedef struct jlt_course jlt_course;
 
 /** Create the course of the tier plan->chosen. Copies *question and *plan, with params and start; the descriptors they point to
- *  must outlive the course. Out: *out, NULL on failure. Errors: UNSUPPORTED (no kernel, too many states, parameters or integrals),
- *  those of jlt_orbit_create and jlt_rod_open, NONFINITE, NOMEM. */
+ *  must outlive the course. Out: *out, NULL on failure. In: options, NULL: all defaults. Errors: ARG, the question has no start,
+ *  or a tolerance outside [0, 1); UNSUPPORTED (no kernel, too many states, parameters or integrals), those of jlt_orbit_create and
+ *  jlt_rod_open, NONFINITE, NOMEM. */
 JLT_CHECKED jlt_status jlt_course_create(jlt_course **out, const jlt_plan *plan, const jlt_question *question,
                                          const jlt_course_options *options);
 void jlt_course_destroy(jlt_course *self); /* NULL is legal */

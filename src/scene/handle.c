@@ -27,8 +27,16 @@ struct jlt_handle_motion {
     bool ended;
 };
 
-static jlt_status find_model(const jlt_descriptor **out, const char *model)
+/* Find the model, and check that names and values are given, each name once. */
+static jlt_status find_model(const jlt_descriptor **out, const char *model, const char *const *names, const double *values,
+                             size_t count)
 {
+    if (model == NULL || (count > 0 && (names == NULL || values == NULL))) return JLT_ERR_ARG;
+    for (size_t i = 0; i < count; i++) {
+        if (names[i] == NULL) return JLT_ERR_ARG;
+        for (size_t k = 0; k < i; k++)
+            if (strcmp(names[i], names[k]) == 0) return JLT_ERR_ARG;
+    }
     if (strchr(model, '/') != NULL) return jlt_load(out, model);
     *out = jlt_descriptor_find(model, NULL, NULL, NULL);
     return *out != NULL ? JLT_OK : JLT_ERR_ARG;
@@ -87,7 +95,7 @@ jlt_status jlt_handle_section_known(jlt_handle_section **out, const char *model,
     jlt_system *system = NULL;
 
     *out = NULL;
-    JLT_PASS(find_model(&d, model));
+    JLT_PASS(find_model(&d, model, names, values, count));
     JLT_PASS(jlt_surface_find(&surface, &broken, d, NULL, NULL));
     if (broken != NULL) return JLT_ERR_UNSUPPORTED;
     memcpy(all, surface.defaults, surface.count * sizeof *all);
@@ -125,8 +133,8 @@ jlt_status jlt_handle_section_plane(jlt_handle_section **out, const char *model,
     size_t column;
 
     *out = NULL;
-    JLT_PASS(find_model(&d, model));
-    if (direction < -1 || direction > 1 || !jlt_descriptor_state(d, state, &column)) return JLT_ERR_ARG;
+    JLT_PASS(find_model(&d, model, names, values, count));
+    if (direction < -1 || direction > 1 || state == NULL || !jlt_descriptor_state(d, state, &column)) return JLT_ERR_ARG;
     JLT_PASS(read_params(&params, d, names, values, count));
     JLT_PASS(jlt_system_plane(&system, jlt_system_regular(d), params, (unsigned)column, level, NULL, &options));
     JLT_PASS(set_angles(system, d));
@@ -145,17 +153,17 @@ void jlt_handle_section_destroy(jlt_handle_section *self)
 
 unsigned jlt_handle_section_dim(const jlt_handle_section *self)
 {
-    return self->system->flow.chart->dim;
+    return self != NULL ? self->system->flow.chart->dim : 0;
 }
 
 const char *jlt_handle_section_coordinate(const jlt_handle_section *self, unsigned index)
 {
-    return index < self->system->flow.chart->dim ? self->system->flow.chart->names[index] : NULL;
+    return index < jlt_handle_section_dim(self) ? self->system->flow.chart->names[index] : NULL;
 }
 
 unsigned jlt_handle_section_columns(const jlt_handle_section *self)
 {
-    return self->system->surface != NULL ? self->system->surface->section->beside_count : 0;
+    return self != NULL && self->system->surface != NULL ? self->system->surface->section->beside_count : 0;
 }
 
 const char *jlt_handle_section_column(const jlt_handle_section *self, unsigned index)
@@ -180,6 +188,7 @@ static jlt_status count(jlt_handle_section *self, const double *q)
 
 jlt_status jlt_handle_section_start(jlt_handle_section *self, const double *q, int time_direction)
 {
+    if (self == NULL || q == NULL) return JLT_ERR_ARG;
     self->started = false;
     if (self->system->surface == NULL) JLT_PASS(count(self, q));
     JLT_PASS(jlt_section_start(self->section, &self->at, q, time_direction));
@@ -207,7 +216,7 @@ jlt_status jlt_handle_section_returns(jlt_handle_section *self, double *q, doubl
     const size_t dim = jlt_handle_section_dim(self), width = jlt_handle_section_columns(self);
 
     *done = 0;
-    if (!self->started) return JLT_ERR_ARG;
+    if (self == NULL || !self->started || (count > 0 && (q == NULL || t == NULL))) return JLT_ERR_ARG;
     while (*done < count && self->at.fate == JLT_FATE_ALIVE) {
         JLT_PASS(jlt_section_next(self->section, &self->at));
         tell_row(self, q + *done * dim, t + *done, columns != NULL ? columns + *done * width : NULL);
@@ -230,7 +239,7 @@ jlt_status jlt_handle_motion_create(jlt_handle_motion **out, const char *model, 
     self->tolerance = tolerance;
     st = JLT_ERR_ARG;
     if (!(tolerance >= 0 && tolerance < 1)) goto done;
-    JLT_TRY(find_model(&self->model, model));
+    JLT_TRY(find_model(&self->model, model, names, values, count));
     st = JLT_ERR_UNSUPPORTED;
     if (self->model->state_count > JLT_PLAN_STATES_MAX || self->model->param_count > JLT_PLAN_PARAMS_MAX) goto done;
     JLT_TRY(read_params(&self->params, self->model, names, values, count));
@@ -251,23 +260,24 @@ void jlt_handle_motion_destroy(jlt_handle_motion *self)
 
 unsigned jlt_handle_motion_dim(const jlt_handle_motion *self)
 {
-    return self->model->state_count;
+    return self != NULL ? self->model->state_count : 0;
 }
 
 const char *jlt_handle_motion_state(const jlt_handle_motion *self, unsigned index)
 {
-    return index < self->model->state_count ? self->model->states[index].name : NULL;
+    return index < jlt_handle_motion_dim(self) ? self->model->states[index].name : NULL;
 }
 
 jlt_status jlt_handle_motion_start(jlt_handle_motion *self, const double *x)
 {
-    const jlt_question question = { .model = self->model, .params = self->params, .start = x };
-    const jlt_course_options options = { .tolerance = self->tolerance };
     const jlt_region *region;
     jlt_plan plan;
     double value;
     size_t index;
 
+    if (self == NULL || x == NULL) return JLT_ERR_ARG;
+    const jlt_question question = { .model = self->model, .params = self->params, .start = x };
+    const jlt_course_options options = { .tolerance = self->tolerance };
     jlt_course_destroy(self->course);
     self->course = NULL;
     self->ended = false;
@@ -300,7 +310,7 @@ jlt_status jlt_handle_motion_states(jlt_handle_motion *self, double *x, double *
     jlt_status st = JLT_OK;
 
     *done = 0;
-    if (self->course == NULL) return JLT_ERR_ARG;
+    if (self == NULL || self->course == NULL || (count > 0 && (x == NULL || t == NULL || times == NULL))) return JLT_ERR_ARG;
     while (*done < count && !self->ended && st == JLT_OK) {
         st = isfinite(times[*done]) ? jlt_course_to(self->course, times[*done], &row) : JLT_ERR_NONFINITE;
         if (!isfinite(times[*done]) || !note_fate(self, &row, st)) break;

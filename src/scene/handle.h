@@ -9,10 +9,11 @@
  *
  *  model: the name of a built-in model, or the path, with a slash, of a shared object made by `ttc build`; objects stay loaded.
  *  Tables beside an object's table are not read: those to which proofs of it lead, and their sections, are the built-in ones.
- *  names and values, shape (count,): the values that differ from the defaults, in any order; names may be NULL if count is 0.
+ *  names and values, shape (count,): the values that differ from the defaults, in any order, each name once; or NULL if count is 0.
  *  tolerance: of a step, as in integrate/method.h; 0: 1e-12. A fate is an integer that says how an orbit ended: 0 means that it has
  *  not, and jlt_section_fate_name(fate) in dynamics/section.h gives its name. One thread at a time may use a handle; different
- *  handles are independent. Arguments are copied, so the caller may free them after each call. */
+ *  handles are independent. Arguments are copied, so the caller may free them after each call. Where a handle, a name or an array
+ *  that is needed is NULL, the status is ARG, the number of names 0 and the name NULL. */
 #ifndef JLT_SCENE_HANDLE_H
 #define JLT_SCENE_HANDLE_H
 
@@ -52,9 +53,10 @@ const char *jlt_handle_section_column(const jlt_handle_section *self, unsigned i
 JLT_CHECKED jlt_status jlt_handle_section_start(jlt_handle_section *self, const double *q, int time_direction);
 
 /** Compute the next `count` returns of the orbit, or those up to its end.
- *  Out: q, shape (count, dim); t, shape (count,), time since the start; columns, shape (count, columns), or NULL; *done, the number
- *  of rows filled; *fate, the orbit's fate after them. When the orbit ends, the last row is the place and time of its end;
- *  coordinates that have no value there, off the section, are NaN. After that there are no rows until a new start.
+ *  Out: q, shape (count, dim); t, shape (count,), time since the start, negative backwards; columns, shape (count, columns), or
+ *  NULL; *done, the number of rows filled; *fate, the orbit's fate after them. When the orbit ends, the last row is the place and
+ *  time of its end; coordinates that have no value there, off the section, are NaN. After that there are no rows until a new
+ *  start.
  *  Errors: ARG, no orbit was started; NOMEM. A failure of the method is not an error but a fate. Cost: as jlt_section_next. */
 JLT_CHECKED jlt_status jlt_handle_section_returns(jlt_handle_section *self, double *q, double *t, double *columns, size_t *done,
                                                   int *fate, size_t count);

@@ -125,6 +125,8 @@ jlt_status jlt_plan_make(jlt_plan *out, const jlt_question *question)
 {
     jlt_tier tiers[JLT_TIERS_MAX], named;
     jlt_plan plan = { .forced = question->tier != NULL };
+
+    if (question->model == NULL || question->params == NULL) return JLT_ERR_ARG;
     const bool own = plan.forced && strcmp(question->tier, "model") == 0;
     bool found = false;
 

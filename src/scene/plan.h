@@ -40,8 +40,8 @@ typedef struct {
  *  text, `size` bytes. */
 void jlt_plan_refusal(char *text, size_t size, const jlt_candidate *candidate);
 
-/** Make the plan. Errors: ARG, no such tier; UNSUPPORTED, none serves, or the tier asked for does not (plan->chosen then is that
- *  tier, and its refusal says why); NOMEM. */
+/** Make the plan. Errors: ARG, no model, no params, or no such tier; UNSUPPORTED, none serves, or the tier asked for does not
+ *  (plan->chosen then is that tier, and its refusal says why); NOMEM. */
 JLT_CHECKED jlt_status jlt_plan_make(jlt_plan *out, const jlt_question *question);
 
 /** Whether a candidate serves for the question's orbit from another start, shape (states,), where the orbit has left the region of

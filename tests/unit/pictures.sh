@@ -254,6 +254,18 @@ END
 jellett simulate ./scaled.tt --start x=1e-300,v=0,phi=0 --until 9 --every 1/10 --size 8x6 --plot p.svg --keep p.gp -o rows.csv
 [ "$(grep -c "^set label '.*×10^{−300}}' at graph" p.gp)" -eq 2 ] ||
     fail "two panels do not say their power of ten: $(grep label p.gp)"
+# An integral that does not drift at all is drawn, at the least that the axis says.
+cat > still.tt << END
+model still
+state phi
+state p
+eq phi = 1
+eq p = 0
+integral momentum = p
+END
+jellett drift ./still.tt --section phi=0 --modulo phi=2*pi --start p=1 --returns 4 --plot p.svg --keep p.gp -o rows.csv 2> log &&
+    grep -q '^1 1e-17$' p.gp && grep -q "^set ylabel '.*at least 10^{−17}'" p.gp || fail "no drift is no picture: $(cat log)"
+
 jellett lyapunov --grid 5x4 --returns 5 --plot p.svg --keep p.gp -o rows.csv 2> log || fail "lyapunov: $(cat log)"
 grep -q "title '$(grep -vc '^#\|^eta\|,[^,]\+,[^,]\+,[^,]' rows.csv) ended before 5 returns'" p.gp ||
     fail "a chart does not say what its white cells are"

@@ -63,7 +63,8 @@ class Panel:
         if any(point[4] for points in self.curves.values() for point in points):
             items.append("keyentry with points lc rgb 'black' pt 2 lw 2 title \"orbits lost\"")
         self.key_rows = (sum("keyentry" in item for item in items) + 1) // 2
-        head = f'set title "{self.title}"\nset key bmargin center Left reverse maxrows {self.key_rows} noenhanced samplen 2 spacing 0.9 width -3 font ",13"'
+        width = 1 if max(map(len, colours), default=0) < 20 else -3  # gnuplot makes columns of long names too wide, others too narrow
+        head = f'set title "{self.title}"\nset key bmargin center Left reverse maxrows {self.key_rows} noenhanced samplen 2 spacing 0.9 width {width} font ",13"'
         return "\n".join(blocks), head + "\nplot " + ", \\\n  ".join(items or ["NaN notitle"])
 
 

@@ -15,7 +15,7 @@ rows(name, a, b) = sprintf("< awk -F, 'NR>1 && (\"%s\"==\"0\" || $1==\"%s\") && 
 methods = 'dop853 gauss taylor rk8pd rkf45 msadams'
 colours = '#0072b2 #009e73 #cc79a7 #d55e00 #e69f00 #56b4e9'
 colour(i) = word(colours, i)
-marks = '7 5 9 11 13 15' # so that methods are told apart in grey
+marks = '7 5 9 11 13 2' # so that methods are told apart in grey; a small pentagon looks like a circle
 mark(i) = int(word(marks, i))
 
 

@@ -1,4 +1,7 @@
 # Sphinx's settings for the site that tools/docs/render makes.
+import re
+
+from docutils import nodes
 from pygments.lexer import RegexLexer, bygroups, using
 from pygments.lexers.shell import BashLexer
 from pygments.token import Generic
@@ -40,5 +43,20 @@ class Transcript(RegexLexer):
     }
 
 
+SMALL = re.compile(r"([-+]?[0-9][0-9.]*e-[0-9]+)")
+
+
+def keep_numbers(app, tree, name):
+    """A line does not end behind the hyphen of a number such as 1e-12."""
+    for text in list(tree.findall(nodes.Text)):
+        parts = SMALL.split(text.astext())
+        if len(parts) > 1 and isinstance(text.parent, (nodes.paragraph, nodes.inline, nodes.emphasis, nodes.strong, nodes.term)):
+            number = [nodes.inline("", part, classes=["number"]) if k % 2 else nodes.Text(part) for k, part in enumerate(parts)]
+            text.parent.replace(text, number)
+        elif len(parts) == 3 and isinstance(text.parent, nodes.literal) and parts[0] == parts[2] == "":
+            text.parent["classes"].append("number")
+
+
 def setup(app):
     app.add_lexer("console", Transcript)
+    app.connect("doctree-resolved", keep_numbers)
