@@ -22,6 +22,7 @@
 enum { N = JLT_GAUSS_NODES, SWEEPS_MAX = 24 };
 static const double rounding = 8e-16; /* half a unit in each of 48 values, root of the sum of squares */
 static const double slowest_rate = 0.7, growth_max = 2.5, safety = 0.65;
+static const double left_by_sweeps = 0.05; /* of the tolerance */
 static const double farthest = 128; /* in lengths of the last step: continued farther, its polynomial is rounding errors */
 
 typedef struct {
@@ -38,7 +39,7 @@ typedef struct {
     double *end, *end_low;     /* (stride,): the point a step leads to, and its rounding error */
     double *end_f;             /* (stride,): the slope there */
     double *sizes;             /* (N,): of the Legendre coefficients, relative to the states, as binary logarithms */
-    double *scratch;           /* (2 dim,): work */
+    double *scratch;           /* (2, columns): work */
     double *spread;            /* the field's prepared values in every lane, for batched kernels; NULL: none are needed */
     const double *p;           /* these, or what the field passes through */
     double dense_error;
@@ -78,7 +79,7 @@ static jlt_status create(jlt_stepper *stepper)
     if (self == NULL) return JLT_ERR_NOMEM;
 
     /* Rows of eight first, so that all of them stay aligned. */
-    double *block = jlt_memory_array((5 * dim + 2 + 3 * columns) * N + 3 * stepper->stride + 4 * dim + 2 * columns, sizeof *block);
+    double *block = jlt_memory_array((5 * dim + 2 + 3 * columns) * N + 3 * stepper->stride + 2 * dim + 4 * columns, sizeof *block);
     if (block == NULL) return JLT_ERR_NOMEM;
     self->block = self->legendre = block;
     self->trial = self->legendre + columns * N;
@@ -91,7 +92,7 @@ static jlt_status create(jlt_stepper *stepper)
     self->end_low = self->end + stepper->stride;
     self->end_f = self->end_low + stepper->stride;
     self->scratch = self->end_f + stepper->stride;
-    double *rest = self->scratch + 2 * dim;
+    double *rest = self->scratch + 2 * columns;
     place(&self->nodes, &rows, &rest, stepper);
     place(&self->inside, &rows, &rest, stepper);
     self->batch = instance(field->batch);
@@ -178,7 +179,7 @@ static void guess(gauss *self, jlt_stepper *stepper, double h, double growth)
  * solved, where sweeps are known to contract: if they seem not to, they do in pairs, or are down to rounding. */
 static bool solve(gauss *self, jlt_stepper *stepper, const jlt_gauss_nodes *nodes, double h, double *rate, bool insist)
 {
-    const double enough = 0.05 * stepper->tolerance;
+    const double enough = left_by_sweeps * stepper->tolerance;
     double last = INFINITY;
 
     for (unsigned sweeps = 2; sweeps <= SWEEPS_MAX; sweeps++) {
@@ -236,7 +237,12 @@ static jlt_status step(jlt_stepper *stepper, double limit)
                 jlt_field_rates(field, self->end_f, self->end);
                 stepper->evaluations++;
                 for (unsigned c = 0; c < columns; c++) defect += 0 * (self->end[c] + self->end_f[c]);
-                jlt_gauss_error_see_ends(&seen, self->trial, stepper->f, self->end_f, self->nodes.inverse_weight, columns);
+                const jlt_gauss_step made = {
+                    .field = field, .legendre = self->trial, .before = stepper->f, .end = self->end, .after = self->end_f,
+                    .weights = self->nodes.inverse_weight, .columns = columns, .work = self->scratch,
+                    .left = jlt_larger(left_by_sweeps * stepper->tolerance, rounding)
+                };
+                stepper->evaluations += jlt_gauss_error_see_ends(&seen, &made);
                 error = seen.local;
                 self->dense_error = jlt_rough_exp2(jlt_larger(jlt_smaller(seen.dense, 999), -999));
                 if (defect == 0 && error <= 0) break;

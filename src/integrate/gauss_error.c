@@ -1,5 +1,7 @@
 #include "integrate/gauss_error.h"
 
+#include <math.h>
+
 #include "integrate/gauss_batch.h"
 #include "integrate/gauss_coefficients.h"
 #include "integrate/step_control.h"
@@ -10,6 +12,7 @@ enum { N = JLT_GAUSS_NODES };
 static const double scatter = 0.1;  /* 2 of 100 steps fall short of r by more */
 static const double digits = 44;    /* lower coefficients are rounding */
 static const double explained = 2;  /* 1 of 1000 steps of smooth motions misses a slope by more than n_8 times this */
+static const double limiting = -33; /* of an error in tolerances, above which the next step grows by less than it may */
 static const double outside = -6.7; /* half of the part of a step between an outer node and the end beside it */
 
 jlt_gauss_error jlt_gauss_error_of(const double *sizes, double h, double tolerance)
@@ -26,23 +29,61 @@ jlt_gauss_error jlt_gauss_error_of(const double *sizes, double h, double toleran
         last = jlt_larger(last, n[6] + r);
     }
     const double length = jlt_rough_log2(fabs(h)), units = length - jlt_rough_log2(tolerance);
-    return (jlt_gauss_error){ units + last + 9 * r, length + last + r, last + r, units };
+    return (jlt_gauss_error){ units + last + 9 * r, length + last + r, last + r, r, units };
 }
 
-void jlt_gauss_error_see_ends(jlt_gauss_error *io, const double *legendre, const double *before, const double *after,
-                              const double *weights, unsigned columns)
+/* The largest difference of slopes, relative to the states. */
+static double most(const jlt_gauss_step *step, const double *a, const double *b)
 {
-    double miss = 0;
+    double largest = 0;
 
-    for (unsigned c = 0; c < columns; c++) {
-        const double *a = legendre + c * N, even = (a[0] + a[2]) + (a[4] + a[6]), odd = (a[1] + a[3]) + (a[5] + a[7]);
-        const double off = jlt_larger(fabs(before[c] - (even - odd)), fabs(after[c] - (even + odd)));
-        miss = jlt_larger(off * weights[c], miss);
+    for (unsigned c = 0; c < step->columns; c++) largest = jlt_larger(fabs(a[c] - b[c]) * step->weights[c], largest);
+    return largest;
+}
+
+/* By how much the polynomial misses a slope at an end of the step. */
+static double missed(const jlt_gauss_step *step)
+{
+    double *start = step->work, *end = step->work + step->columns;
+
+    for (unsigned c = 0; c < step->columns; c++) {
+        const double *a = step->legendre + c * N, even = (a[0] + a[2]) + (a[4] + a[6]), odd = (a[1] + a[3]) + (a[5] + a[7]);
+        start[c] = even - odd;
+        end[c] = even + odd;
     }
-    const double size = jlt_rough_log2(miss), more = size - io->left_out;
+    return jlt_larger(most(step, start, step->before), most(step, end, step->after));
+}
+
+/* By how much the slopes at the end move where the state is changed by what is left. */
+static double doubted(const jlt_gauss_step *step)
+{
+    double *x = step->work, *slope = step->work + step->columns;
+
+    for (unsigned c = 0; c < step->columns; c++)
+        x[c] = step->end[c] + (c % 2 == 0 ? step->left : -step->left) / step->weights[c];
+    jlt_field_rates(step->field, slope, x);
+    return most(step, slope, step->after);
+}
+
+/* The errors, where the polynomial misses a slope by `miss`; both are binary logarithms. */
+static jlt_gauss_error corrected(jlt_gauss_error e, double miss, double doubt)
+{
+    const double more = miss - jlt_larger(e.left_out, doubt);
+
     if (more > 0) {
-        io->local += 4.5 * more;
-        io->dense += more;
+        e.local += 9 * (jlt_smaller(e.rate + 0.5 * more, 0) - e.rate);
+        e.dense += more;
     }
-    if (more > explained) io->local = jlt_larger(io->local, io->units + size + outside);
+    if (more > explained) e.local = jlt_larger(e.local, e.units + miss + outside);
+    return e;
+}
+
+unsigned jlt_gauss_error_see_ends(jlt_gauss_error *io, const jlt_gauss_step *step)
+{
+    const double miss = jlt_rough_log2(missed(step));
+    const jlt_gauss_error seen = corrected(*io, miss, -INFINITY);
+    const bool limits = seen.local > limiting && seen.local > io->local + 1;
+
+    *io = limits ? corrected(*io, miss, jlt_rough_log2(doubted(step))) : seen;
+    return limits ? 1 : 0;
 }

@@ -84,19 +84,15 @@ static unsigned interpolate(double *b, const double value[NODES], unsigned apart
     return degree;
 }
 
-/* What the polynomial through every `apart`-th of the values may be off by: four times its last two coefficients in Chebyshev's
- * polynomials. That is no less than twice the sum of all that follow, where each is at most half of the one before. */
-static double left_out(const double value[NODES], unsigned apart)
+/* What a polynomial through every other value may be off by: four times its last two coefficients in Chebyshev's polynomials. That
+ * is no less than twice the sum of all that follow, where each is at most half of the one before. */
+static double left_out(const double value[NODES])
 {
-    const unsigned degree = (NODES - 1) / apart;
-    double last = 0, but_one = 0;
-
-    for (unsigned j = 0; j <= degree; j++) {
-        const double v = (j % 2 == 0 ? 1 : -1) * (j == 0 || j == degree ? 0.5 : 1) * value[j * apart];
-        last += v;
-        but_one += (1 - 2 * nodes[j * apart]) * v;
-    }
-    return 4 * (fabs(last) + 2 * fabs(but_one)) / degree;
+    static const double half_root = 0.86602540378443865; /* cos(pi/6) */
+    const double *v = value;
+    const double last = 0.5 * (v[0] + v[12]) - (v[2] + v[10]) + (v[4] + v[8]) - v[6];
+    const double but_one = 0.5 * (v[0] - v[12]) - half_root * (v[2] - v[10]) + 0.5 * (v[4] - v[8]);
+    return 4 * (fabs(last) / 6 + fabs(but_one) / 3);
 }
 
 /* Whether the polynomial through every other value is right between them as well. On these nodes T_k, k = 7 to 12, is aliased to
@@ -111,30 +107,27 @@ static bool holds_between(const double *b, unsigned degree, double doubt, const 
 }
 
 /* A function of the state as the polynomial through its values: through half of them where that is enough to tell that the function
- * stays on one side of zero. Out: *off, what it may be off by. */
-static unsigned value_polynomial(double *b, double *off, const jlt_event *event, const jlt_stepper *stepper)
+ * stays on one side of zero. */
+static unsigned value_polynomial(double *b, const jlt_event *event, const jlt_stepper *stepper)
 {
     double value[NODES], least, most;
 
     sample(value, 0, event, stepper);
     const unsigned degree = interpolate(b, value, 2);
     bounds(&least, &most, b, degree);
-    *off = left_out(value, 2);
-    const double doubt = *off + stepper->dense_error * jlt_larger(jlt_larger(most, -least), 1);
+    const double doubt = left_out(value) + stepper->dense_error * jlt_larger(jlt_larger(most, -least), 1);
     if ((least > doubt || most < -doubt) && holds_between(b, degree, doubt, event, stepper)) return degree;
     sample(value, 1, event, stepper);
-    *off = left_out(value, 1);
     return interpolate(b, value, 1);
 }
 
-/* g on the step as a polynomial in Bernstein form. Out: *off, what it may be off by, beside the error of the states. */
-static jlt_status event_polynomial(double *b, unsigned *degree, double *off, const jlt_event *event, jlt_stepper *stepper)
+/* g on the step as a polynomial in Bernstein form. */
+static jlt_status event_polynomial(double *b, unsigned *degree, const jlt_event *event, jlt_stepper *stepper)
 {
-    *off = 0;
     if (event->value != NULL || stepper->method->bernstein == NULL) {
         JLT_PASS(jlt_stepper_dense(stepper));
     }
-    if (event->value != NULL) *degree = value_polynomial(b, off, event, stepper);
+    if (event->value != NULL) *degree = value_polynomial(b, event, stepper);
     else column_polynomial(b, degree, event, stepper);
     return JLT_OK;
 }
@@ -294,7 +287,7 @@ static jlt_status keep_zero(jlt_watch *self, jlt_stepper *stepper, double before
 jlt_status jlt_watch_step(jlt_watch *self, jlt_stepper *stepper, jlt_crossing *list, unsigned *count)
 {
     double before = jlt_locate_value(&self->event, stepper->x_start), after = jlt_locate_value(&self->event, stepper->x);
-    double b[SIZE], touch[SIZE], least, most, off;
+    double b[SIZE], touch[SIZE], least, most;
     unsigned degree, touches = 0, divided = 0;
     zeros z;
 
@@ -305,7 +298,7 @@ jlt_status jlt_watch_step(jlt_watch *self, jlt_stepper *stepper, jlt_crossing *l
     if (fabs(before) > noise) self->has_zero = false;
     if (stays_away(self, stepper, before, after)) return JLT_OK;
     if (self->side != 0 && fabs(after) <= noise) JLT_PASS(keep_zero(self, stepper, before, after, noise));
-    JLT_PASS(event_polynomial(b, &degree, &off, &self->event, stepper));
+    JLT_PASS(event_polynomial(b, &degree, &self->event, stepper));
     if (fabs(before) <= noise) before = 0;
     if (fabs(after) <= noise) after = 0;
     b[0] = before;
@@ -313,7 +306,7 @@ jlt_status jlt_watch_step(jlt_watch *self, jlt_stepper *stepper, jlt_crossing *l
     bounds(&least, &most, b, degree);
     if (self->event.value == NULL && !(most < INFINITY)) return JLT_ERR_NONFINITE;
     const double size = jlt_larger(most, -least), terms = size + fabs(self->event.value == NULL ? self->event.level : 0);
-    const double doubt = off + stepper->dense_error * jlt_larger(terms, 1);
+    const double doubt = stepper->dense_error * jlt_larger(terms, 1);
     if ((self->side > 0 && least > doubt) || (self->side < 0 && most < -doubt) || size <= noise) return JLT_OK;
 
     /* On the section at the start: the zero there is divided out, and again where the slope is rounding error too. */

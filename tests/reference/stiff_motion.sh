@@ -34,8 +34,6 @@ tail -1 out | awk -F, '{ d = log($2/2) - $2^2/2 + 2 - 20/1e4; exit !($4 == "aliv
 printf '%s\n' 'model friction' 'state x' 'state u' 'state v' 'root w = sqrt(u^2 + v^2)' 'eq x = u' 'eq u = - u/w/2' \
     'eq v = - v/w/2' 'domain moving : u^2 + v^2 > 0' > friction.tt
 expect 4 'dry friction stops a body, which .domain moving : u.2 [+] v.2 - 1e-12 > 0' \
-    jellett simulate ./friction.tt --start x=0,u=0.3,v=0.4 --times 2 --method dop853
-expect 4 'at t = 1 the orbit comes to the edge of the domain of friction: moving needs u.2 [+] v.2 > 0' \
     jellett simulate ./friction.tt --start x=0,u=0.3,v=0.4 --times 2
 sed -i 's/^domain .*/domain moving : u^2 + v^2 - 1e-12 > 0/' friction.tt
 jellett simulate ./friction.tt --start x=0,u=0.3,v=0.4 --times 2 > out 2> err
@@ -52,8 +50,8 @@ done
 # Who has the time lets a return take more steps than maps do by themselves. The period of the cycle is, for large mu,
 # (3 - 2 ln 2) mu + 3 a mu^(-1/3) + O(ln mu/mu), -a = -2.33810741 the first zero of Airy's function (A. A. Dorodnitsyn,
 # Prikl. Mat. Mekh. 11, 1947).
-for command in section 'orbits --period 1' fates 'continue --along mu=600:610'; do
-    jellett $command ./pol.tt --section x=0 --start y=200 --set mu=600 > out 2> err
+for command in section 'orbits --period 1' fates 'continue --along mu=300:310'; do
+    jellett $command ./pol.tt --section x=0 --start y=200 --set mu=300 > out 2> err
     grep -qE 'budget|--max-steps allows more' out err || fail "$command of many steps: $(cat out err)"
 done
 for method in gauss rkf45; do
