@@ -10,10 +10,8 @@
 enum { U = JLT_CONTINUATION_U, NEWTON = 12, HALVINGS = 12 };
 
 static const double same_point = 1e-7;
+static const double returns = 1e-8;   /* Largest residual of an orbit, relative to |DP| and to the way that it goes: is_orbit. */
 static const double steep = 1e6;      /* |DP| above which a residual that errors of the map may cause hides errors of the orbit, */
-/* Largest residual of an orbit, relative to |DP| and to the way that it goes: a turn around an equilibrium that passes for an orbit
- * has a multiplier closer to 1 than 1e-7, and so is degenerate. */
-static const double returns = 1e-8;
 static const double settled = 1e-8;   /* unless the last step was as small as this, scaled, and as errors of DP may make it */
 
 static jlt_status image_at(const jlt_continuation_runner *self, jlt_image *image, const double *u, bool with_slope)
@@ -40,8 +38,7 @@ static jlt_status image_beside(const jlt_continuation_runner *self, jlt_image *i
     return image_at(self, image, u, false);
 }
 
-jlt_status jlt_continuation_step_evaluate(const jlt_continuation_runner *self, jlt_continuation_equation *out,
-                                          const double *u)
+jlt_status jlt_continuation_step_evaluate(const jlt_continuation_runner *self, jlt_continuation_equation *out, const double *u)
 {
     const unsigned d = self->d;
     const double range = (self->options.high - self->options.low) / self->options.scale, value = u[d] * self->options.scale;
@@ -208,7 +205,7 @@ static double least_crossing(const jlt_continuation_runner *self, double *way, c
 
 /* Whether the residual tells an orbit from none. Where DP is large only because the orbit almost touches the section, the
  * multipliers, which are not, are known no better than the residual times |DP|. And around an equilibrium any small turn comes back
- * to within its size times the distance of the multipliers from 1. */
+ * to within its size times the distance of the multipliers from 1: one that passes has a multiplier within 1e-7 of 1. */
 static bool is_orbit(const jlt_continuation_runner *self, const jlt_continuation_equation *at, const double *u)
 {
     double residual = 0, way = 0;
