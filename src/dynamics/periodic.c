@@ -108,12 +108,20 @@ static jlt_orbit_type classify(const double *re, const double *im, unsigned d, d
     return im[0] == 0 && re[0] < 0 ? JLT_ORBIT_FLIP_SADDLE : JLT_ORBIT_SADDLE;
 }
 
+/* Whether an error of DP, whose norm is `length`, may move an eigenvalue by as much (L. Elsner,
+ * Linear Algebra Appl. 71, 1985). */
+static bool may_move(double by, double length, double error, unsigned d)
+{
+    return pow(2 * length + error, 1 - 1.0 / d) * pow(error, 1.0 / d) >= by;
+}
+
 /* Replace the multipliers that the error of DP changes by more than a thousandth, as those of two do where its determinant is off
  * by that: a single one follows from the determinant, which the divergence gives; several become NaN, and with all the trace, and
- * the type, unless they are all small. */
-static void leave_known(jlt_periodic *orbit, double error, unsigned d)
+ * the type, unless they are all small, or cannot come to the unit circle. */
+static void leave_known(jlt_periodic *orbit, double length, double error, unsigned d)
 {
     double rest = orbit->determinant;
+    const double largest = hypot(orbit->re[0], orbit->im[0]);
     unsigned known = 0;
 
     for (; known < d && hypot(orbit->re[known], orbit->im[known]) > 1e3 * error; known++)
@@ -124,7 +132,7 @@ static void leave_known(jlt_periodic *orbit, double error, unsigned d)
     }
     if (known > 0) return;
     orbit->trace = NAN;
-    if (1e3 * error >= 1) orbit->type = JLT_ORBIT_DEGENERATE;
+    if (1e3 * error >= 1 && may_move(1 - largest, length, error, d)) orbit->type = JLT_ORBIT_DEGENERATE;
 }
 
 /* Two multipliers whose product is the determinant: the smaller of two real ones keeps its digits through it, and a pair keeps its
@@ -177,7 +185,8 @@ jlt_status jlt_periodic_measure(jlt_map *map, jlt_periodic *io)
     if (d == 2) multiply_to(&orbit);
     orbit.symmetric = is_symmetric(chart, orbit.points, orbit.period);
     orbit.type = classify(orbit.re, orbit.im, d, error);
-    if (d > 2 || (d == 2 && !(fabs(orbit.determinant_slope / orbit.determinant - 1) <= 1e-3))) leave_known(&orbit, error, d);
+    if (d > 2 || (d == 2 && !(fabs(orbit.determinant_slope / orbit.determinant - 1) <= 1e-3)))
+        leave_known(&orbit, length, error, d);
     *io = orbit;
     return JLT_OK;
 }

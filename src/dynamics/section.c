@@ -7,6 +7,7 @@
 
 #include "dynamics/chart_crossing.h"
 #include "dynamics/section_conditions.h"
+#include "dynamics/settling.h"
 #include "integrate/locate.h"
 #include "integrate/rest.h"
 
@@ -23,7 +24,8 @@ struct jlt_section {
     jlt_fate start_fate; /* other than alive: the orbit ends where it starts */
     bool rests;          /* at the last return the orbit was found to come to rest */
     jlt_rest_watch rest;
-    unsigned settled; /* how many of the last steps all ended within the errors of the section */
+    jlt_settling settling;
+    bool settled; /* the orbit has settled on the section */
     double limit[JLT_CHART_STATES_MAX]; /* when rests: the equilibrium */
     bool accepted;   /* restart the integrator at (t_start, x): it has not been there, or its state differs by turns */
     jlt_section_conditions watched; /* the model's conditions since the start */
@@ -82,19 +84,14 @@ bool jlt_section_fate_of(jlt_fate *fate, jlt_status status)
     return last > JLT_FATE_EQUILIBRIUM;
 }
 
-/* Whether the orbit has settled on the section: no return can be told from errors any more. A passage is over in fewer steps. */
-static bool has_settled(const jlt_section *self)
+/* The distance from the nearest section, in units of its errors. */
+static double distance_in_errors(const jlt_section *self, const jlt_stepper *stepper)
 {
-    return self->settled > 1024;
-}
-
-static bool is_within_errors(const jlt_section *self, const jlt_stepper *stepper)
-{
-    const double noise = jlt_locate_noise(stepper->asked);
+    double least = INFINITY;
 
     for (unsigned e = 0; e < self->crossings; e++)
-        if (fabs(jlt_locate_value(&self->events[e], stepper->x)) <= noise * jlt_locate_unit(&self->events[e], stepper)) return true;
-    return false;
+        least = fmin(least, fabs(jlt_locate_value(&self->events[e], stepper->x)) / jlt_locate_unit(&self->events[e], stepper));
+    return least / jlt_locate_noise(stepper->asked);
 }
 
 static int watch(void *context, jlt_orbit *orbit)
@@ -103,8 +100,8 @@ static int watch(void *context, jlt_orbit *orbit)
     const jlt_stepper *stepper = jlt_orbit_stepper(orbit);
 
     jlt_section_conditions_step(&self->watched, orbit);
-    self->settled = is_within_errors(self, stepper) ? self->settled + 1 : 0;
-    return has_settled(self) || jlt_rest_watch_step(&self->rest, stepper, self->limit);
+    self->settled = jlt_settling_step(&self->settling, distance_in_errors(self, stepper), fabs(jlt_stepper_time(stepper)));
+    return self->settled || jlt_rest_watch_step(&self->rest, stepper, self->limit);
 }
 
 /* Add one event for each condition: their least value has kinks, which no polynomial follows. */
@@ -213,7 +210,7 @@ static jlt_status begin(jlt_section *self, jlt_return *row, const double *x, int
     self->t_start = 0;
     self->accepted = self->rests = false;
     self->rest = (jlt_rest_watch){ 0 };
-    self->settled = 0;
+    self->settling = (jlt_settling){ 0 };
     self->time_direction = time_direction;
     jlt_section_conditions_begin(&self->watched);
     arrive(self, 0, x);
@@ -282,7 +279,7 @@ static void end_by(jlt_section *self, jlt_return *row, const jlt_outcome *outcom
         row->lost = outcome->crossing.event - self->crossings;
         return;
     case JLT_END_OBSERVER:
-        if (has_settled(self) && !jlt_rest_ends(jlt_orbit_stepper(self->orbit), self->limit))
+        if (self->settled && !jlt_rest_ends(jlt_orbit_stepper(self->orbit), self->limit))
             end(self, row, outcome->t, outcome->x, JLT_FATE_BUDGET);
         else if (is_pole(self)) end_at_pole(self, row, outcome);
         else end(self, row, outcome->t, self->limit, JLT_FATE_EQUILIBRIUM);
@@ -330,7 +327,7 @@ jlt_status jlt_section_next(jlt_section *self, jlt_return *row)
         row->direction = outcome.crossing.direction;
         self->accepted = self->flow.chart->turn != 0; /* self->x was turned back */
         self->rest = (jlt_rest_watch){ 0 };
-        self->settled = 0;
+        self->settling = (jlt_settling){ 0 };
         self->rests = jlt_rest_is_slower(self->flow.field, self->x, stepper->size, jlt_rest_slow(stepper->asked))
                       && jlt_rest_ends(stepper, self->limit);
     } else {

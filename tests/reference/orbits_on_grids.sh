@@ -122,4 +122,12 @@ for turning in 0 1/2 2 3; do
         match($0, /relative defect [^,;]*/) { split(substr($0, RSTART, RLENGTH), word, " "); said = word[3] }
         END { exit (said - worst)^2 > (worst/10)^2 }' out err || fail "the worst defect is another: $(cat out err)"
 done
+
+# Tolerances so coarse that no multiplier of a cycle keeps three digits still tell that it attracts: all are below 0.63.
+printf '%s\n' 'model cycle' 'state x' 'state y' 'state z' 'state u' 'eq x = x/10 - y - x*(x^2 + y^2)' \
+    'eq y = x + y/10 - y*(x^2 + y^2)' 'eq z = -z/20 + x^2 + u' 'eq u = -u/10 - z/10 + y^3' > cycle.tt
+for tolerance in 1e-13 1e-4 1e-3; do
+    jellett orbits ./cycle.tt --section y=0 --start x=0.316,z=0.5,u=0 --tol $tolerance --period 1 > out 2> err
+    tail -1 out | grep -q ',attracting,' || fail "at tolerance $tolerance: $(tail -1 out) $(cat err)"
+done
 exit $status

@@ -120,4 +120,25 @@ for start in --start=p=1,y=1,q=0 --grid=p=1,y=1,q=0; do
         fail "$start: $(grep -c alive out) returns, $(grep alive out | tail -1)"
     tail -1 out | awk -F, '{ exit !($NF == "budget" && $3 < 3000) }' || fail "$start, settled: $(tail -1 out)"
 done
+# Motions that stay on their section, to within its errors, for thousands of steps, and then go on: one grows from there, one decays
+# and grows again as its rate swings, one passes a saddle. Returns of the first two are a whole number of periods apart.
+printf '%s\n' 'model grows' 'state x' 'state p' 'state y' 'state q' 'eq x = p + x/200' 'eq p = -x' 'eq y = 10*q' 'eq q = -10*y' \
+    > grows.tt
+printf '%s\n' 'model swings' 'state x' 'state p' 'state phase' 'state y' 'state q' 'angle C S = cos(phase) sin(phase)' \
+    'eq x = p + x*C' 'eq p = -x + p*C' 'eq phase = 1/40' 'eq y = 20*q' 'eq q = -20*y' 'periodic phase = 2*pi' > swings.tt
+printf '%s\n' 'model passes' 'state x' 'state p' 'state y' 'state q' 'eq x = p' 'eq p = x - x^3' 'eq y = 1000*q' 'eq q = -1000*y' \
+    > passes.tt
+pi=3.14159265358979323846
+while read -r period case; do
+    jellett section ./${case%% *} --section x=0 ${case#* } > out 2> err || fail "$case: $(cat err)"
+    awk -F, -v T="$period" '/^0,/ && $2 > 0 { n++; turns = T > 0 ? $3/T : 0; off = turns - int(turns + 0.5)
+        bad += !/alive/ || off*off > 1e-14 }
+        END { exit n < 2 || bad }' out || fail "$case: $(tail -1 out)"
+done <<T
+$(awk -v p=$pi 'BEGIN { printf "%.17g", 2*p/sqrt(1 - 1/400^2) }') grows.tt --start p=1e-13,y=1,q=0 --returns 100
+$(awk -v p=$pi 'BEGIN { printf "%.17g", 2*p }') swings.tt --start p=1,phase=0,y=1,q=0 --returns 100
+$(awk -v p=$pi 'BEGIN { printf "%.17g", 2*p }') swings.tt --start p=1,phase=pi,y=1,q=0 --returns 100
+$(awk -v p=$pi 'BEGIN { printf "%.17g", 2*p }') swings.tt --grid p=1,phase=pi,y=1,q=0 --returns 100
+0 passes.tt --start p=1e-7,y=1,q=0 --returns 4 --tol 1e-6
+T
 exit $status
