@@ -224,11 +224,20 @@ static void add_root(ttc_task *task, ttc_conditions *c, uint32_t symbol, ttc_rat
     ttc_conditions_add(c, value, TTC_IS_POSITIVE);
 }
 
+/* What the other table is subject to may use an angle that nothing here uses. Its signs are added if it has a value, which the
+ * domain does not say that it has; and while its sine leaves half of the ring's generators to what the claim uses. */
+static void add_unused_angle(ttc_task *task, ttc_conditions *c, uint32_t cosine)
+{
+    ttc_ring *ring = task->ring;
+    if (ring->status != TTC_RING_OK || ring->generator_count >= TTC_GENERATOR_LIMIT / 2) return;
+    ttc_domain_add_angle(task, c, cosine);
+    if (ring->status != TTC_RING_NO_MEMORY) ring->status = TTC_RING_OK;
+}
+
 void ttc_domain_add(ttc_task *task, ttc_conditions *c, ttc_domain_extent extent)
 {
     const ttc_model *model = task->model;
     const bool parameters_alone = is_of_parameters(task);
-    /* What the other table is subject to may use an angle that nothing here uses. */
     const bool leads_elsewhere = task->claim->target != NULL || task->outer != NULL;
     unsigned char *support = ttc_domain_support(task, extent);
     ttc_ratio value, end;
@@ -252,7 +261,8 @@ void ttc_domain_add(ttc_task *task, ttc_conditions *c, ttc_domain_extent extent)
         /* Evaluating the sine adjoins the root of 1 - C^2, which is real only if a bound cosine C lies between -1 and 1. */
         if (entry->kind == TTC_COSINE && ttc_valuation_is_bound(task->field, i))
             ttc_evaluate(task->field, &value, model->symbols[entry->partner].node);
-        if (entry->kind == TTC_COSINE && (support[i] || leads_elsewhere)) ttc_domain_add_angle(task, c, i);
+        if (entry->kind == TTC_COSINE && support[i]) ttc_domain_add_angle(task, c, i);
+        if (entry->kind == TTC_COSINE && !support[i] && leads_elsewhere) add_unused_angle(task, c, i);
     }
     for (size_t i = 0; i < model->region_count; i++) {
         if (parameters_alone && depends_on_states(model, model->regions[i].expression)) continue;
