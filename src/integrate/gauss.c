@@ -206,7 +206,7 @@ static jlt_status step(jlt_stepper *stepper, double limit)
     const jlt_field *field = stepper->field;
     const unsigned columns = stepper->columns;
     const double asked = jlt_smaller(stepper->h_next, stepper->max_step), size = jlt_smaller(asked, limit);
-    double h = stepper->direction * size, error = NAN, solved_h = 0; /* error: its logarithm */
+    double h = stepper->direction * size, error = NAN, root = 1, solved_h = 0; /* error: its logarithm */
     bool rejected = false, finite = true;
 
     for (;;) {
@@ -226,7 +226,7 @@ static jlt_status step(jlt_stepper *stepper, double limit)
             expand(self, field, &self->nodes, self->trial);
             self->batch->sizes(self->sizes, self->trial, self->nodes.inverse_weight, columns);
             jlt_gauss_error seen = jlt_gauss_error_of(self->sizes, h, stepper->tolerance);
-            error = seen.local;
+            error = seen.local, root = seen.root;
             if (error <= 0) {
                 for (unsigned c = 0; c < columns; c++) {
                     const double move = h * self->trial[c * N] + stepper->x_low[c];
@@ -237,19 +237,19 @@ static jlt_status step(jlt_stepper *stepper, double limit)
                 stepper->evaluations++;
                 for (unsigned c = 0; c < columns; c++) defect += 0 * (self->end[c] + self->end_f[c]);
                 jlt_gauss_error_see_ends(&seen, self->trial, stepper->f, self->end_f, self->nodes.inverse_weight, columns);
-                error = seen.local;
+                error = seen.local, root = seen.root;
                 self->dense_error = jlt_rough_exp2(jlt_larger(jlt_smaller(seen.dense, 999), -999));
                 if (defect == 0 && error <= 0) break;
             }
         }
         finite = solved && isfinite(error) && defect == 0;
         solved_h = finite ? h : 0;
-        h *= finite && error > 0 ? jlt_larger(safety * jlt_rough_exp2((-1.0 / 17) * error), 0.3) : 0.5;
+        h *= finite && error > 0 ? jlt_larger(safety * jlt_rough_exp2(jlt_smaller(-root * error, 99)), 0.3) : 0.5;
         stepper->rejected++;
         rejected = true;
     }
 
-    const double factor = jlt_smaller(safety * jlt_rough_exp2((-1.0 / 17) * error), rejected ? 1 : growth_max);
+    const double factor = jlt_smaller(safety * jlt_rough_exp2(jlt_smaller(-root * error, 99)), rejected ? 1 : growth_max);
     const double proposed = fabs(h) * factor;
     stepper->h_next = !rejected && size < asked ? jlt_larger(proposed, asked) : proposed;
     stepper->h = h;

@@ -11,6 +11,9 @@ static const double scatter = 0.1;  /* 2 of 100 steps fall short of r by more */
 static const double digits = 44;    /* lower coefficients are rounding */
 static const double explained = 2;  /* 1 of 1000 steps of smooth motions misses a slope by more than n_8 times this */
 static const double outside = -6.7; /* half of the part of a step between an outer node and the end beside it */
+static const double noise = 14;     /* errors of slopes leave as many digits at least */
+static const double alike = 4;      /* they show in n_7 as in a slope at an end, up to this */
+static const double smooth = 1.0 / 17;
 
 jlt_gauss_error jlt_gauss_error_of(const double *sizes, double h, double tolerance)
 {
@@ -26,7 +29,8 @@ jlt_gauss_error jlt_gauss_error_of(const double *sizes, double h, double toleran
         last = jlt_larger(last, n[6] + r);
     }
     const double length = jlt_rough_log2(fabs(h)), units = length - jlt_rough_log2(tolerance);
-    return (jlt_gauss_error){ units + last + 9 * r, length + last + r, last + r, units };
+    return (jlt_gauss_error){ .local = units + last + 9 * r, .root = smooth, .dense = length + last + r, .size = size, .rate = r,
+                              .left_out = last + r, .units = units };
 }
 
 void jlt_gauss_error_see_ends(jlt_gauss_error *io, const double *legendre, const double *before, const double *after,
@@ -43,6 +47,8 @@ void jlt_gauss_error_see_ends(jlt_gauss_error *io, const double *legendre, const
     if (more > 0) {
         io->local += 4.5 * more;
         io->dense += more;
+        const double digit = io->size - size, beyond = io->rate + 0.5 * more;
+        if (beyond > 0 && more + io->rate < alike && digit > noise && digit < digits) io->local -= 9 * beyond, io->root = 1;
     }
     if (more > explained) io->local = jlt_larger(io->local, io->units + size + outside);
 }

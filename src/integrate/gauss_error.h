@@ -9,16 +9,21 @@
  *  The slopes at both ends of the step, which are known, show n_8 anew: where the polynomial misses one by q r n_7, q > 1, r counts
  *  as r sqrt(q). No node sees the fiftieth of a step before the first one, or behind the last: a rate that turns there, as where
  *  friction changes its sign, leaves all coefficients as they are. Where the polynomial misses a slope by more than is known of
- *  analytic solutions, the step errs by that over half a fiftieth of its length. */
+ *  analytic solutions, the step errs by that over half a fiftieth of its length.
+ *
+ *  Where slopes are known to fewer digits than states, as a cosine of a large phase, the last coefficients and the slopes at the
+ *  ends show their errors alike: r then comes to no more than 1, and what they leave, and the estimate, is proportional to h. */
 #ifndef JLT_INTEGRATE_GAUSS_ERROR_H
 #define JLT_INTEGRATE_GAUSS_ERROR_H
 
 /* Binary logarithms, as a next step waits for them, and quotients and roots would take most of the time. */
 typedef struct {
-    double local;    /* the error at the end, in tolerances; NaN where coefficients are not finite */
-    double dense;    /* n_8 h, the error inside the step, relative to the states */
-    double left_out; /* n_8 */
-    double units;    /* of h over the tolerance */
+    double local;      /* the error at the end, in tolerances; NaN where coefficients are not finite */
+    double root;       /* no logarithm: local is proportional to h^(1/root) */
+    double dense;      /* n_8 h, the error inside the step, relative to the states */
+    double size, rate; /* n_0, r */
+    double left_out;   /* n_8 */
+    double units;      /* of h over the tolerance */
 } jlt_gauss_error;
 
 /** sizes: shape (JLT_GAUSS_NODES,), binary logarithms of n_k/h. */
