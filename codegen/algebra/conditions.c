@@ -103,7 +103,8 @@ unsigned ttc_conditions_signs(const ttc_conditions *c, const fmpz_mpoly_t polyno
         signs = ttc_conditions_signs_of_sum(signs, term);
     }
     fmpz_clear(coefficient);
-    return signs;
+    const int of_number = signs == TTC_CAN_BE_ANY ? ttc_ring_sign_of_number(c->ring, polynomial) : 0;
+    return of_number > 0 ? TTC_CAN_BE_POSITIVE : of_number < 0 ? TTC_CAN_BE_NEGATIVE : signs;
 }
 
 /* Returns true if a condition of the list implies this one. None is strengthened, as the list may be rewound to any mark. */

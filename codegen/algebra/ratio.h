@@ -104,8 +104,10 @@ void ttc_ratio_add_product(ttc_ring *ring, ttc_ratio *sum, const ttc_ratio *a, c
 bool ttc_ratio_is_zero(ttc_ring *ring, const ttc_ratio *a);
 bool ttc_ratio_equal(const ttc_ring *ring, const ttc_ratio *a, const ttc_ratio *b); /* compares normal forms */
 bool ttc_ratio_uses(const ttc_ring *ring, const ttc_ratio *a, slong variable);
-/* By the signs of all terms: 1 if never negative, -1 if never positive, 0 if neither is evident. */
+/* By the signs of all terms, or as a number: 1 if never negative, -1 if never positive, 0 if neither is evident. */
 int ttc_ratio_sign(const ttc_ring *ring, const ttc_ratio *a);
+/* The sign of a polynomial in positive roots of numbers alone, by balls; 0 if it uses anything else, or is too close to zero. */
+int ttc_ring_sign_of_number(const ttc_ring *ring, const fmpz_mpoly_t polynomial);
 char *ttc_ratio_text(const ttc_ring *ring, const ttc_ratio *a); /* for free(); NULL when memory is out */
 
 /** Numerator of the norm of a over Q(variables): zero exactly where some conjugate of a is zero. */

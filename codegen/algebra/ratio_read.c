@@ -19,7 +19,8 @@ static bool is_positive(const ttc_ring *ring, slong variable)
     return positive;
 }
 
-/* The common sign of all terms if coefficients show it, and odd powers are of positive variables only; otherwise 0. */
+/* The common sign of all terms if coefficients show it, and odd powers are of positive variables only; or that of a number; 0 if
+ * neither is known. */
 static int sign_of(const ttc_ring *ring, const fmpz_mpoly_t polynomial)
 {
     int sign = 0;
@@ -38,7 +39,7 @@ static int sign_of(const ttc_ring *ring, const fmpz_mpoly_t polynomial)
         sign = term;
     }
     fmpz_clear(coefficient);
-    return sign;
+    return sign != 0 ? sign : ttc_ring_sign_of_number(ring, polynomial);
 }
 
 int ttc_ratio_sign(const ttc_ring *ring, const ttc_ratio *a)

@@ -11,9 +11,9 @@ static bool is_never(ttc_task *task, const ttc_conditions *c, ttc_id id, unsigne
     return !(ttc_conditions_signs(c, value->numerator) & signs);
 }
 
-/* An angle that is linear in a state lies between its values at the ends of the interval. If these, with -1, 0, 1 or 2 quarter
- * turns added, lie between 0 and half a turn, the sine of the angle so turned is positive: it is -C, S, C or -S.
- * half: half a turn, pi or the number 3, which is less. */
+/* An angle that is linear in a state lies between its values at the ends of the interval. If these, with some quarter turns added,
+ * lie between 0 and half a turn, the sine of the angle so turned is positive: it is S, C, -S or -C.
+ * half: half a turn, pi or the number 3, which is less, so that only as many turns are added as leave the statement true. */
 static void add_sign(ttc_task *task, ttc_conditions *c, uint32_t cosine, size_t state, ttc_id half, ttc_ratio *value)
 {
     const ttc_model *model = task->model;
@@ -25,7 +25,8 @@ static void add_sign(ttc_task *task, ttc_conditions *c, uint32_t cosine, size_t 
         return;
     const ttc_id ends[] = { ttc_add(graph, entry->definition, ttc_multiply(graph, slope, ttc_subtract(graph, x->low, x->node))),
                             ttc_add(graph, entry->definition, ttc_multiply(graph, slope, ttc_subtract(graph, x->high, x->node))) };
-    for (int quarters = ttc_kind_of(graph, half) == TTC_SYMBOL ? -1 : 0; quarters <= 2; quarters++) {
+    const bool exact = ttc_kind_of(graph, half) == TTC_SYMBOL;
+    for (int quarters = exact ? -3 : 0; quarters <= (exact ? 4 : 2); quarters++) {
         const ttc_id turned = ttc_divide(graph, ttc_multiply(graph, half, ttc_integer(graph, quarters)), ttc_integer(graph, 2));
         bool within = true;
         for (int i = 0; within && i < 2; i++) {
@@ -35,7 +36,7 @@ static void add_sign(ttc_task *task, ttc_conditions *c, uint32_t cosine, size_t 
         }
         if (!within) continue;
         ttc_evaluate(task->field, value, quarters % 2 == 0 ? model->symbols[entry->partner].node : entry->node);
-        if (quarters == -1 || quarters == 2) ttc_conditions_add_negative(c, value, TTC_IS_POSITIVE);
+        if ((quarters & 3) >= 2) ttc_conditions_add_negative(c, value, TTC_IS_POSITIVE);
         else ttc_conditions_add(c, value, TTC_IS_POSITIVE);
     }
 }
