@@ -212,7 +212,7 @@ static bool is_orbit(const jlt_continuation_runner *self, const jlt_continuation
     const double crossing = least_crossing(self, &way, u, at->T);
 
     for (unsigned i = 0; i < self->d; i++) residual = fmax(residual, fabs(at->f[i]));
-    return residual < at->noise * at->scale * crossing && residual <= returns * at->scale * way;
+    return residual < at->noise * at->scale * crossing && residual <= fmax(returns, self->tolerance) * at->scale * way;
 }
 
 /* Test functions at a point, in the order of jlt_bifurcation from FOLD. NaN: does not apply. */

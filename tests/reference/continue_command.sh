@@ -217,6 +217,11 @@ held() { # END DOUBLING ARGUMENT...: rows of cycles.csv; DOUBLING may be empty
     done
 }
 held roessler_c roessler_doubling roessler --section y=0 --set c=2 --along c=2:3.5 --start x=3.753,z=1.354
+# What a residual may be relative to the orbit is no less than the tolerance.
+for tolerance in 1.5e-4 3e-4; do
+    jellett continue roessler --section y=0 --set c=2 --along c=2:3.5 --start x=3.753,z=1.354 --tol $tolerance > out 2> log ||
+        fail "Roessler at tolerance $tolerance: $(cat log)"
+done
 held lorenz_rho '' lorenz --section z=20 --set rho=22 --along rho=16:22 --decreasing --start x=10.29,y=13.36
 held top_E top_doubling --along E=1.9:2.15 --decreasing
 
