@@ -13,6 +13,7 @@ static const double scatter = 0.1;  /* 2 of 100 steps fall short of r by more */
 static const double digits = 44;    /* lower coefficients are rounding */
 static const double explained = 2;  /* 1 of 1000 steps of smooth motions misses a slope by more than n_8 times this */
 static const double limiting = -33; /* of an error in tolerances, above which the next step grows by less than it may */
+static const double notable = 4;    /* of a change of an error: it changes the next step by a sixth */
 static const double outside = -6.7; /* half of the part of a step between an outer node and the end beside it */
 
 jlt_gauss_error jlt_gauss_error_of(const double *sizes, double h, double tolerance)
@@ -82,8 +83,12 @@ unsigned jlt_gauss_error_see_ends(jlt_gauss_error *io, const jlt_gauss_step *ste
 {
     const double miss = jlt_rough_log2(missed(step));
     const jlt_gauss_error seen = corrected(*io, miss, -INFINITY);
-    const bool limits = seen.local > limiting && seen.local > io->local + 1;
 
-    *io = limits ? corrected(*io, miss, jlt_rough_log2(doubted(step))) : seen;
-    return limits ? 1 : 0;
+    /* The next step need not wait for these slopes where they tell nothing that would change it. */
+    if (!(seen.local > 0 || (seen.local > limiting && seen.local > io->local + notable))) {
+        io->dense = seen.dense;
+        return 0;
+    }
+    *io = corrected(*io, miss, jlt_rough_log2(doubted(step)));
+    return 1;
 }

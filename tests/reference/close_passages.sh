@@ -114,14 +114,14 @@ printf '%s\n' 'model anisotropic' 'param mu' 'domain d : mu > 0' 'default mu = 2
     'root r = sqrt(mu*x^2 + y^2)' 'eq x = u' 'eq y = v' 'eq u = -mu*x/r^3' 'eq v = -y/r^3' 'integral H = (u^2 + v^2)/2 - 1/r' \
     > anisotropic.tt
 gutzwiller=(./anisotropic.tt --section y=0 --solve v=1 --tol 1e-8)
-jellett section "${gutzwiller[@]}" --level H=-0.5 --start x=0.35,u=0.2 --returns 60 > out 2> err ||
+jellett section "${gutzwiller[@]}" --level H=-0.5 --start x=0.6184210526,u=-0.3157894737 --returns 60 > out 2> err ||
     fail "the anisotropic Kepler problem: $(cat err)"
 change=$(awk -F, '/^0,60,/ { print ($5^2 + $6^2)/2 - 1/sqrt(2*$4^2) + 0.5 }' out)
 said=$(sed -n 's/.*orbit 0 changes H by \([^,]*\), as errors of .* tolerances in every state and return would.*/\1/p' err)
 awk -v change="$change" -v said="${said:-0}" 'BEGIN { exit !(change > 1e-3 && said > change/2 && said < 2*change) }' ||
     fail "H is off by $change at the last return, and what is said is $(cat err)"
-for which in '--start x=0.35,u=0.2' '--grid x=0.05:1.4:18,u=-2:2:18' \
-    '--sweep mu=1.9:2:2 --grid x=0.05:1.4:18,u=-2:2:18'; do
+for which in '--start x=0.6184210526,u=-0.3157894737' '--grid x=0.05:1.4:20,u=-2:2:20' \
+    '--sweep mu=2:2.1:2 --grid x=0.05:1.4:20,u=-2:2:20'; do
     jellett fates "${gutzwiller[@]}" --level H=-0.5 $which --returns 60 > out 2> err || fail "fates, $which: $(cat err)"
     grep -q 'on [1-9] of [1-9][0-9]* orbits a proved integral changes .*, as H by 0.0[0-9]* from x=.*,u=.*: ' err ||
         fail "fates near a collision, $which: $(cat err)"

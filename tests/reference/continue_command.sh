@@ -200,8 +200,7 @@ awk -F, '/^0,/ { off = $5 - $2 + ($2 > 3.141592653589793 ? 6.283185307179586 : 0
              fail "turning: $(grep '^0,' rows.csv | cut -d, -f2,5 | tr '\n' ' ')"
 
 # Where orbits double, and periods and multipliers at the end of the range, at every tolerance against quadruple precision. Periods
-# err by a tolerance a step at most, and an orbit takes ten; what depends on derivatives errs by a hundred tolerances; doublings are
-# located to 1e-10 of arc.
+# err by the tolerance at most, what depends on derivatives by a hundred times that; doublings are located to 1e-10 of arc.
 held() { # END DOUBLING ARGUMENT...: rows of cycles.csv; DOUBLING may be empty
     local end=$1 doubling=$2 tolerance
     shift 2
@@ -211,7 +210,7 @@ held() { # END DOUBLING ARGUMENT...: rows of cycles.csv; DOUBLING may be empty
             function off(a, b) { return a > b ? a - b : b - a }
             NR == FNR { if ($1 == end) { T = $3; mu = $4 } if ($1 == doubling) at = $2; next }
             /^0,/ { last = $7; largest = $10 } /^0,.*period doubling/ { found = $2 }
-            END { exit !(off(last, T) < 10*tolerance + 1e-13 && off(largest, mu) < 100*tolerance + 1e-10 &&
+            END { exit !(off(last, T) < tolerance + 1e-13 && off(largest, mu) < 100*tolerance + 1e-10 &&
                   (doubling == "" || off(found, at) < 10*tolerance + 1e-10)) }' "$data/cycles.csv" rows.csv ||
             fail "$end, $tolerance: $(grep -e doubling rows.csv) $(tail -1 rows.csv)"
     done
