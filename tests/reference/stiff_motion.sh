@@ -72,7 +72,8 @@ done
 # Orbits in lanes do as well: back on the section they have the velocity with which they left it.
 jellett section ./bilinear.tt --section x=0 --grid v=0.1:2:60 --returns 3 --tol 1e-12 > out || fail "lanes: status $?"
 grep -q 'many orbits at once' out || fail "lanes: $(grep '^#' out)"
-awk -F, '/^[0-9]/ && $2 == 0 { v = $4 } /^[0-9]/ { n++; if (($4 - v)^2 > 1e-10^2) print } END { if (n != 240) print n, "rows" }' out > off
+awk -F, '/^[0-9]/ && $2 == 0 { v = $4 } /^[0-9]/ { n++; if (($4 - v)^2 > 1e-10^2) print } END { if (n != 240) print n " rows" }' \
+    out > off
 [ -s off ] && fail "lanes: $(head -3 off)"
 # The cosine of a large phase is known to fewer digits than a step may err by: its errors do not fall with the step. In a time of
 # 1000 half a unit in the last place of 1e6, 6e-11, moves the phase of an oscillator by 6e-8; methods differ by less than 1e-6.
