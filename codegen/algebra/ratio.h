@@ -108,7 +108,9 @@ bool ttc_ratio_uses(const ttc_ring *ring, const ttc_ratio *a, slong variable);
 int ttc_ratio_sign(const ttc_ring *ring, const ttc_ratio *a);
 /* The sign of a polynomial in positive roots of numbers alone, by balls; 0 if it uses anything else, or is too close to zero. */
 int ttc_ring_sign_of_number(const ttc_ring *ring, const fmpz_mpoly_t polynomial);
-char *ttc_ratio_text(const ttc_ring *ring, const ttc_ratio *a); /* for free(); NULL when memory is out */
+/* "x + root[1], root[1] = sqrt(2)": of a root without a name in the table it is said what it is. For free(); NULL when memory is
+ * out. */
+char *ttc_ratio_text(const ttc_ring *ring, const ttc_ratio *a);
 
 /** Numerator of the norm of a over Q(variables): zero exactly where some conjugate of a is zero. */
 void ttc_ratio_norm(ttc_ring *ring, fmpz_mpoly_t norm, const ttc_ratio *a);

@@ -1,8 +1,8 @@
 /* Properties of a ratio: the variables it uses, its evident sign, its text. */
 #include "algebra/ratio.h"
 
-#include <stdio.h>
-#include <stdlib.h>
+#include "base/text.h"
+
 #include <string.h>
 
 bool ttc_ratio_uses(const ttc_ring *ring, const ttc_ratio *a, slong variable)
@@ -47,17 +47,31 @@ int ttc_ratio_sign(const ttc_ring *ring, const ttc_ratio *a)
     return sign_of(ring, a->numerator) * sign_of(ring, a->denominator);
 }
 
-char *ttc_ratio_text(const ttc_ring *ring, const ttc_ratio *a)
+static void add_ratio(ttc_text *text, const ttc_ring *ring, const ttc_ratio *a)
 {
     char *top = fmpz_mpoly_get_str_pretty(a->numerator, ring->names, ring->context);
     char *bottom = fmpz_mpoly_get_str_pretty(a->denominator, ring->names, ring->context);
-    size_t size = strlen(top) + strlen(bottom) + 6;
-    char *text = malloc(size);
-    if (text != NULL) {
-        if (fmpz_mpoly_is_one(a->denominator, ring->context)) snprintf(text, size, "%s", top);
-        else snprintf(text, size, "(%s)/(%s)", top, bottom);
-    }
+    if (fmpz_mpoly_is_one(a->denominator, ring->context)) ttc_text_add(text, top);
+    else ttc_text_format(text, "(%s)/(%s)", top, bottom);
     flint_free(bottom);
     flint_free(top);
-    return text;
+}
+
+char *ttc_ratio_text(const ttc_ring *ring, const ttc_ratio *a)
+{
+    bool uses[TTC_GENERATOR_LIMIT];
+    ttc_text text = { 0 };
+    add_ratio(&text, ring, a);
+    for (size_t i = 0; i < ring->generator_count; i++) uses[i] = ttc_ratio_uses(ring, a, ring->generators[i].variable);
+    for (size_t i = ring->generator_count; i-- > 0;) { /* a root is made of those before it */
+        const ttc_generator *root = &ring->generators[i];
+        const char *name = ring->names[root->variable];
+        if (!uses[i] || strchr(name, '[') == NULL) continue;
+        ttc_text_format(&text, root->positive ? ", %s = sqrt(" : ", %s^2 = ", name);
+        add_ratio(&text, ring, &root->square);
+        if (root->positive) ttc_text_add(&text, ")");
+        for (size_t k = 0; k < i; k++) uses[k] |= ttc_ratio_uses(ring, &root->square, ring->generators[k].variable);
+    }
+    if (text.failed) ttc_text_clear(&text);
+    return text.bytes;
 }

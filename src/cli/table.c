@@ -279,12 +279,15 @@ jlt_exit jlt_table_others(jlt_way_tables *others, const jlt_descriptor *of, cons
         for (const jlt_claim *claim = next->claims; claim->kind != NULL && others->count < JLT_WAY_TABLES_MAX; claim++) {
             const jlt_way *way;
             char path[PATH_MAX];
+            bool has_said = true; /* of a table that was loaded before */
             if (!leads(&way, next, claim, kind) || jlt_way_among(others, claim->target) != NULL) continue;
             if (may_stay(next, claim, way, model)) continue;
             if (!beside(path, sizeof path, model, claim->file))
                 return jlt_command_fail(JLT_EXIT_IO, "%s: the path is too long", claim->file);
-            JLT_PASS(load(&others->tables[others->count], &(bool){ false }, path, lanes));
-            if (strcmp(others->tables[others->count++]->sha256, claim->target) != 0) return was_edited(path);
+            JLT_PASS(load(&others->tables[others->count], &has_said, path, lanes));
+            if (strcmp(others->tables[others->count]->sha256, claim->target) != 0) return was_edited(path);
+            if (!has_said) jlt_command_warn_unproved(others->tables[others->count]);
+            others->count++;
         }
     return JLT_EXIT_DONE;
 }

@@ -15,9 +15,9 @@ bool jlt_table_is_file(const char *model);
 jlt_exit jlt_table_open(const jlt_descriptor **descriptor, bool *has_said, const char *model, bool lanes);
 
 /** Open the tables to which the user's own table leads by proved records, unless they are built in: each is read, proved and
- *  compiled like that table. of: the table's field; model, lanes: as for jlt_table_open. kind: "reduction", by reductions, also by
- *  those `onto` a table without a condition; NULL: by ways, `reduction NAME : by` and `lift`. Out: *others, empty if `model` is
- *  built in. */
+ *  compiled like that table, and which claims are not proved is printed. of: the table's field; model, lanes: as for
+ *  jlt_table_open. kind: "reduction", by reductions, also by those `onto` a table without a condition; NULL: by ways,
+ *  `reduction NAME : by` and `lift`. Out: *others, empty if `model` is built in. */
 jlt_exit jlt_table_others(jlt_way_tables *others, const jlt_descriptor *of, const char *model, const char *kind, bool lanes);
 
 /** Open a model for a scene, and those tables beside it that reductions lead to; serves as jlt_scene_program.open. Errors: EMPTY,

@@ -106,6 +106,13 @@ printf '%s\n' 'model named' 'state root1' 'state y' 'eq root1 = 0' 'eq y = 0' 'i
     'equal apart : root1 = 0 modulo L' > named.tt
 expect 1 '' ttc prove named.tt
 grep -qF 'root1 = root[1] - 1/2, y = 1, root[1] = sqrt(13/4)' out || fail "a root that a point needs is called: $(grep at out)"
+# Where an expression uses such a root, it is said what the root is.
+printf '%s\n' 'model around' 'state q' 'state k in (0, inf)' 'angle c s = cos(q) sin(q)' 'domain d : 1 - c > 0' 'root r = sqrt(k)' \
+    'lift into plane.tt with x = r*c, y = 0, z = r*s' > around.tt
+printf '%s\n' 'model plane' 'state x' 'state y' 'state z' 'eq x = y' 'eq y = 1' 'eq z = 0' \
+    'section up : by around.tt at y = 0 with q = atan2(z, x), k = x^2 + z^2' > plane.tt
+expect 1 '' ttc prove plane.tt
+grep -qF '(x^2-x*root[1]+z^2)/(x^2+z^2), root[1] = sqrt(x^2+z^2)' out || fail "nobody says what a root is: $(cat out)"
 
 # What is wrong with a claim is said in terms of a quotient that the table names, if that is shorter.
 printf '%s\n' 'model pushed' 'param k' 'state x' 'state u' 'let N = (1 + k*x^2)/(1 + x^2 + u^4)' 'eq x = u' 'eq u = -x - N*u' \

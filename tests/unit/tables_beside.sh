@@ -361,4 +361,16 @@ printf '%s\n' 'model both' 'state X' 'state Y' 'eq X = -X' 'eq Y = -Y' 'reductio
 expect 0 '1 of 1 proved' jellett verify ./right.tt
 sed -i 's/other : onto left/other : onto right/; s/back : onto right/back : onto left/' both.tt
 expect 1 'right.tt:4: where the way leads is elsewhere' jellett verify ./right.tt
+
+# A larger table whose own reduction is refuted does not serve, and each command that has looked at it says so: also where its
+# kernels are in the cache. What lists the table alone does not say that the larger one serves.
+printf '%s\n' 'model small' 'state x' 'eq x = -x' 'tier small "small"' 'lift up : into large.tt with x = x, y = 0' > small.tt
+printf '%s\n' 'model large' 'state x' 'state y' 'eq x = -2*x' 'eq y = x' 'tier large "large"' \
+    'reduction back : onto small.tt with x = x' > large.tt
+for cached in no yes; do
+    expect 0 'large .* no: .*reduction back: chain rule' jellett plan simulate ./small.tt --start x=1 --until 1
+    grep -q "back' is refuted\|reduction back of large is refuted" err ||
+        fail "nobody warns of the larger table (in the cache: $cached): $(cat err)"
+done
+expect 0 'up +part of large  if its reduction is proved' jellett models ./small.tt
 exit $status
