@@ -86,7 +86,7 @@ const char *ttc_ring_status_text(ttc_ring_status status)
     case TTC_RING_LOGARITHM: return "a logarithm is mapped to one that is no sum of those that the model names";
     case TTC_RING_LOG_OF_ZERO: return "the argument of a logarithm vanishes under the conditions of this claim";
     case TTC_RING_LOG_OF_NEGATIVE: return "the argument of a logarithm is not positive under the conditions of this claim";
-    case TTC_RING_PI: return "pi stands in one of the two tables alone: name it in the other, as in 'positive number : pi'";
+    case TTC_RING_PI: return "the number pi stands in one of the two tables, and another quantity has the name pi in the other";
     case TTC_RING_NOT_SETTLED: return "it rests on the independence of exponentials, logarithms or pi, which is not known";
     case TTC_RING_TOO_LARGE: return "an expression grows beyond what is allowed";
     case TTC_RING_NO_MEMORY: return "out of memory";

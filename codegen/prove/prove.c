@@ -54,6 +54,7 @@ static char *copy(const char *text)
 }
 
 struct ttc_proof_run {
+    ttc_model *own; /* of a table that names another: a copy with pi, which is `model` then; else NULL */
     const ttc_model *model;
     ttc_resolver resolver;
     void *resolver_context;
@@ -106,15 +107,25 @@ static void name_proof(ttc_proof_run *run, size_t index, ttc_task *task, const c
     run->proofs[index] = (ttc_proof){ .name = copy(name), .kind = kind, .place = task->claim->place, .status = TTC_UNSETTLED };
 }
 
+static bool names_another(const ttc_model *model)
+{
+    for (size_t i = 0; i < model->claim_count; i++)
+        if (model->claims[i].target != NULL) return true;
+    return model->lift.file != NULL;
+}
+
 ttc_proof_run *ttc_proof_run_create(const ttc_model *model, ttc_resolver resolver, void *context)
 {
     ttc_proof_run *run = calloc(1, sizeof *run);
     if (run == NULL) return NULL;
-    *run = (ttc_proof_run){ .model = model, .resolver = resolver, .resolver_context = context };
+    const bool compares = names_another(model);
+    *run = (ttc_proof_run){ .resolver = resolver, .resolver_context = context };
+    run->own = compares ? ttc_model_with_pi(model) : NULL;
+    run->model = compares ? run->own : model;
     size_t count = model->claim_count + ttc_derived_count(model);
     run->proofs = calloc(count + 1, sizeof *run->proofs);
     run->begun = calloc(count + 1, sizeof *run->begun);
-    bool ok = run->proofs != NULL && run->begun != NULL;
+    bool ok = run->model != NULL && run->proofs != NULL && run->begun != NULL;
     for (; ok && run->count < count; run->count++) {
         with_task(run, run->count, name_proof);
         ok = run->proofs[run->count].name != NULL;
@@ -130,6 +141,7 @@ void ttc_proof_run_destroy(ttc_proof_run *run)
     for (size_t i = 0; i < run->count; i++) clear_proof(&run->proofs[i]);
     free(run->begun);
     free(run->proofs);
+    ttc_model_destroy(run->own);
     free(run);
 }
 
@@ -286,7 +298,10 @@ ttc_model *ttc_resolve(ttc_resolver resolver, void *context, const ttc_model *mo
     if (diagnostics != NULL) ttc_diagnostics_first_error(diagnostics, error, sizeof error);
     ttc_diagnostics_destroy(diagnostics);
     if (read == NULL) snprintf(reason, size, "%s %s could not be read%s%s", what, file, *error == '\0' ? "" : ": ", error);
-    return read;
+    ttc_model *table = read == NULL ? NULL : ttc_model_with_pi(read);
+    if (read != NULL && table == NULL) snprintf(reason, size, "out of memory");
+    ttc_model_destroy(read);
+    return table;
 }
 
 ttc_model *ttc_resolve_beside(void *context, const ttc_model *model, const char *target, ttc_diagnostics *diagnostics)

@@ -296,6 +296,10 @@ ttc_model *ttc_model_parse(const char *text, size_t length, const char *file, tt
  *  NUL. Returns NULL if memory is out or the text has errors. */
 ttc_model *ttc_model_again(const char *text, const char *file);
 
+/** The same table parsed again, with a symbol for the number pi, used or not, unless the table gives that name to something else:
+ *  one alone of two tables that are compared may contain pi. Returns NULL if memory is out. */
+ttc_model *ttc_model_with_pi(const ttc_model *model);
+
 /* ttc_model_parse of a file. That it cannot be read is an error in `diagnostics` too. */
 ttc_model *ttc_model_read(const char *path, ttc_diagnostics *diagnostics);
 

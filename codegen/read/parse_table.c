@@ -140,8 +140,9 @@ static ttc_model *create_model(const char *text, size_t length, const char *file
     return model;
 }
 
-ttc_model *ttc_model_parse(const char *text, size_t length, const char *file, ttc_diagnostics *diagnostics)
+static ttc_model *parse(const char *text, size_t length, const char *file, bool with_pi, ttc_diagnostics *diagnostics)
 {
+    static const ttc_token pi = { .kind = TTC_TOKEN_NAME, .line = 1, .column = 1, .length = 2, .text = "pi" };
     static const ttc_token lambda = { .kind = TTC_TOKEN_NAME, .length = 6, .text = "lambda" };
     ttc_diagnostics_source(diagnostics, file, text, length);
     if (!ttc_source_check(text, length, diagnostics)) return NULL;
@@ -154,6 +155,8 @@ ttc_model *ttc_model_parse(const char *text, size_t length, const char *file, tt
     if (!parser.out_of_memory && ttc_parse_define(&parser, &lambda, TTC_LAMBDA, TTC_NONE, &symbol)) {
         parser.tokens = tokens;
         parse_table(&parser);
+        with_pi = with_pi && !parser.out_of_memory && parser.model->symbol_count < TTC_SYMBOL_LIMIT;
+        if (with_pi && !ttc_parse_find(&parser, &pi, &symbol)) ttc_parse_pi(&parser, &pi, &symbol);
         if (!parser.out_of_memory) ttc_parse_resolve(&parser);
     }
     if (parser.out_of_memory) ttc_report(diagnostics, TTC_ERROR, 1, 1, "out of memory");
@@ -173,13 +176,22 @@ ttc_model *ttc_model_parse(const char *text, size_t length, const char *file, tt
     return NULL;
 }
 
-ttc_model *ttc_model_again(const char *text, const char *file)
+ttc_model *ttc_model_parse(const char *text, size_t length, const char *file, ttc_diagnostics *diagnostics)
+{
+    return parse(text, length, file, false, diagnostics);
+}
+
+static ttc_model *parse_again(const char *text, const char *file, bool with_pi)
 {
     ttc_diagnostics *ignored = ttc_diagnostics_create();
-    ttc_model *model = ignored != NULL ? ttc_model_parse(text, strlen(text), file, ignored) : NULL;
+    ttc_model *model = ignored != NULL ? parse(text, strlen(text), file, with_pi, ignored) : NULL;
     ttc_diagnostics_destroy(ignored);
     return model;
 }
+
+ttc_model *ttc_model_with_pi(const ttc_model *model) { return parse_again(model->text, model->file, true); }
+
+ttc_model *ttc_model_again(const char *text, const char *file) { return parse_again(text, file, false); }
 
 ttc_model *ttc_model_read(const char *path, ttc_diagnostics *diagnostics)
 {

@@ -12,6 +12,26 @@ static bool near(double a, double b)
     return fabs(a - b) <= JLT_LINEARIZATION_TOLERANCE * fmax(fabs(a), fabs(b));
 }
 
+/* The period of a state, 0 where it has none that is proved. */
+static double period_of(const jlt_descriptor *d, unsigned i)
+{
+    const jlt_claim *claim = d->states[i].period > 0 ? jlt_descriptor_claim(d, "periodic", d->states[i].name) : NULL;
+    return claim != NULL && claim->verdict == JLT_PROVED ? d->states[i].period : 0.0;
+}
+
+/* What a state differs by from the value next to it that is `value` or differs from it by periods. */
+static double turns_between(const jlt_descriptor *d, unsigned i, double x, double value)
+{
+    const double period = period_of(d, i), turns = period > 0 ? round((x - value) / period) : 0;
+    return near(x, value) || !isfinite(turns) ? 0.0 : turns * period;
+}
+
+static bool meets(const jlt_descriptor *d, unsigned i, double x, double value)
+{
+    const double turned = turns_between(d, i, x, value);
+    return near(x, value + turned);
+}
+
 bool jlt_family_point(double *point, const jlt_equilibria *family, const jlt_descriptor *d, const double *params, const double *x)
 {
     double imposed[JLT_DESCRIPTOR_VALUES_MAX];
@@ -33,13 +53,21 @@ const jlt_equilibria *jlt_family_of(const jlt_descriptor *d, const double *param
         const int says = (family->trace != NULL) + (family->charpoly != NULL) + (family->matrix != NULL);
         double point[JLT_LINEARIZATION_SIZE_MAX];
         bool on = jlt_family_point(point, family, d, params, x);
-        for (unsigned i = 0; on && i < d->state_count; i++) on = near(point[i], x[i]);
+        for (unsigned i = 0; on && i < d->state_count; i++) on = meets(d, i, x[i], point[i]);
         if (on && says > most) {
             best = family;
             most = says;
         }
     }
     return best;
+}
+
+void jlt_family_turn_back(double *out, const jlt_equilibria *family, const jlt_descriptor *d, const double *params, const double *x)
+{
+    double point[JLT_LINEARIZATION_SIZE_MAX];
+    const bool on = jlt_family_point(point, family, d, params, x);
+
+    for (unsigned i = 0; i < d->state_count; i++) out[i] = on ? x[i] - turns_between(d, i, x[i], point[i]) : x[i];
 }
 
 static bool is_refuted(const jlt_descriptor *d, const jlt_equilibria *family)
@@ -57,13 +85,15 @@ const jlt_equilibria *jlt_family_refuted(const jlt_descriptor *d)
 
 /* How ill the states that were given go with a family: by how many of them it fixes, and worst, where it fixes one at
  * another value than point, shape (state_count,), has. */
-static unsigned misfit(const jlt_equilibria *family, const double *point, const double *x, const unsigned char *given, unsigned n)
+static unsigned misfit(const jlt_equilibria *family, const jlt_descriptor *d, const double *point, const double *x,
+                       const unsigned char *given)
 {
+    const unsigned n = d->state_count;
     unsigned fixed = 0;
 
     for (unsigned i = 0; i < n; i++) {
         if (!given[i] || family->is_free[i]) continue;
-        if (!near(point[i], x[i])) return n + 1;
+        if (!meets(d, i, x[i], point[i])) return n + 1;
         fixed++;
     }
     return fixed;
@@ -81,7 +111,7 @@ void jlt_family_complete(double *x, const unsigned char *given, const jlt_descri
     for (unsigned k = 0; k < d->equilibria_count && least > 0; k++) {
         const jlt_equilibria *family = &d->equilibria[k];
         if (is_refuted(d, family) || !jlt_family_point(point, family, d, params, x)) continue;
-        const unsigned fit = misfit(family, point, x, given, n);
+        const unsigned fit = misfit(family, d, point, x, given);
         if (fit < least) memcpy(best, point, n * sizeof *best);
         least = fit < least ? fit : least;
     }

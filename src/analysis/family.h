@@ -11,8 +11,13 @@
 bool jlt_family_point(double *point, const jlt_equilibria *family, const jlt_descriptor *general, const double *params,
                       const double *x);
 
-/** The family on which x lies; of several, the one with the most formulas; NULL if there is none. */
+/** The family on which x lies, up to periods of its states that are proved; of several, the one with the most formulas; NULL if
+ *  there is none. */
 const jlt_equilibria *jlt_family_of(const jlt_descriptor *general, const double *params, const double *x);
+
+/** Fill out, shape (state_count,), with x less the whole periods by which it is away from the family on which it lies. */
+void jlt_family_turn_back(double *out, const jlt_equilibria *family, const jlt_descriptor *general, const double *params,
+                          const double *x);
 
 /** The first family of which the table's claim is refuted; NULL if there is none. */
 const jlt_equilibria *jlt_family_refuted(const jlt_descriptor *general);

@@ -133,16 +133,18 @@ static jlt_status polynomial(jlt_linearization *r, const double *error)
 static jlt_status formulas(jlt_linearization *r, const jlt_descriptor *general, const double *params, const double *x)
 {
     const size_t n = r->n;
+    double on[SIZE];
 
     r->trace_formula = NAN;
     for (size_t k = 0; k <= n; k++) r->charpoly_formula[k] = NAN;
     r->family = jlt_family_of(general, params, x);
     if (r->family == NULL) return JLT_OK;
+    jlt_family_turn_back(on, r->family, general, params, x);
     if (r->family->trace != NULL)
-        JLT_PASS(jlt_kernel_eval_function(&r->trace_formula, r->family->trace, 1, x, n, params, general->param_count));
+        JLT_PASS(jlt_kernel_eval_function(&r->trace_formula, r->family->trace, 1, on, n, params, general->param_count));
     if (r->family->charpoly != NULL) {
         double c[SIZE + 1];
-        JLT_PASS(jlt_kernel_eval_function(c, r->family->charpoly, n + 1, x, n, params, general->param_count));
+        JLT_PASS(jlt_kernel_eval_function(c, r->family->charpoly, n + 1, on, n, params, general->param_count));
         for (size_t k = 0; k <= n; k++) r->charpoly_formula[k] = k == 0 ? 1.0 : c[k] / c[0];
     }
     return JLT_OK;

@@ -30,6 +30,26 @@ static bool is_one(const jlt_motion_options *options, const jlt_surface *surface
     return true;
 }
 
+/* The parameters that a header names, NaN for those that a sweep changes: the asked table's, whose names users type, then those
+ * that the section's table has beside. Out: shape (at most the number of both,). Returns their number. */
+static size_t list_params(jlt_quantity *out, double *values, const jlt_motion_options *options, const jlt_system *system)
+{
+    const jlt_surface *surface = system->surface;
+    const jlt_descriptor *d = system->instance->descriptor;
+    size_t count = 0;
+
+    for (unsigned i = 0; surface != NULL && i < surface->params; i++) {
+        out[count] = (jlt_quantity){ .name = surface->names[i] };
+        values[count++] = is_swept(options, surface->names[i]) ? NAN : system->values[i];
+    }
+    for (unsigned k = 0; k < d->param_count; k++) {
+        if (surface != NULL && jlt_surface_value(surface, d->params[k].name) < surface->params) continue;
+        out[count] = d->params[k];
+        values[count++] = is_one(options, surface, d, k) ? system->instance->params[k] : NAN;
+    }
+    return count;
+}
+
 unsigned jlt_motion_levels(const jlt_system *system, const char **names, double *values)
 {
     const jlt_surface *surface = system->surface;
@@ -50,16 +70,23 @@ const char *jlt_motion_method(const jlt_motion_options *options)
     return options->flow.method != NULL ? options->flow.method->name : "each";
 }
 
-static void write_solved(FILE *stream, const jlt_system *system)
+/* The levels that are the same in all rows, and the states that are solved for on levels. */
+static void write_levels(FILE *stream, const jlt_system *system, const char *const *names, const double *levels, unsigned count)
 {
+    const unsigned solved = system->flow.chart->solved_count;
     char text[JLT_DIGITS_SIZE];
+    bool fixed = false;
 
-    fputs("; solved for", stream);
-    for (unsigned i = 0; i < system->flow.chart->solved_count; i++) {
+    for (unsigned k = 0; k < count; k++) fixed = fixed || !isnan(levels[k]);
+    if (fixed) fputs("# levels", stream);
+    for (unsigned k = 0; k < count; k++) jlt_decimal_write_named(stream, &(jlt_quantity){ .name = names[k] }, &levels[k], 1);
+    for (unsigned i = 0; i < solved; i++) {
         const jlt_level *level = &system->chart.level.levels[i];
         jlt_digits_shortest(text, level->guess);
-        fprintf(stream, "%s %s from %s", i == 0 ? "" : ",", system->instance->descriptor->states[level->state].name, text);
+        fprintf(stream, "%s %s from %s", i > 0 ? "," : fixed ? "; solved for" : "# solved for",
+                system->instance->descriptor->states[level->state].name, text);
     }
+    if (fixed || solved > 0) fputc('\n', stream);
 }
 
 void jlt_motion_header(FILE *stream, const jlt_motion_options *options, const jlt_system *system)
@@ -68,26 +95,21 @@ void jlt_motion_header(FILE *stream, const jlt_motion_options *options, const jl
     const jlt_chart *chart = system->flow.chart;
 
     const jlt_descriptor *d = system->instance->descriptor;
-    JLT_FREED double *params = malloc((d->param_count + 1) * sizeof *params);
+    const size_t room = d->param_count + (system->surface != NULL ? system->surface->params : 0) + 1;
+    JLT_FREED double *params = malloc(room * sizeof *params);
+    JLT_FREED jlt_quantity *quantities = malloc(room * sizeof *quantities);
     double levels[JLT_INVARIANTS_MAX];
     const char *names[JLT_INVARIANTS_MAX], *method = jlt_motion_method(options);
     char digits[JLT_DIGITS_SIZE];
     const unsigned level_count = jlt_motion_levels(system, names, levels);
 
-    if (params == NULL) return;
-    for (unsigned k = 0; k < d->param_count; k++)
-        params[k] = is_one(options, system->surface, d, k) ? system->instance->params[k] : NAN;
+    if (params == NULL || quantities == NULL) return;
+    const size_t param_count = list_params(quantities, params, options, system);
     for (unsigned k = 0; k < level_count; k++)
         if (is_swept(options, names[k])) levels[k] = NAN;
-    jlt_csv_header(stream, &(jlt_csv_settings){ options->common.command, d, params, names, levels, level_count,
-                                                method, options->flow.tolerance, NULL });
-    if (level_count > 0) {
-        fputs("# levels", stream);
-        for (unsigned k = 0; k < level_count; k++)
-            jlt_decimal_write_named(stream, &(jlt_quantity){ .name = names[k] }, &levels[k], 1);
-        if (chart->solved_count > 0) write_solved(stream, system);
-        fputc('\n', stream);
-    }
+    jlt_csv_header(stream, &(jlt_csv_settings){ options->common.command, d, quantities, param_count, params, names, levels,
+                                                level_count, method, options->flow.tolerance, NULL });
+    write_levels(stream, system, names, levels, level_count);
     jlt_digits_shortest(digits, ldexp(chart->level, system->flow.units.state[chart->column]));
     fprintf(stream, "# section %s=%s crossed %s; method %s, tolerance %.3g", d->states[chart->column].name,
             digits, directions[options->flow.direction + 1], method, options->flow.tolerance);

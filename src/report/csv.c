@@ -22,13 +22,23 @@ static json_t *text_or_null(const char *text)
 
 static const char *unproved(const jlt_csv_settings *s) { return s->unproved != NULL ? s->unproved : s->descriptor->unproved; }
 
+static const jlt_quantity *quantities(const jlt_csv_settings *s)
+{
+    return s->quantities != NULL ? s->quantities : s->descriptor->params;
+}
+
+static size_t param_count(const jlt_csv_settings *s)
+{
+    return s->quantities != NULL ? s->param_count : s->descriptor->param_count;
+}
+
 static void write_json(FILE *stream, const jlt_csv_settings *s)
 {
     const jlt_descriptor *d = s->descriptor;
     json_t *params = json_object(), *levels = json_object(), *whole;
 
-    for (unsigned i = 0; i < d->param_count; i++)
-        if (!isnan(s->params[i])) (void)json_object_set_new(params, d->params[i].name, jlt_json_number(s->params[i]));
+    for (size_t i = 0; i < param_count(s); i++)
+        if (!isnan(s->params[i])) (void)json_object_set_new(params, quantities(s)[i].name, jlt_json_number(s->params[i]));
     for (size_t i = 0; i < s->level_count; i++)
         if (!isnan(s->levels[i])) (void)json_object_set_new(levels, s->level_names[i], jlt_json_number(s->levels[i]));
     whole = json_pack("{s:o, s:s, s:s, s:o, s:o, s:o, s:s, s:s, s:o, s:o, s:o, s:o}", "command", text_or_null(s->command),
@@ -53,7 +63,7 @@ void jlt_csv_header(FILE *stream, const jlt_csv_settings *settings)
     fprintf(stream, " (table %s, %s)\n", descriptor->sha256, descriptor->generator);
     if (unproved(settings) != NULL) fprintf(stream, "# these rest on claims that are not proved: %s\n", unproved(settings));
     fputc('#', stream);
-    jlt_decimal_write_named(stream, descriptor->params, settings->params, descriptor->param_count);
+    jlt_decimal_write_named(stream, quantities(settings), settings->params, param_count(settings));
     fputc('\n', stream);
     write_json(stream, settings);
 }

@@ -10,6 +10,8 @@
 typedef struct {
     const char *command; /* the command line as typed; NULL: not known */
     const jlt_descriptor *descriptor;
+    const jlt_quantity *quantities; /* (param_count,), the parameters; NULL: those of the descriptor, in its order and number */
+    size_t param_count;
     const double *params; /* (param_count,), NaN for one that changes from row to row */
     const char *const *level_names; /* (level_count,) */
     const double *levels;           /* their values, (level_count,), NaN for one that changes from row to row */

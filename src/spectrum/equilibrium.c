@@ -90,6 +90,16 @@ static bool untouched(double x, const char *fraction)
     return fraction != NULL && jlt_number_parse(&typed, fraction, strlen(fraction)) == JLT_OK && !(typed < x) && !(typed > x);
 }
 
+/* Which states are away from the family, NULL for none, by whole periods. */
+static void find_turned(unsigned char *turned, const jlt_equilibria *family, const jlt_descriptor *d, const double *params,
+                        const double *x)
+{
+    double on[JLT_LINEARIZATION_SIZE_MAX];
+
+    if (family != NULL) jlt_family_turn_back(on, family, d, params, x);
+    for (size_t i = 0; i < d->state_count; i++) turned[i] = family != NULL && (on[i] < x[i] || on[i] > x[i]);
+}
+
 /* Recompute the report in ball arithmetic from the exact values, with exact numbers where the point allows them. On failure the
  * numbers stay those of doubles, and the verdict becomes undecided. */
 static jlt_status enclose(jlt_linearization *result, const jlt_equilibrium_question *q, const double *params, const double *x,
@@ -97,7 +107,7 @@ static jlt_status enclose(jlt_linearization *result, const jlt_equilibrium_quest
 {
     const jlt_descriptor *d = q->descriptor;
     const jlt_equilibria *family = result->family;
-    const unsigned char *given = q->find && family != NULL ? family->is_free : q->given;
+    unsigned char given[JLT_LINEARIZATION_SIZE_MAX], turned[JLT_LINEARIZATION_SIZE_MAX];
     JLT_FREED jlt_ball_value *exact = calloc(d->param_count + 1, sizeof *exact);
     jlt_ball_value exact_x[JLT_LINEARIZATION_SIZE_MAX];
     jlt_exact_matrix *matrix = NULL;
@@ -105,9 +115,13 @@ static jlt_status enclose(jlt_linearization *result, const jlt_equilibrium_quest
 
     if (exact == NULL) return st;
     for (size_t i = 0; i < d->param_count; i++) exact[i] = (jlt_ball_value){ params[i], q->params[i] };
+    find_turned(turned, family, d, params, x);
+    for (size_t i = 0; i < d->state_count; i++)
+        given[i] = turned[i] || (q->find && family != NULL ? family->is_free[i] : q->given[i]);
     for (size_t i = 0; i < d->state_count; i++) exact_x[i] = (jlt_ball_value){ x[i], fractions[i] };
     st = jlt_exact_point_linearize(&matrix, q->oracle, exact, exact_x, family == NULL ? NULL : family->name, given);
     if (st == JLT_OK) st = jlt_linearization_enclose(result, d, exact, exact_x, matrix, q->digits);
+    for (size_t i = 0; i < d->state_count; i++) given[i] = given[i] && !turned[i];
     if (st == JLT_OK) enclose_formulas(result, q->oracle, given);
     if (st != JLT_OK) {
         result->verdict = JLT_UNDECIDED;

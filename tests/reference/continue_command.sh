@@ -88,6 +88,7 @@ printf '%s\n' 'model axis' 'state x' 'state y' 'state px' 'state py' 'eq x = px'
     'eq py = - y - x^2 + y^2' 'integral H = (px^2 + py^2)/2 + (x^2 + y^2)/2 + x^2*y - y^3/3' > axis.tt
 jellett continue ./axis.tt --section y=0 --solve py=0.3 --level H=0.05 --start x=0,px=0 --along H=0.01:0.166666 -o rows.csv \
     2> log || fail "the axis: status $?"
+grep -q "^# solved for py from 0.3$" rows.csv || fail "the header of a level that runs: $(grep solved rows.csv)"
 awk -F, '/^0,/ && $17 != "" { printf "%.9f %s\n", 6*$2, $17 }' rows.csv > found
 printf '%s\n' '0.811715516 period doubling' '0.915214413 period doubling' '0.969309091 branch point' '0.986709235 branch point' \
     '0.995013005 period doubling' '0.997849055 period doubling' '0.999187843 branch point' '0.999649824 branch point' \

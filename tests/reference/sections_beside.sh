@@ -68,6 +68,7 @@ expect 3 'K = -1: small needs K > 0' jellett section ./big.tt --sweep K=-1:0:2 -
 sed 's/model big/model more/; s/^state x/param q >= 0\ndefault q = 0\n&/; s/^integral K/observe moved = x + q\n&/' big.tt > more.tt
 expect 0 '^0,1,' jellett section ./more.tt --set q=1 --start x=-1 --returns 1
 awk -F, -v T="$(period 1 1)" '/^0,1,/ { exit !(($3 - T)^2 < 1e-22) }' out || fail "beside q: $(tail -1 out)"
+expect 0 '^# q=1 K=1$' jellett section ./more.tt --set q=1 --start x=-1 --returns 1
 expect 0 '^1,0,1,' jellett section ./more.tt --sweep q=0:1:2 --start x=-1 --returns 1
 expect 0 '^1,1,' jellett fates ./more.tt --sweep q=0:1:2 --grid x=-1 --returns 1
 expect 3 'q = -1: more needs q >= 0' jellett section ./more.tt --set q=-1 --start x=-1 --returns 1
@@ -106,9 +107,9 @@ section turning : by spots.tt at p = 0 with x = x
 TABLE
 printf 'model spots\nparam c > 0\nparam K > 0\ndefault K = 1, c = 5\nstate x\nlift into hard.tt with x = x, p = 0\n' > spots.tt
 row='NR > 1 && /^0,1,/ { exit !(($3 - T)^2 < 1e-22) } END { if (NR < 2) exit 1 }'
-expect 0 '^# c=1 K=1$' jellett section ./mapped.tt --start x=-1 --returns 1
+expect 0 '^# J=2 c=1 K=1$' jellett section ./mapped.tt --start x=-1 --returns 1
 awk -F, -v T="$(period 1 1)" "$row" out || fail "c from the default of J: $(tail -1 out)"
-expect 0 '^# c=2 K=2$' jellett section ./mapped.tt --set J=4 --level K=2 --start x=-1 --returns 1
+expect 0 '^# J=4 c=2 K=2$' jellett section ./mapped.tt --set J=4 --level K=2 --start x=-1 --returns 1
 awk -F, -v T="$(period 2 1.4142135623730951)" "$row" out || fail "c from J=4: $(tail -1 out)"
 expect 0 '^2,0,1,' jellett section ./mapped.tt --sweep J=2:4:2 --start x=-1 --returns 1
 expect 0 '^# K=1$' jellett section ./mapped.tt --sweep J=2:4:2 --start x=-1 --returns 1
@@ -123,7 +124,7 @@ mkdir same
 cp spots.tt same
 sed 's/\<J\>/c/g' mapped.tt > same/mapped.tt
 sed 's/J = 2/c = 2/' hard.tt > same/hard.tt
-expect 0 '^# c=2 K=2$' jellett section same/mapped.tt --set c=4 --level K=2 --start x=-1 --returns 1
+expect 0 '^# c=4 K=2$' jellett section same/mapped.tt --set c=4 --level K=2 --start x=-1 --returns 1
 awk -F, -v T="$(period 2 1.4142135623730951)" "$row" out || fail "c from c=4: $(tail -1 out)"
 expect 0 '' jellett section same/mapped.tt --set c=4 --level K=2 --start x=-1 --returns 1 --plot shown.svg --keep shown.gp
 grep -q 'c=4, K=2}' shown.gp || fail "the caption of a picture is not in what is typed: $(grep 'set title' shown.gp)"
@@ -157,7 +158,7 @@ printf 'eq w = 0*w\nreduction fixed : by other.tt with x = x, p = p, z = z, J = 
 expect 3 'the reduction held sets K of hard to something other' jellett section ./wide.tt --start x=-1 --returns 1
 # A claim that is refuted hides none that is proved.
 sed 's/^reduction held/reduction wrong : by hard.tt with x = -x, p = p, K = K, c = J\/2\n&/' mapped.tt > first.tt
-expect 0 '^# c=1 K=1$' jellett section ./first.tt --start x=-1 --returns 1
+expect 0 '^# J=2 c=1 K=1$' jellett section ./first.tt --start x=-1 --returns 1
 # Orbits turn over at both poles where the clause `turns` is positive at both.
 mkdir tilted
 cp "$JLT_SOURCE_DIR"/codegen/models/spherical_top*.tt tilted

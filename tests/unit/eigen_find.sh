@@ -35,4 +35,19 @@ convection 1/1073741824 1 1073741824
 printf '%s\n' 'model stiff' 'state x' 'state y' 'eq x = 1e12*(1 - x)' 'eq y = 3 - y' > "$scratch/stiff.tt"
 jellett eigen "$scratch/stiff.tt" --at x=0,y=0 --find 2>&1 | grep -q '^state  *x=1 y=3$' ||
     { echo "stiff: no equilibrium"; status=1; }
+
+# A state that is periods away from a family lies on it, and the formulas are those of the family's point. Oracle: the trace is -b.
+printf '%s\n' 'model pendulum' 'param b >= 0' 'default b = 1/8' 'state th' 'state w' 'angle c s = cos(th) sin(th)' 'eq th = w' \
+    'eq w = - s - b*w' 'periodic th = 2*pi' 'equilibria down : th = 0, w = 0' 'trace down = th - b' \
+    'equilibria up : th = pi, w = 0' 'trace up = -b' > "$scratch/pendulum.tt"
+sed '/^periodic/d' "$scratch/pendulum.tt" > "$scratch/line.tt"
+on() { # FAMILY FORMULA TABLE OPTION...
+    jellett eigen "$scratch/$3.tt" "${@:4}" > "$scratch/out" 2>&1
+    grep -q "^family  *$1\$" "$scratch/out" && [ "$(sed -n 's/^trace.*formula //p' "$scratch/out")" = "$2" ] ||
+        { echo "${*:3}: not $1 with $2: $(grep -E '^family|^trace|jellett' "$scratch/out")"; status=1; }
+}
+for turned in 0 2*pi -4*pi; do on down -0.125 pendulum --at "th=$turned"; done
+for turned in pi 3*pi -pi; do on up -0.125 pendulum --at "th=$turned"; done
+on down -0.125 pendulum --at th=6.2 --find
+on 'none of the table' '' line --at 'th=2*pi'
 exit $status
