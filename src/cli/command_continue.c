@@ -101,7 +101,6 @@ typedef struct {
     jlt_system_family *systems;
     const jlt_observed *observed;
     jlt_orbit_losses losses; /* of the branch */
-    double defect, blurred_at; /* of the branch: the worst defect of det DP, if it is above `blurred`; where it first was */
     unsigned kinds, lines; /* in the picture: bit k, bifurcations of kind k; bit 0, unstable orbits, bit 1, stable ones */
 } table;
 
@@ -144,24 +143,12 @@ static void watch_stability(table *self, size_t branch, const jlt_continuation_p
     self->clear_at = point->value;
 }
 
-/* Types of orbits, and bifurcations, are told by multipliers to this distance from the unit circle. */
-static const double blurred = 1e-7;
-
-static void watch_defect(table *self, size_t branch, const jlt_continuation_point *point)
-{
-    if (self->rows == 0 || branch != self->branch) self->defect = 0;
-    if (!(fabs(point->orbit.defect) > fmax(self->defect, blurred))) return;
-    if (self->defect == 0) self->blurred_at = point->value;
-    self->defect = fabs(point->orbit.defect);
-}
-
 static jlt_status take(void *context, size_t branch, const jlt_continuation_point *point)
 {
     table *self = context;
     jlt_map *map;
 
     watch_stability(self, branch, point);
-    watch_defect(self, branch, point);
     if (self->rows == 0 || branch != self->branch) self->losses = (jlt_orbit_losses){ .orbits = 0 };
     JLT_PASS(jlt_system_map_at(self->systems, &map, point->value));
     jlt_orbit_losses_add(&self->losses, jlt_map_flow(map), &point->orbit, point->value);
@@ -208,10 +195,6 @@ static void tell_end(void *context, const jlt_tree_end *e)
         snprintf(text, sizeof text, "branch %zu: ", e->branch);
         jlt_orbit_losses_tell(&self->losses, self->observed, text);
     }
-    if (self->branch == e->branch && self->defect > 0)
-        fprintf(stderr, "jellett: branch %zu: from %.10g on det DP differs from what flux and divergence make it by up to %.2g of "
-                "its terms: multipliers are known no better there (a stiff motion, or a pass close to a singularity)\n",
-                e->branch, self->blurred_at, self->defect);
 }
 
 static void tell_left(const jlt_tree_left *left, size_t generations)

@@ -28,7 +28,8 @@ static const struct argp_option option_table[] = {
       "A point near the saddle: a value for every coordinate of the section; for the spherical top default the saddle of "
       "Figure 3", 1 },
     { "period", 'n', "N", 0, "The saddle's orbit closes after N returns; default 1", 1 },
-    { "length", LENGTH, "VALUE", 0, "Arc length of every branch, in coordinates of the section; default 1.6", 1 },
+    { "length", LENGTH, "VALUE", 0, "Arc length of every branch, which ends with the first point beyond it, in coordinates of "
+      "the section; default 1.6", 1 },
     { "spacing", SPACING, "VALUE", 0, "Largest distance between neighbouring points, in coordinates; default 0.01", 1 },
     { "turn", TURN, "VALUE", 0, "Largest angle between neighbouring segments, in radians; default 0.2", 1 },
     { "count", COUNT, "N", 0, "Compute at most N points on a branch, by at most 100*N returns; default 4000", 1 },

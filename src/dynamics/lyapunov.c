@@ -8,10 +8,12 @@
 #include "dynamics/linear.h"
 #include "ext/eigen.h"
 
+static double tolerance_of(const jlt_flow *flow) { return flow->tolerance != 0 ? flow->tolerance : JLT_ORBIT_TOLERANCE; }
+
 /* The relative length below which errors of the tolerance change a vector of DP by more than a thousandth. */
 static double noise_of(const jlt_flow *flow)
 {
-    return 1e3 * (flow->tolerance != 0 ? flow->tolerance : JLT_ORBIT_TOLERANCE);
+    return 1e3 * tolerance_of(flow);
 }
 
 /* Replace the columns of `frame` by A = `slope` times them, orthonormalised by modified Gram-Schmidt, twice, and add the
@@ -58,15 +60,39 @@ static void begin_frame(double *frame, unsigned d)
         for (unsigned k = 0; k < d; k++) frame[i * d + k] = (i == k) - 2 * v[i] * v[k] / square;
 }
 
+/* Whether a return from q begins at a saddle, as near as at_saddle of the state says. slope: DP in units of the coordinates' sizes.
+ * Errors by which an orbit leaves a separatrix are about the tolerance, and it then passes at the root of that; thin attractors
+ * bring orbits as near by chance. */
+static bool is_at_saddle(const double *q, const jlt_map_batch_return *p, const double *slope, const jlt_flow *flow)
+{
+    static const double keeps = 0.1, stretches = 1.1;
+    const unsigned d = flow->chart->dim;
+    const double near = sqrt(tolerance_of(flow));
+    double fixed[JLT_CHART_DIM_MAX * JLT_CHART_DIM_MAX], move[JLT_CHART_DIM_MAX], off[JLT_CHART_DIM_MAX], re[JLT_CHART_DIM_MAX],
+        im[JLT_CHART_DIM_MAX];
+
+    if (!(p->flux_determinant > keeps)) return false;
+    jlt_chart_difference(flow->chart, move, p->q, q);
+    jlt_chart_scaled(flow->chart, move, move);
+    if (!(jlt_linear_length(move, d) < near * (1 + jlt_linear_length(slope, d * d)))) return false;
+    for (unsigned i = 0; i < d * d; i++) fixed[i] = slope[i] - (i % (d + 1) == 0);
+    if (jlt_eigen_least_squares(off, fixed, move, d, d, 1e-14) != JLT_OK || !(jlt_linear_length(off, d) < near)) return false;
+    if (jlt_linear_eigenvalues(re, im, slope, d) != JLT_OK) return false;
+    return hypot(re[0], im[0]) > stretches && hypot(re[d - 1], im[d - 1]) < 1 / stretches;
+}
+
 /* Add a return to the state. frame: shape (d, d); growth: shape (d,); expansion: summed over returns. */
 static void count_return(jlt_lyapunov_state *state, double *frame, double *growth, double *expansion, const jlt_map_batch_return *p,
                          const jlt_flow *flow)
 {
+    static const double far = 1e-3; /* a move of a return, by far more than those of returns at a saddle */
     const unsigned d = flow->chart->dim;
     double slope[JLT_CHART_DIM_MAX * JLT_CHART_DIM_MAX];
 
     jlt_chart_scaled_slope(flow->chart, slope, p->slope);
     if (step_frame(frame, growth, slope, p->flux_determinant, noise_of(flow), d)) state->blurred++;
+    state->has_left |= state->at_saddle > 0 && jlt_chart_distance(flow->chart, p->q, state->q) > far;
+    if (state->at_saddle == 0 && is_at_saddle(state->q, p, slope, flow)) state->at_saddle = state->returns + 1;
     memcpy(state->q, p->q, d * sizeof *p->q);
     state->t += p->T;
     state->returns++;

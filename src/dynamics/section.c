@@ -8,6 +8,7 @@
 #include "dynamics/chart_crossing.h"
 #include "dynamics/section_conditions.h"
 #include "dynamics/settling.h"
+#include "integrate/epoch.h"
 #include "integrate/locate.h"
 #include "integrate/rest.h"
 
@@ -19,15 +20,16 @@ struct jlt_section {
     jlt_observed_one conditions[JLT_ORBIT_EVENTS_MAX];
     size_t number;
     int time_direction;
-    double t_start;  /* of the current return */
-    double x[JLT_CHART_STATES_MAX]; /* at t_start */
+    jlt_epoch began; /* when the integrator was started last, since the orbit's start */
+    double clock;    /* of the integrator, at the current return, */
+    double x[JLT_CHART_STATES_MAX]; /* which is here */
     jlt_fate start_fate; /* other than alive: the orbit ends where it starts */
     bool rests;          /* at the last return the orbit was found to come to rest */
     jlt_rest_watch rest;
     jlt_settling settling;
     bool settled; /* the orbit has settled on the section */
     double limit[JLT_CHART_STATES_MAX]; /* when rests: the equilibrium */
-    bool accepted;   /* restart the integrator at (t_start, x): it has not been there, or its state differs by turns */
+    bool accepted;   /* restart the integrator at x: it has not been there, or its state differs by turns */
     jlt_section_conditions watched; /* the model's conditions since the start */
 };
 
@@ -100,7 +102,8 @@ static int watch(void *context, jlt_orbit *orbit)
     const jlt_stepper *stepper = jlt_orbit_stepper(orbit);
 
     jlt_section_conditions_step(&self->watched, orbit);
-    self->settled = jlt_settling_step(&self->settling, distance_in_errors(self, stepper), fabs(jlt_stepper_time(stepper)));
+    self->settled = jlt_settling_step(&self->settling, distance_in_errors(self, stepper),
+                                      fabs(jlt_epoch_time(&self->began, jlt_stepper_time(stepper))));
     return self->settled || jlt_rest_watch_step(&self->rest, stepper, self->limit);
 }
 
@@ -207,7 +210,8 @@ static jlt_status begin(jlt_section *self, jlt_return *row, const double *x, int
     self->start_fate = JLT_FATE_ALIVE;
     if (st != JLT_OK && !jlt_section_fate_of(&self->start_fate, st)) return st;
     self->number = 0;
-    self->t_start = 0;
+    self->began = (jlt_epoch){ 0, 0 };
+    self->clock = 0;
     self->accepted = self->rests = false;
     self->rest = (jlt_rest_watch){ 0 };
     self->settling = (jlt_settling){ 0 };
@@ -242,7 +246,6 @@ jlt_status jlt_section_start_state(jlt_section *self, jlt_return *row, const dou
 static void end(jlt_section *self, jlt_return *row, double t, const double *x, jlt_fate fate)
 {
     self->number++;
-    self->t_start = t;
     jlt_section_conditions_end(&self->watched);
     fill(row, self, t, x, false);
     set_fate(row, self, x, fate);
@@ -263,30 +266,32 @@ static void end_at_pole(jlt_section *self, jlt_return *row, const jlt_outcome *o
 {
     const jlt_chart *chart = self->flow.chart;
 
-    end(self, row, outcome->t, outcome->x, JLT_FATE_LEFT_DOMAIN);
+    end(self, row, jlt_epoch_time(&self->began, outcome->t), outcome->x, JLT_FATE_LEFT_DOMAIN);
     if (chart->side != NULL) row->fate = jlt_section_fate_at_pole(chart->side(chart, row->x));
 }
 
 /* Make *row the end that the outcome reports, which is no crossing of the section. */
 static void end_by(jlt_section *self, jlt_return *row, const jlt_outcome *outcome)
 {
+    const double t = jlt_epoch_time(&self->began, outcome->t);
+
     switch (outcome->end) {
-    case JLT_END_TIME: end(self, row, outcome->t, outcome->x, JLT_FATE_BUDGET); return;
+    case JLT_END_TIME: end(self, row, t, outcome->x, JLT_FATE_BUDGET); return;
     case JLT_END_EVENT:
         jlt_section_conditions_arrive(&self->watched, outcome->crossing.theta, outcome->x);
         jlt_section_conditions_turn(&self->watched);
-        end(self, row, outcome->t, outcome->x, JLT_FATE_INVALID);
+        end(self, row, t, outcome->x, JLT_FATE_INVALID);
         row->lost = outcome->crossing.event - self->crossings;
         return;
     case JLT_END_OBSERVER:
         if (self->settled && !jlt_rest_ends(jlt_orbit_stepper(self->orbit), self->limit))
-            end(self, row, outcome->t, outcome->x, JLT_FATE_BUDGET);
+            end(self, row, t, outcome->x, JLT_FATE_BUDGET);
         else if (is_pole(self)) end_at_pole(self, row, outcome);
-        else end(self, row, outcome->t, self->limit, JLT_FATE_EQUILIBRIUM);
+        else end(self, row, t, self->limit, JLT_FATE_EQUILIBRIUM);
         return;
     case JLT_END_POLE: end_at_pole(self, row, outcome); return;
     case JLT_END_INTERRUPT:
-        end(self, row, outcome->t, outcome->x, JLT_FATE_ALIVE);
+        end(self, row, t, outcome->x, JLT_FATE_ALIVE);
         row->interrupted = true;
     }
 }
@@ -295,7 +300,7 @@ jlt_status jlt_section_next(jlt_section *self, jlt_return *row)
 {
     jlt_status st = JLT_OK;
     const jlt_stepper *stepper = jlt_orbit_stepper(self->orbit);
-    jlt_outcome outcome = { .t = self->t_start, .x = self->x };
+    jlt_outcome outcome = { .t = 0, .x = self->x };
     jlt_fate fate;
 
     if (self->start_fate != JLT_FATE_ALIVE) {
@@ -303,27 +308,28 @@ jlt_status jlt_section_next(jlt_section *self, jlt_return *row)
         return JLT_OK;
     }
     if (self->rests) {
-        end(self, row, self->t_start, self->limit, JLT_FATE_EQUILIBRIUM);
+        end(self, row, jlt_epoch_time(&self->began, self->clock), self->limit, JLT_FATE_EQUILIBRIUM);
         return JLT_OK;
     }
     if (self->accepted) {
         jlt_section_conditions_turn(&self->watched);
-        st = jlt_orbit_start(self->orbit, self->t_start, self->x, self->time_direction);
+        jlt_epoch_move(&self->began, &self->clock);
+        st = jlt_orbit_start(self->orbit, 0, self->x, self->time_direction);
     }
     self->accepted = false;
     const jlt_crossing_search search = { self->flow.chart, self->flow.direction, self->events, self->crossings, self->event_count,
                                          self->flow.field->dim, self->flow.max_steps };
     if (st == JLT_OK)
-        st = jlt_chart_crossing_find(&search, self->orbit, self->t_start + self->time_direction * self->flow.t_max,
+        st = jlt_chart_crossing_find(&search, self->orbit, self->clock + self->time_direction * self->flow.t_max,
                                      self->time_direction, &outcome);
     if (st != JLT_OK) {
         if (!jlt_section_fate_of(&fate, st)) return st;
-        end(self, row, outcome.t, outcome.x, fate);
+        end(self, row, jlt_epoch_time(&self->began, outcome.t), outcome.x, fate);
     } else if (outcome.end == JLT_END_EVENT && outcome.crossing.event < self->crossings) {
         self->number++;
-        self->t_start = outcome.t;
+        self->clock = outcome.t;
         arrive(self, outcome.crossing.theta, outcome.x);
-        fill(row, self, outcome.t, self->x, true);
+        fill(row, self, jlt_epoch_time(&self->began, outcome.t), self->x, true);
         row->direction = outcome.crossing.direction;
         self->accepted = self->flow.chart->turn != 0; /* self->x was turned back */
         self->rest = (jlt_rest_watch){ 0 };
@@ -342,7 +348,8 @@ void jlt_section_accept(jlt_section *self, jlt_return *row, double t, const doub
     double f[JLT_CHART_STATES_MAX];
 
     self->number++;
-    self->t_start = t;
+    self->began = (jlt_epoch){ t, 0 };
+    self->clock = 0;
     self->accepted = true;
     jlt_section_conditions_turn(&self->watched);
     self->flow.field->call(x, self->flow.field->p, f);
@@ -354,7 +361,8 @@ void jlt_section_accept(jlt_section *self, jlt_return *row, double t, const doub
 void jlt_section_resume(jlt_section *self, size_t number, double t, const double *x)
 {
     self->number = number;
-    self->t_start = t;
+    self->began = (jlt_epoch){ t, 0 };
+    self->clock = 0;
     self->accepted = true;
     memcpy(self->x, x, self->flow.chart->states * sizeof *x);
 }

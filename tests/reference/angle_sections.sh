@@ -167,4 +167,15 @@ for options in '--tol 1e-13' '--tol 1e-12 --backward' '--tol 1e-12 --backward --
     awk -F, -v pi=3.141592653589793 '/^[0-9]/ { n++; t = $3 < 0 ? -$3 : $3; bad += (t - 2*pi*$2)^2 > 1e-20 }
         END { exit !(n == 8000 && !bad) }' out || fail "a phase is crossed twice at once, with $options"
 done
+
+# Twenty thousand returns of one period: rounding errors of their times do not add up, neither one orbit at a time, where each
+# return begins anew, nor in lanes.
+printf '%s\n' 'model forced' 'state x' 'state v' 'state phi' 'angle c s = cos(phi) sin(phi)' 'periodic phi = 2*pi' 'eq x = v' \
+    'eq v = -x - v/10 + c' 'eq phi = 1' > forced.tt
+printf '%s\n' 'model circle' 'state x' 'state y' 'eq x = -y + x - x*(x^2 + y^2)' 'eq y = x + y - y*(x^2 + y^2)' > circle.tt
+for what in './forced.tt --section phi=0 --start x=1,v=0' './circle.tt --section y=0 --start x=1 --start x=2'; do
+    expect 0 '^0,20000,' jellett section $what --returns 1 --skip 19999
+    awk -F, -v pi=3.141592653589793 '/^[01],20000,/ { n++; bad += ($3 - 2*pi*$2)^2 > 9e-20 } END { exit !(n > 0 && !bad) }' out ||
+        fail "times of $what: $(tail -2 out)"
+done
 exit $status

@@ -84,4 +84,28 @@ for rate in 1 -0.1; do
             fail "a chart at rate $rate: $(tail -1 out)"
     done
 done
+
+# A pendulum released on its separatrix never comes back: what is computed beyond errors at the saddle is told apart.
+printf '%s\n' 'model pendulum' 'state q' 'state p' 'angle c s = cos(q) sin(q)' 'eq q = p' 'eq p = -s' 'periodic q = 2*pi' > free.tt
+sed -e 's/^model.*/model clocked/' -e 's/^state p/&\nstate phi/' free.tt > clocked.tt
+printf 'eq phi = 1\nperiodic phi = 2*pi\n' >> clocked.tt
+for start in q=0,p=2 q=pi,p=0 q=0,p=2.001 q=1,p=1; do
+    wanted=$([[ $start = *p=2 || $start = *p=0 ]] && echo 1 || echo 0)
+    expect 0 '^300,' jellett lyapunov ./clocked.tt --section phi=0 --start $start --returns 300
+    [ "$(grep -c 'return [1-4] begins nearer to a saddle than errors tell separatrices apart' err)" = $wanted ] ||
+        fail "exponents from $start: $(cat err)"
+done
+# The period is 4 K(p/2); on the separatrix there is none.
+expect 0 '^1,1.99,14.78750032957' jellett orbits ./free.tt --section q=0 --start p=1.99 --period 1
+! grep -q 'det DP differs' err || fail "a period that is known is said to be none: $(cat err)"
+expect 0 'det DP differs from what flux and divergence make it by up to 0\..* where T is known no better either' \
+    jellett orbits ./free.tt --section q=0 --start p=2 --period 1
+# A return that contracts by all digits of DP, det = exp(-86), is known as well as any.
+printf '%s\n' 'model vdp' 'state x' 'state v' 'eq x = v' 'eq v = -x + 5*(1 - x^2)*v' > vdp.tt
+for command in 'orbits --period 1' 'continue --along mu=4.9:5'; do
+    [ "${command%% *}" = continue ] && sed -i -e 's/^model.*/&\nparam mu/' -e 's/5\*/mu*/' -e '$a default mu = 5' vdp.tt
+    expect 0 '(^1|,1),2.02[0-9]*,11.6122306677' \
+        jellett ${command%% *} ./vdp.tt --section v=0 --direction down --start x=2 ${command#* }
+    ! grep -q 'det DP differs' err || fail "what contracts by all digits: $(cat err)"
+done
 exit $status
