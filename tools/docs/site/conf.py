@@ -43,7 +43,7 @@ class Transcript(RegexLexer):
     }
 
 
-KEPT = re.compile(r"([-+]?[0-9][0-9.]*e-[0-9]+|(?<![-\w])--?[a-z]+)")
+KEPT = re.compile(r"([-+]?[0-9][0-9.]*e-[0-9]+|(?<![-\w])--?[a-z][-a-z]*)")
 TEXT = (nodes.paragraph, nodes.inline, nodes.emphasis, nodes.strong, nodes.term, nodes.literal)
 
 
