@@ -3,6 +3,7 @@
 #include "cli/interrupt.h"
 #include "cli/motion.h"
 #include "cli/orbit_columns.h"
+#include "cli/orbit_lines.h"
 #include "cli/orbit_losses.h"
 #include "cli/progress.h"
 #include "cli/swept.h"
@@ -131,10 +132,30 @@ static void write_findings(FILE *file, const jlt_orbits *list, const jlt_chart *
                 obstructions, obstructions - without_mirror);
 }
 
-static void show(void *context, size_t done, size_t all, size_t found)
+/* Each kind of work has a rate of its own. */
+static void show(void *context, const char *what, size_t done, size_t all)
 {
-    (void)found;
-    jlt_progress_show(context, done, all);
+    jlt_progress *progress = context;
+
+    if (strcmp(progress->unit, what) != 0) jlt_progress_start(progress, what);
+    jlt_progress_show(progress, done, all);
+}
+
+/* Search on all threads, with progress. An interrupt ends the search, and what it has found is saved. */
+static jlt_status search_until_interrupted(jlt_orbits *list, jlt_map *map, jlt_orbits_options *search, const options *o)
+{
+    jlt_progress progress;
+    jlt_status st;
+
+    jlt_interrupt_spare(o->threads);
+    jlt_progress_start(&progress, "");
+    search->progress = show;
+    search->context = &progress;
+    st = jlt_orbits_search(list, map, search);
+    jlt_progress_end(&progress);
+    if (!jlt_motion_interrupted(&o->motion) || (st != JLT_OK && st != JLT_ERR_NO_CONVERGENCE)) return st;
+    fprintf(stderr, "jellett: interrupted; the %zu orbits found so far are saved\n", list->count);
+    return JLT_OK;
 }
 
 static jlt_exit held_mask(unsigned char *held, const options *o, const jlt_chart *chart)
@@ -184,23 +205,6 @@ static jlt_exit read_start(jlt_symmetric_line *line, unsigned char *held, const 
     return JLT_EXIT_DONE;
 }
 
-/* Refuse a line whose points are not their own mirror images. */
-static jlt_exit check_line(const jlt_symmetric_line *line, const jlt_chart *chart)
-{
-    static const double same_point = 1e-7; /* as orbits are compared, dynamics/periodic.h */
-    double off[JLT_CHART_DIM_MAX];
-
-    if (!chart->reversible) return JLT_EXIT_DONE;
-    jlt_chart_mirror(chart, off, line->base);
-    jlt_chart_difference(chart, off, off, line->base);
-    jlt_chart_scaled(chart, off, off);
-    for (unsigned k = 0; k < chart->dim; k++)
-        if (k != line->free && fabs(off[k]) > same_point)
-            return jlt_command_fail(JLT_EXIT_INPUT, "--line: a point with %s = %.10g is not its own mirror image: take 0%s in "
-                                    "--start", chart->names[k], line->base[k], chart->period[k] != 0 ? ", or half a period," : "");
-    return JLT_EXIT_DONE;
-}
-
 /* Newton from one point, or the zeros on one line through it. */
 static jlt_exit from_start(jlt_orbits *list, jlt_map *map, const jlt_symmetric_line *line, const unsigned char *held,
                            const options *o, jlt_system *system)
@@ -220,46 +224,11 @@ static jlt_exit from_start(jlt_orbits *list, jlt_map *map, const jlt_symmetric_l
         if (st == JLT_OK) st = jlt_orbits_add(list, system->flow.chart, &orbit);
         return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_no_orbit(st, system, o->motion.starts[0]);
     }
-    JLT_PASS(check_line(line, system->flow.chart));
-    st = jlt_orbits_search(list, map, &search);
+    JLT_PASS(jlt_orbit_lines_check(line, system->flow.chart));
+    st = search_until_interrupted(list, map, &search, o);
     if (st == JLT_ERR_UNSUPPORTED)
         return jlt_motion_no_reversor(system, "--line: no reversor keeps the points of this line and mirrors one coordinate");
     return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, system, "--line");
-}
-
-/* The lines of fixed points of the reversor, on a section that tables describe: the angle that it flips is 0 or half a period, and
- * the first coordinate with a known interval runs. Returns the number of lines. */
-static size_t symmetric_lines(jlt_symmetric_line lines[2], const jlt_system *system, size_t samples)
-{
-    const jlt_chart *chart = system->flow.chart;
-    unsigned angle = 0;
-
-    while (angle < chart->dim && !(chart->mirror[angle] < 0 && chart->period[angle] != 0)) angle++;
-    for (unsigned k = 0; chart->reversible && angle < chart->dim && k < chart->dim; k++) {
-        if (k == angle || !jlt_surface_interval(system, k, &lines[0].low, &lines[0].high)) continue;
-        lines[0].free = k;
-        lines[0].samples = samples;
-        lines[1] = lines[0];
-        lines[1].base[angle] = chart->period[angle] / 2;
-        return 2;
-    }
-    return 0;
-}
-
-/* The same on a section of two coordinates, of which the reversor flips one; the other one runs over its range of the grid. */
-static size_t symmetric_lines_of_grid(jlt_symmetric_line lines[2], const jlt_chart *chart, const jlt_grid_axis *axes,
-                                       size_t samples)
-{
-    const unsigned mirrored = chart->mirror[0] < 0 ? 0 : 1, free = 1 - mirrored;
-
-    if (!chart->reversible || chart->dim != 2 || !(chart->mirror[mirrored] < 0 && chart->mirror[free] > 0)) return 0;
-    if (!(axes[free].low < axes[free].high)) return 0;
-    lines[0].free = free;
-    lines[0].low = axes[free].low, lines[0].high = axes[free].high;
-    lines[0].samples = samples;
-    lines[1] = lines[0];
-    lines[1].base[mirrored] = chart->period[mirrored] / 2;
-    return chart->period[mirrored] != 0 ? 2 : 1;
 }
 
 static const char default_grid[] = "40x40";
@@ -275,10 +244,8 @@ static jlt_exit search_all(jlt_orbits *list, jlt_map *map, const options *o, jlt
     jlt_orbits_options search = { .period_max = o->period_max, .near = o->near, .settle = o->settle, .lines = lines,
                                   .kernels = jlt_batch_isa_best(system->instance->descriptor, 0), .threads = (unsigned)o->threads };
     jlt_grid_axis axes[JLT_CHART_DIM_MAX];
-    jlt_progress progress;
     jlt_status st;
 
-    jlt_interrupt_spare(o->threads);
     JLT_PASS(jlt_motion_axes(axes, system, no_grid ? NULL : o->grid != NULL ? o->grid : default_grid, "--grid"));
     JLT_PASS(jlt_grid_whole(axes, "--grid"));
     if (!no_grid) JLT_PASS(jlt_motion_check_grid(axes, system));
@@ -288,18 +255,11 @@ static jlt_exit search_all(jlt_orbits *list, jlt_map *map, const options *o, jlt
         search.high[k] = axes[k].high;
         search.counts[k] = no_grid ? 0 : axes[k].count;
     }
-    if (o->samples >= 2 && system->surface != NULL) search.line_count = symmetric_lines(lines, system, o->samples);
+    if (o->samples >= 2 && system->surface != NULL) search.line_count = jlt_orbit_lines_whole(lines, system, o->samples);
     if (o->samples >= 2 && o->grid != NULL && !no_grid && search.line_count == 0)
-        search.line_count = symmetric_lines_of_grid(lines, chart, axes, o->samples);
-    jlt_progress_start(&progress, "starts");
-    search.progress = show;
-    search.context = &progress;
-    st = jlt_orbits_search(list, map, &search);
-    jlt_progress_end(&progress);
-    if (st == JLT_ERR_NO_CONVERGENCE && jlt_motion_interrupted(&o->motion)) {
-        fprintf(stderr, "jellett: interrupted; the %zu orbits found so far are saved\n", list->count);
-        return JLT_EXIT_DONE;
-    }
+        search.line_count = jlt_orbit_lines_of_grid(lines, chart, axes, o->samples);
+    st = search_until_interrupted(list, map, &search, o);
+    if (st == JLT_OK && jlt_motion_interrupted(&o->motion)) return JLT_EXIT_DONE;
     if (st == JLT_OK && list->count == 0 && system->flow.chart->solved_count > 0)
         fputs("jellett: orbits with a return on another branch of --solve are not found\n", stderr);
     if (st == JLT_OK && list->count == 0 && !no_grid)

@@ -287,12 +287,15 @@ static jlt_exit draw(const study *s, jlt_motion_map *map)
     const jlt_transfer *t = s->transfers[0];
     const double *v = s->cases[0].finding.spectrum.leading;
     double q[JLT_CHART_DIM_MAX], most = 0;
+    bool has_empty = false;
     jlt_plot plot;
 
     for (size_t i = 0; i < t->count; i++) most = fmax(most, jlt_transfer_finding_density(t, v, i));
     for (size_t i = 0; i < t->count; i++) {
+        const double density = jlt_transfer_finding_density(t, v, i);
         jlt_boxes_centre(&t->boxes, q, t->box[i]);
-        jlt_motion_map_add(map, q, log10(fmax(jlt_transfer_finding_density(t, v, i), most * drawn)));
+        if (density > 0) jlt_motion_map_add(map, q, log10(fmax(density, most * drawn)));
+        else has_empty = true;
     }
     if (jlt_plot_open(&plot, &s->o->motion.common) != JLT_OK) return jlt_command_no_memory();
     jlt_plot_words(&plot, "Density that stays under the %s map\n", s->o->backwards ? "inverse" : "return");
@@ -300,7 +303,7 @@ static jlt_exit draw(const study *s, jlt_motion_map *map)
     jlt_motion_map_frame(map, &plot);
     jlt_motion_map_palette(map, &plot, "log_{10} of the density");
     jlt_motion_map_plot(map, &plot);
-    jlt_motion_map_blank(map, &plot, "without states");
+    jlt_motion_map_blank(map, &plot, has_empty ? "without states or of density 0" : "without states");
     fputc('\n', plot.stream);
     return jlt_plot_draw(&plot);
 }

@@ -158,8 +158,9 @@ jlt_exit jlt_motion_plane_refuse(const jlt_motion_plane *plane, const char *name
     return JLT_EXIT_INPUT;
 }
 
-static jlt_exit add_level(jlt_motion_plane *out, const char *name, double value, const jlt_descriptor *d)
+static jlt_exit add_level(jlt_motion_plane *out, const char *name, double value, bool swept, const jlt_descriptor *d)
 {
+    if (swept && jlt_descriptor_claim(d, "integral", name) == NULL) return jlt_motion_plane_refuse(out, name, "--sweep");
     if (d->integral_count > JLT_CHART_INTEGRALS_MAX)
         return jlt_command_fail(JLT_EXIT_INPUT, "--level: %s has %u integrals; levels are served of tables with up to %d", d->model,
                                 d->integral_count, JLT_CHART_INTEGRALS_MAX);
@@ -176,14 +177,14 @@ static jlt_exit read_levels(jlt_motion_plane *out, const jlt_motion_options *opt
     const jlt_assign_list *list = &options->level;
     size_t states[JLT_CHART_STATES_MAX], count;
     double guesses[JLT_CHART_STATES_MAX];
-    size_t param;
 
-    for (size_t i = 0; i < list->count; i++) JLT_PASS(add_level(out, list->items[i].name, list->items[i].value, d));
+    for (size_t i = 0; i < list->count; i++)
+        JLT_PASS(add_level(out, list->items[i].name, list->items[i].value,
+                           jlt_common_runs(&options->common, list->items[i].name), d));
     for (size_t i = 0; i < options->swept_count; i++) {
         const jlt_grid_axis *axis = &options->swept[i];
-        if (jlt_descriptor_param(d, axis->name, &param) || jlt_motion_plane_value(out, axis->name) != NULL) continue;
-        if (jlt_descriptor_claim(d, "integral", axis->name) == NULL) return jlt_motion_plane_refuse(out, axis->name, "--sweep");
-        JLT_PASS(add_level(out, axis->name, axis->low, d));
+        if (jlt_descriptor_param(d, axis->name, &(size_t){ 0 }) || jlt_motion_plane_value(out, axis->name) != NULL) continue;
+        JLT_PASS(add_level(out, axis->name, axis->low, true, d));
     }
     JLT_PASS(read_states(states, guesses, &count, options->solve, d, "--solve"));
     if (count != out->level_count)

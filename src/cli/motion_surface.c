@@ -301,10 +301,13 @@ static jlt_exit read_values(double *values, const jlt_motion_options *options, c
                 return jlt_command_fail(JLT_EXIT_INPUT, "%s: %s is a %s: write --%s %s=VALUE", k == 0 ? "--set" : "--level",
                                         item->name, kind == 0 ? "parameter" : "level", kind == 0 ? "set" : "level", item->name);
             if (index == surface->count) {
-                list_names(text, sizeof text, surface, k == 0 ? 0 : surface->params, k == 0 ? surface->params : surface->count,
-                           ", ");
-                return jlt_command_fail(JLT_EXIT_INPUT, "%s: there is no %s '%s'; there are %s", k == 0 ? "--set" : "--level",
-                                        k == 0 ? "parameter" : "level", item->name, *text != '\0' ? text : "none");
+                const bool swept = jlt_common_runs(&options->common, item->name);
+                list_names(text, sizeof text, surface, k == 0 || swept ? 0 : surface->params,
+                           k == 0 ? surface->params : surface->count, ", ");
+                return jlt_command_fail(JLT_EXIT_INPUT, "%s: there is no %s '%s'; there are %s",
+                                        k == 0 ? "--set" : swept ? "--sweep" : "--level",
+                                        k == 0 ? "parameter" : swept ? "parameter or level" : "level", item->name,
+                                        *text != '\0' ? text : "none");
             }
             values[index] = item->value;
         }

@@ -239,13 +239,19 @@ void jlt_plot_label(char *label, const jlt_descriptor *model, const char *name)
 /* The least margin beside stacked panels, in units of the font size; on the right, that of keys. */
 enum { MARGIN = 6 };
 
-/* How many panels share the picture in the direction of an axis, for jlt_look_axis, which gives axes three fourths of a width. */
+/* How many panels share the picture in the direction of an axis, for jlt_look_axis, which gives axes three fourths of a width and
+ * 0.65 of a height. Panels that are not stacked have a title, labels and a key each, nine lines high. */
 static double panels_along(const jlt_plot *self, char axis)
 {
-    const double width = self->look->width * 72 / 2.54 / jlt_look_points(self->look);
+    const double em = jlt_look_points(self->look) * 2.54 / 72, width = self->look->width / em, height = self->look->height / em;
 
     if (self->rows == 0) return 1;
-    if (axis == 'y') return self->rows;
+    if (axis == 'y' && self->stacked) return self->rows;
+    if (axis == 'y') {
+        fflush(self->title.stream);
+        const double title = 1.2 * jlt_look_lines(NULL, self->look, self->title.text, true);
+        return fmax(1, 0.65 * height / fmax(1, (height - title) / self->rows - 9));
+    }
     return self->stacked ? 0.75 / (1 - (MARGIN + fmax(MARGIN, self->beside)) / width) : self->columns;
 }
 

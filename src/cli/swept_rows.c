@@ -6,6 +6,7 @@
 #include "cli/column_map.h"
 #include "cli/plot.h"
 #include "core/memory.h"
+#include "kernel/descriptor.h"
 #include "report/csv.h"
 #include "report/table.h"
 
@@ -221,6 +222,20 @@ static void caption(jlt_plot *plot, const jlt_swept_rows *self)
     }
 }
 
+/* The label of a column, as jlt_plot_label; the columns that are no states have the units that the commands' own pictures give. */
+static void column_label(char *label, const jlt_swept_rows *self, const char *name)
+{
+    static const char *const units[][2] = { { "t", "s" }, { "T", "s" }, { "time", "s" }, { "divergence", "1/s" } };
+    const char *digits = strncmp(name, "lambda", 6) == 0 ? name + 6 : "";
+    size_t index;
+
+    jlt_plot_label(label, self->model, name);
+    if (jlt_descriptor_param(self->model, name, &index) || jlt_descriptor_state(self->model, name, &index)) return;
+    if (*digits != '\0' && digits[strspn(digits, "0123456789")] == '\0') jlt_look_label(label, name, "1/s");
+    for (size_t i = 0; i < sizeof units / sizeof *units; i++)
+        if (strcmp(name, units[i][0]) == 0) jlt_look_label(label, name, units[i][1]);
+}
+
 jlt_exit jlt_swept_rows_draw(const jlt_swept_rows *self)
 {
     char label[JLT_LOOK_LABEL_MAX], *text = strdup(self->names), *columns[JLT_COLUMN_MAP_MAX];
@@ -240,7 +255,7 @@ jlt_exit jlt_swept_rows_draw(const jlt_swept_rows *self)
     jlt_plot_words(&plot, "%s: jellett %s at each %s\n", self->model->model, self->what, self->axes[0].name);
     caption(&plot, self);
     for (unsigned k = 0; k < 2; k++) {
-        jlt_plot_label(label, self->model, names[k]);
+        column_label(label, self, names[k]);
         jlt_plot_axis(&plot, k == 0 ? 'x' : 'y', label, jlt_extent_wider(self->extent[k]), 0);
     }
     fputs(JLT_LOOK_GRID "plot $POINTS using 1:2 ", plot.stream);

@@ -40,8 +40,9 @@ typedef struct {
     unsigned threads;                /* 0 and 1: the caller's alone */
     const jlt_symmetric_line *lines; /* shape (line_count,): symmetric orbits are looked for on these as well; borrowed */
     size_t line_count;
-    void (*progress)(void *context, size_t done, size_t all, size_t found); /* called after every 1000 starts of the grid or so;
-                                                                               NULL: not called */
+    /* Called now and then: `done` of `all` are done of `what`, "samples" and "zeros" as in jlt_symmetric_sink, or "starts" of the
+     * grid. NULL: not called. */
+    void (*progress)(void *context, const char *what, size_t done, size_t all);
     void *context;
 } jlt_orbits_options;
 

@@ -228,7 +228,7 @@ static jlt_status search_grid(jlt_orbits *list, jlt_map *map, const jlt_orbits_o
     for (size_t first = 0; first < all; first += BLOCK) {
         const size_t count = all - first < BLOCK ? all - first : BLOCK;
         JLT_TRY(search_block(&self, q, first, count));
-        if (options->progress != NULL) options->progress(options->context, first + count, all, list->count);
+        if (options->progress != NULL) options->progress(options->context, "starts", first + count, all);
     }
 done:
     clear_newton(&self);
@@ -259,6 +259,7 @@ static jlt_status add_mirrors(jlt_orbits *self, jlt_map *map)
 typedef struct {
     jlt_orbits *list;
     const jlt_chart *chart;
+    const jlt_orbits_options *options;
 } collector;
 
 static jlt_status collect(void *context, const jlt_periodic *orbit)
@@ -266,6 +267,13 @@ static jlt_status collect(void *context, const jlt_periodic *orbit)
     const collector *self = context;
 
     return jlt_orbits_add(self->list, self->chart, orbit);
+}
+
+static void collect_progress(void *context, const char *what, size_t done, size_t all)
+{
+    const jlt_orbits_options *options = ((const collector *)context)->options;
+
+    if (options->progress != NULL) options->progress(options->context, what, done, all);
 }
 
 static bool allows(const jlt_orbits_options *options, unsigned dim)
@@ -280,13 +288,14 @@ static bool allows(const jlt_orbits_options *options, unsigned dim)
 jlt_status jlt_orbits_search(jlt_orbits *self, jlt_map *map, const jlt_orbits_options *options)
 {
     const jlt_chart *chart = jlt_map_flow(map)->chart;
-    collector into = { self, chart };
+    collector into = { self, chart, options };
+    const jlt_symmetric_sink sink = { collect, collect_progress, &into };
     jlt_status st = JLT_OK;
 
     if (!allows(options, chart->dim)) return JLT_ERR_ARG;
     for (size_t i = 0; i < options->line_count; i++)
-        JLT_TRY(jlt_symmetric_search(map, &options->lines[i], options->period_max, options->kernels, options->threads, collect,
-                                     &into));
+        JLT_TRY(jlt_symmetric_search(map, &options->lines[i], options->period_max, options->kernels, options->threads,
+                                     &sink));
     if (options->counts[0] > 0) JLT_TRY(search_grid(self, map, options));
     if (chart->reversible) JLT_TRY(add_mirrors(self, map));
 done:

@@ -21,6 +21,7 @@ typedef struct {
     const jlt_symmetric_line *line;
     unsigned mirrored;
     unsigned char held[JLT_CHART_DIM_MAX]; /* coordinates that Newton keeps: fixed on the line, mirrored only if dim is 2 */
+    const jlt_symmetric_sink *sink;
 } search;
 
 /* Points of the line in order, and h_1 .. h_crossings for each. */
@@ -29,6 +30,11 @@ typedef struct {
     double *u;     /* (count,) */
     double *table; /* (count, crossings) */
 } samples;
+
+static void tell(const search *self, const char *what, size_t done, size_t all)
+{
+    if (self->sink->progress != NULL) self->sink->progress(self->sink->context, what, done, all);
+}
 
 static void clear_samples(samples *self)
 {
@@ -115,7 +121,7 @@ static jlt_status bisect(const search *self, double *root, bool *found, double *
 }
 
 /* Bring the orbit through the line's point u to the map's own section, polish it and hand it over. */
-static jlt_status deliver(const search *self, double u, size_t period, jlt_symmetric_sink sink, void *context)
+static jlt_status deliver(const search *self, double u, size_t period)
 {
     const jlt_flow *flow = jlt_map_flow(self->map);
     const jlt_chart *chart = flow->chart;
@@ -145,11 +151,11 @@ static jlt_status deliver(const search *self, double u, size_t period, jlt_symme
         if (distance < nearest - 1e-9) nearest = distance, first = k;
     }
     if (first != 0) JLT_PASS(jlt_periodic_rotate(self->map, &orbit, first));
-    return sink(context, &orbit);
+    return self->sink->found(self->sink->context, &orbit);
 }
 
-/* Compute the table of all samples whose first number is infinite. */
-static jlt_status compute(const search *self, samples *of)
+/* Compute the table of all samples whose first number is infinite. In/out: *done, how many have been computed. */
+static jlt_status compute(const search *self, samples *of, size_t *done)
 {
     const unsigned d = jlt_map_flow(self->map)->chart->dim;
     JLT_FREED double *q = malloc((size_t)BLOCK * d * sizeof *q);
@@ -167,6 +173,8 @@ static jlt_status compute(const search *self, samples *of)
         if (jlt_section_batch_begun(self->many) < count) return JLT_ERR_NO_CONVERGENCE;
         for (size_t i = 0; i < count; i++)
             JLT_PASS(halves(self, of->table + index[i] * of->crossings, of->u[index[i]], of->crossings, i));
+        *done += count;
+        tell(self, "samples", *done, of->count);
     }
     return JLT_OK;
 }
@@ -218,6 +226,7 @@ static jlt_status refine(samples *of, size_t *added)
 static jlt_status sample(const search *self, samples *of, size_t crossings)
 {
     const jlt_symmetric_line *line = self->line;
+    size_t done = 0;
 
     if (!make_samples(of, line->samples, crossings)) return JLT_ERR_NOMEM;
     for (size_t i = 0; i < of->count; i++) {
@@ -225,23 +234,53 @@ static jlt_status sample(const search *self, samples *of, size_t crossings)
         of->table[i * crossings] = INFINITY;
     }
     for (size_t wave = 0, added = 1; added > 0; wave++) {
-        JLT_PASS(compute(self, of));
+        JLT_PASS(compute(self, of, &done));
         if (wave == WAVES || of->count * crossings > NUMBERS) break;
         JLT_PASS(refine(of, &added));
     }
     return JLT_OK;
 }
 
+/* Whether h_j changes sign between samples i and i + 1. */
+static bool has_zero(const samples *of, size_t i, size_t j)
+{
+    const double a = of->table[i * of->crossings + j - 1], b = of->table[(i + 1) * of->crossings + j - 1];
+
+    return !isnan(a) && !isnan(b) && (a > 0) != (b > 0);
+}
+
+/* Find the zeros between samples, and hand over the orbits through them. */
+static jlt_status find_zeros(const search *self, const samples *of)
+{
+    const size_t crossings = of->crossings, returns = jlt_map_flow(self->map)->direction == JLT_BOTH ? 2 : 1;
+    JLT_FREED double *work = malloc(crossings * sizeof *work);
+    size_t done = 0, all = 0;
+
+    if (work == NULL) return JLT_ERR_NOMEM;
+    for (size_t j = 1; j <= crossings; j++)
+        for (size_t i = 0; i + 1 < of->count; i++) all += has_zero(of, i, j);
+    for (size_t j = 1; j <= crossings; j++)
+        for (size_t i = 0; i + 1 < of->count; i++) {
+            const double *h = of->table + i * crossings + j - 1;
+            double root = 0;
+            bool found;
+            if (!has_zero(of, i, j)) continue;
+            JLT_PASS(bisect(self, &root, &found, work, of->u[i], h[0], of->u[i + 1], h[crossings], j));
+            if (found) JLT_PASS(deliver(self, root, returns * j));
+            tell(self, "zeros", ++done, all);
+        }
+    return JLT_OK;
+}
+
 jlt_status jlt_symmetric_search(jlt_map *map, const jlt_symmetric_line *line, size_t period_max, const jlt_kernel_batch *kernels,
-                                unsigned threads, jlt_symmetric_sink sink, void *context)
+                                unsigned threads, const jlt_symmetric_sink *sink)
 {
     const jlt_flow *flow = jlt_map_flow(map);
     const jlt_chart *chart = flow->chart;
-    search self = { .map = map, .line = line, .mirrored = JLT_CHART_DIM_MAX };
+    search self = { .map = map, .line = line, .mirrored = JLT_CHART_DIM_MAX, .sink = sink };
     jlt_flow both = *flow;
     jlt_status st = JLT_OK;
     JLT_CLEARED(clear_samples) samples of = { .count = 0 };
-    JLT_FREED double *work = NULL;
     const size_t crossings = flow->direction == JLT_BOTH ? period_max / 2 : period_max;
 
     if (line->samples < 2 || line->free >= chart->dim || !(line->low < line->high)) return JLT_ERR_ARG;
@@ -260,19 +299,8 @@ jlt_status jlt_symmetric_search(jlt_map *map, const jlt_symmetric_line *line, si
     both.direction = JLT_BOTH;
     JLT_TRY(jlt_section_create(&self.both, &both));
     JLT_TRY(jlt_section_batch_create(&self.many, &both, kernels, &(jlt_section_batch_options){ .threads = threads }));
-    work = malloc(crossings * sizeof *work);
-    st = JLT_ERR_NOMEM;
-    if (work == NULL) goto done;
     JLT_TRY(sample(&self, &of, crossings));
-    for (size_t j = 1; j <= crossings; j++)
-        for (size_t i = 0; i + 1 < of.count; i++) {
-            const double ha = of.table[i * crossings + j - 1], hb = of.table[(i + 1) * crossings + j - 1];
-            double root = 0;
-            bool found;
-            if (isnan(ha) || isnan(hb) || (ha > 0) == (hb > 0)) continue;
-            JLT_TRY(bisect(&self, &root, &found, work, of.u[i], ha, of.u[i + 1], hb, j));
-            if (found) JLT_TRY(deliver(&self, root, flow->direction == JLT_BOTH ? 2 * j : j, sink, context));
-        }
+    JLT_TRY(find_zeros(&self, &of));
 done:
     jlt_section_batch_destroy(self.many);
     jlt_section_destroy(self.both);

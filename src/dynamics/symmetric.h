@@ -21,8 +21,14 @@ typedef struct {
                                        zero may be missed */
 } jlt_symmetric_line;
 
-/** Called for every orbit found; a status other than JLT_OK ends the search with it. */
-typedef jlt_status (*jlt_symmetric_sink)(void *context, const jlt_periodic *orbit);
+typedef struct {
+    /* Called for every orbit found; a status other than JLT_OK ends the search with it. */
+    jlt_status (*found)(void *context, const jlt_periodic *orbit);
+    /* Called now and then, by the caller's thread: `done` of `all` are done of `what`, first "samples", to which those that are
+     * added count, then "zeros" of the h_j. NULL: not called. */
+    void (*progress)(void *context, const char *what, size_t done, size_t all);
+    void *context;
+} jlt_symmetric_sink;
 
 /** Search for the orbits of up to period_max returns. kernels: of the flow's field, for samples in lanes (NULL: they go one at a
  *  time), on `threads` threads. Two zeros of h_j between neighbouring samples are not seen: samples are added where an h_j changes
@@ -34,7 +40,6 @@ typedef jlt_status (*jlt_symmetric_sink)(void *context, const jlt_periodic *orbi
  *  Cost: period_max crossings (half as many where the flow's direction is JLT_BOTH) of every sample, those added among them: up to
  *  some 4 million numbers h_j; and some 12 j more for each zero of an h_j. */
 JLT_CHECKED jlt_status jlt_symmetric_search(jlt_map *map, const jlt_symmetric_line *line, size_t period_max,
-                                            const jlt_kernel_batch *kernels, unsigned threads, jlt_symmetric_sink sink,
-                                            void *context);
+                                            const jlt_kernel_batch *kernels, unsigned threads, const jlt_symmetric_sink *sink);
 
 #endif

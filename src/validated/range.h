@@ -28,10 +28,10 @@ void jlt_range_add(jlt_range *out, const jlt_range *a, const jlt_range *b, slong
 void jlt_range_multiply(jlt_range *out, const jlt_range *a, const jlt_range *b, slong bits);
 void jlt_range_power(jlt_range *out, const jlt_range *a, unsigned exponent, slong bits); /* sharp: even powers are not negative */
 
-/** 1/a. Returns false, and leaves out, if a contains 0. */
+/** 1/a. Returns false, and leaves *out as it is, if a contains 0. */
 bool jlt_range_invert(jlt_range *out, const jlt_range *a, slong bits);
 
-/** The square root. Returns false, and leaves out, if a contains a negative number. */
+/** The square root. Returns false, and leaves *out as it is, if a contains a negative number. */
 bool jlt_range_root(jlt_range *out, const jlt_range *a, slong bits);
 
 /** A function of Arb over a ball around a. Returns false if it is not proved to be finite there. */

@@ -70,6 +70,13 @@ interrupt TERM jellett orbits lorenz --section z=27 --grid x=-20:20:3000,y=-20:2
 expect 143 "t.csv " "orbits of a grid"
 grep -q "the 0 orbits found so far" "$scratch/err" && ! grep -q "no orbit is found" "$scratch/err" ||
     fail "orbits of a grid: says '$(cat "$scratch/err")'"
+# So on a line, whose zeros take long, each on its own: those found before the interrupt are saved.
+interrupt "INT INT" jellett orbits restricted_three_body --section y=0 --direction both --mirror y,vx --period 40 \
+    --start x=0.5,vx=0,vy=1 --line vy=0.2:1.5:200 -o t.csv
+expect 130 "t.csv " "orbits on a line"
+[ $open -eq 0 ] || fail "orbits on a line: $open threads beside the first meet signals"
+rows=$(sed -n 's/^jellett: interrupted; the \([0-9]*\) orbits found so far are saved$/\1/p' "$scratch/err")
+[ "$(grep -vc '^#' "$scratch/d/t.csv")" = $((rows + 1)) ] || fail "orbits on a line: says '$(cat "$scratch/err")'"
 interrupt TERM jellett section --start eta=0.1,gamma3=-0.6 --returns 1000000 --check -o t.csv
 expect 143 "t.csv " "section --check"
 grep -q "DP could not be computed" "$scratch/err" && fail "section --check: says '$(cat "$scratch/err")'"

@@ -84,6 +84,20 @@ expect 'jellett run --into ' folder
 expect 'jellett section --plot t' table.csv
 expect 'jellett section --plot=' --plot={own.tt,table.csv,motion.scene,folder}
 expect 'jellett nothing ' ''
+# Other operands than models; what is proved stands before the model.
+expect 'jellett certify s' sink symmetric
+expect 'jellett certify sink lor' lorenz
+expect 'jellett certify sink lorenz --set ' sigma= rho= beta=
+expect 'jellett sweep ' motion.scene folder
+expect 'jellett merge t' table.csv
+expect 'jellett check ' folder
+expect 'jellett bench s' section slope
+# What has no description is shown as it is.
+if [[ " ${shells[*]} " = *" zsh "* ]]; then
+    zsh -f -c 'compadd() { print -l -- $shown } ; words=(jellett simulate --method rk) CURRENT=4 PREFIX=rk; source $0' \
+        "$share/zsh/site-functions/_jellett" > shown
+    diff shown <(printf '%s\n' rk8pd rkf45) || fail "zsh shows methods with dashes behind them"
+fi
 
 for program in jellett ttc; do
     mapfile -t commands < <(bash_says "$program ")

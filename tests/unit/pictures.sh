@@ -270,7 +270,23 @@ jellett lyapunov --grid 5x4 --returns 5 --plot p.svg --keep p.gp -o rows.csv 2> 
 grep -q "title '$(grep -vc '^#\|^eta\|,[^,]\+,[^,]\+,[^,]' rows.csv) ended before 5 returns'" p.gp ||
     fail "a chart does not say what its white cells are"
 jellett transfer --boxes 8x8 --plot p.svg --keep p.gp -o rows.csv 2> log || fail "transfer: $(cat log)"
-grep -q "title '$((65 - $(grep -vc '^#' rows.csv))) without states'" p.gp || fail "a density does not say what its white boxes are"
+# Boxes of density 0 are as white as those without states.
+white=$((65 - $(grep -vc '^#' rows.csv))) empty=$(awk -F, '/^eta/ { for (i = 1; i <= NF; i++) if ($i == "density") c = i }
+    c && $c == "0" { n++ } END { print n + 0 }' rows.csv)
+grep -q "title '$((white + empty)) without states or of density 0'" p.gp || fail "a density does not say what its white boxes are"
+sed -n '/^\$GRID/,/^END/p' p.gp | grep -cx '[nN]a[nN]' | grep -qx $((white + empty)) || fail "boxes of density 0 have a colour"
+
+# A table's own columns have units in the picture of a sweep as well.
+for axes in "lambda1 λ_{1} 1/s" "t t s" "divergence divergence 1/s"; do
+    read -r name shown unit <<< "$axes"
+    jellett lyapunov lorenz --section z=27 --start x=-13,y=-19 --returns 3 --sweep rho=27:28:2 --axes rho,$name \
+        --plot p.svg --keep p.gp -o rows.csv 2> log || fail "lyapunov --sweep: $(cat log)"
+    grep -qF "set ylabel '$shown [$unit]'" p.gp || fail "lyapunov --sweep: no unit in $(grep ylabel p.gp)"
+done
+# Low panels have room for fewer labels beside their axes.
+jellett portrait --level E=2,G=0.3,F0=0.1 --orbits 2 --until 1 --size 8x8 --plot p.svg --keep p.gp -o rows.csv 2> log &&
+    ticks=$(grep "^set ytics" p.gp) || fail "portrait: $(cat log)"
+[ "$ticks" = "set ytics 1" ] || fail "portrait of 8x8 cm: $ticks"
 
 refuse() { # WORDS OPTION...: status 2, the option named, and nothing written
     local words=$1 code

@@ -25,3 +25,10 @@ script -qec "jellett check '$JLT_SOURCE_DIR/tools/certificates/turn_over.json'" 
     { echo "check ends with $?"; exit 1; }
 tr '\r' '\n' < "$scratch/terminal" | sed -n 's/^\([0-9]*\) validated steps, .*/\1/p' > "$scratch/shown"
 sort -nuc "$scratch/shown" && [ -s "$scratch/shown" ] || { echo "steps of a proof:"; cat "$scratch/shown"; exit 1; }
+
+# And the zeros on a line of symmetric orbits.
+script -qec "jellett orbits restricted_three_body --section y=0 --direction both --mirror y,vx --period 8 \
+    --start x=0.5,vx=0,vy=1 --line vy=0.2:1.5:600 -o '$scratch/line.csv'" "$scratch/terminal" < /dev/null > /dev/null ||
+    { echo "orbits on a line end with $?"; exit 1; }
+tr '\r' '\n' < "$scratch/terminal" | sed -n 's/^\([0-9]*\) of [0-9]* zeros, .*/\1/p' > "$scratch/shown"
+sort -nuc "$scratch/shown" && [ -s "$scratch/shown" ] || { echo "zeros on a line:"; cat "$scratch/shown"; exit 1; }

@@ -23,13 +23,14 @@ bare=$(tr -d '\n' < "$scratch/site/gallery/README.html" | sed 's/<h2>/\n&/g' | s
 plain=$(grep -rlE '<p>[a-z]+ = (&quot;|[({])' --include='*.html' "$scratch/site" || true)
 [ -z "$plain" ] || { echo "scenes as running text in: $plain"; exit 1; }
 
-# No line ends behind the hyphen of a number such as 1e-12.
+# No line ends behind the hyphen of a number such as 1e-12, or those of an option such as --grid or -o.
 python3 - "$scratch/site" << 'END'
 import pathlib, re, sys
 for page in pathlib.Path(sys.argv[1]).rglob("*.html"):
     for text in re.findall(r"<p>(.*?)</p>", page.read_text(), re.S):
-        bare = re.sub(r'<(code|pre)\b.*?</\1>|<span class="number">.*?</span>|<[^>]*>', " ", text, flags=re.S)
-        if re.search("[0-9]e-[0-9]", bare): sys.exit(f"{page}: a line may end inside a number of: {bare[:100]}")
+        bare = re.sub(r'<pre\b.*?</pre>|<span class="kept">.*?</span>|<[^>]*>', " ", text, flags=re.S)
+        broken = re.search("[0-9]e-[0-9]|(?<![-\\w])--?[a-z]", bare)
+        if broken: sys.exit(f"{page}: a line may end inside {bare[broken.start():][:20]!r} of: {bare[:100]}")
 END
 
 # Names on man pages are whole, and what they quote is code.

@@ -43,20 +43,19 @@ class Transcript(RegexLexer):
     }
 
 
-SMALL = re.compile(r"([-+]?[0-9][0-9.]*e-[0-9]+)")
+KEPT = re.compile(r"([-+]?[0-9][0-9.]*e-[0-9]+|(?<![-\w])--?[a-z][-a-z]*)")
+TEXT = (nodes.paragraph, nodes.inline, nodes.emphasis, nodes.strong, nodes.term, nodes.literal)
 
 
-def keep_numbers(app, tree, name):
-    """A line does not end behind the hyphen of a number such as 1e-12."""
+def keep_together(app, tree, name):
+    """A line does not end behind the hyphen of a number such as 1e-12, or those of an option such as --grid or -o."""
     for text in list(tree.findall(nodes.Text)):
-        parts = SMALL.split(text.astext())
-        if len(parts) > 1 and isinstance(text.parent, (nodes.paragraph, nodes.inline, nodes.emphasis, nodes.strong, nodes.term)):
-            number = [nodes.inline("", part, classes=["number"]) if k % 2 else nodes.Text(part) for k, part in enumerate(parts)]
-            text.parent.replace(text, number)
-        elif len(parts) == 3 and isinstance(text.parent, nodes.literal) and parts[0] == parts[2] == "":
-            text.parent["classes"].append("number")
+        parts = KEPT.split(text.astext())
+        if len(parts) > 1 and isinstance(text.parent, TEXT):
+            kept = [nodes.inline("", part, classes=["kept"]) if k % 2 else nodes.Text(part) for k, part in enumerate(parts)]
+            text.parent.replace(text, kept)
 
 
 def setup(app):
     app.add_lexer("console", Transcript)
-    app.connect("doctree-resolved", keep_numbers)
+    app.connect("doctree-resolved", keep_together)
