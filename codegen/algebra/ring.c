@@ -79,7 +79,8 @@ const char *ttc_ring_status_text(ttc_ring_status status)
         return "an angle is mapped to one that is no sum of those in the table it is mapped into (expected a record 'angle C S = "
                "cos(...) sin(...)' for it there)";
     case TTC_RING_ANGLE_FRACTION:
-        return "an angle is a fraction of others (expected an angle record for their common part, of which all are multiples)";
+        return "an angle is a fraction of others, or of pi (expected an angle record for their common part, of which all are "
+               "multiples; of pi, a multiple of pi/n, where n divides 240)";
     case TTC_RING_EXPONENT: return "an exponential is mapped to one that is no product of those that the model names";
     case TTC_RING_EXPONENT_FRACTION:
         return "an exponent is a fraction of others (expected an exp record for their common part, of which all are multiples)";

@@ -114,6 +114,11 @@ printf '%s\n' 'model plane' 'state x' 'state y' 'state z' 'eq x = y' 'eq y = 1' 
 expect 1 '' ttc prove plane.tt
 grep -qF '(x^2-x*root[1]+z^2)/(x^2+z^2), root[1] = sqrt(x^2+z^2)' out || fail "nobody says what a root is: $(cat out)"
 
+# Cosine and sine of pi/7 have no common part with others that a record could name: it is said which parts of pi may be used.
+printf '%s\n' 'model seventh' 'param p' 'state x' 'angle c s = cos(p) sin(p)' 'eq x = c' 'variant v : p = pi/7' > seventh.tt
+expect 3 '' ttc prove seventh.tt
+grep -qF 'of pi, a multiple of pi/n, where n divides 240' err || fail "of pi/7 it is said: $(cat err)"
+
 # What is wrong with a claim is said in terms of a quotient that the table names, if that is shorter.
 printf '%s\n' 'model pushed' 'param k' 'state x' 'state u' 'let N = (1 + k*x^2)/(1 + x^2 + u^4)' 'eq x = u' 'eq u = -x - N*u' \
     'integral E = (x^2 + u^2)/2' > pushed.tt

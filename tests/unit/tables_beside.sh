@@ -372,5 +372,5 @@ for cached in no yes; do
     grep -q "back' is refuted\|reduction back of large is refuted" err ||
         fail "nobody warns of the larger table (in the cache: $cached): $(cat err)"
 done
-expect 0 'up +part of large  if its reduction is proved' jellett models ./small.tt
+expect 0 'up  *part of large  if its reduction is proved' jellett models ./small.tt
 exit $status
