@@ -18,12 +18,18 @@ static void add_table(ttc_text *text, const ttc_model *model)
     ttc_text_add(text, "\n    '\\0'\n};\n");
 }
 
-/* SHA-256 of a claim's target, its file, and the name that ttc_emit_renamed finds, in quotation marks; NULL where there is none. */
+static void add_name(ttc_text *text, const char *name)
+{
+    if (name == NULL) ttc_text_add(text, ", NULL");
+    else ttc_text_format(text, ", \"%s\"", name);
+}
+
+/* SHA-256 of a claim's target, its file, and the names that ttc_emit_renamed and ttc_emit_widened find, in quotation marks; NULL
+ * where there is none. */
 static void add_target(ttc_text *text, const ttc_model *model, const ttc_claim *claim)
 {
     ttc_diagnostics *ignored = claim != NULL && claim->target != NULL ? ttc_diagnostics_create() : NULL;
     ttc_model *target = ignored == NULL ? NULL : ttc_resolve_beside(NULL, model, claim->target, ignored);
-    const char *renamed = target == NULL ? NULL : ttc_emit_renamed(model, claim, target);
     if (target == NULL) {
         ttc_text_add(text, "NULL, NULL");
     } else {
@@ -31,8 +37,8 @@ static void add_target(ttc_text *text, const ttc_model *model, const ttc_claim *
         ttc_text_add_escaped(text, claim->target);
         ttc_text_add(text, "\"");
     }
-    if (renamed == NULL) ttc_text_add(text, ", NULL");
-    else ttc_text_format(text, ", \"%s\"", renamed);
+    add_name(text, target == NULL ? NULL : ttc_emit_renamed(model, claim, target));
+    add_name(text, target == NULL ? NULL : ttc_emit_widened(model, claim, target));
     ttc_model_destroy(target);
     ttc_diagnostics_destroy(ignored);
 }
@@ -58,7 +64,7 @@ static void add_claims(ttc_text *text, const ttc_catalogue *catalogue, const ttc
         add_target(text, model, claim);
         ttc_text_add(text, " },\n");
     }
-    ttc_text_add(text, "    { NULL, NULL, NULL, JLT_UNSETTLED, NULL, NULL, NULL, NULL }\n};\n");
+    ttc_text_add(text, "    { NULL, NULL, NULL, JLT_UNSETTLED, NULL, NULL, NULL, NULL, NULL }\n};\n");
 }
 
 static void add_family(ttc_text *text, const ttc_catalogue *catalogue)

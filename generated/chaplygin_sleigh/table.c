@@ -50,19 +50,19 @@ const char jlt_table_chaplygin_sleigh[] = {
 };
 
 const jlt_claim jlt_claims_chaplygin_sleigh[] = {
-    { "integral", "E", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "reversor", "reversor", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "equilibria", "straight", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "matrix", "straight", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "trace", "straight", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "charpoly", "straight", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "obstructs", "straight", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "leftnull", "straight", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "integral", "speed", "a = 0", JLT_PROVED, "", NULL, NULL, NULL },
-    { "integral", "turning", "a = 0", JLT_PROVED, "", NULL, NULL, NULL },
-    { "measure", "uniform", "a = 0", JLT_PROVED, "", NULL, NULL, NULL },
-    { "variant", "balanced", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { NULL, NULL, NULL, JLT_UNSETTLED, NULL, NULL, NULL, NULL }
+    { "integral", "E", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "reversor", "reversor", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "equilibria", "straight", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "matrix", "straight", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "trace", "straight", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "charpoly", "straight", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "obstructs", "straight", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "leftnull", "straight", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "integral", "speed", "a = 0", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "integral", "turning", "a = 0", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "measure", "uniform", "a = 0", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "variant", "balanced", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { NULL, NULL, NULL, JLT_UNSETTLED, NULL, NULL, NULL, NULL, NULL }
 };
 
 extern const jlt_descriptor jlt_kernels_chaplygin_sleigh_general;

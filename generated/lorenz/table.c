@@ -45,13 +45,13 @@ const char jlt_table_lorenz[] = {
 };
 
 const jlt_claim jlt_claims_lorenz[] = {
-    { "equilibria", "conduction", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "matrix", "conduction", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "equilibria", "convection", "rho = 1 + x^2/beta", JLT_PROVED, "", NULL, NULL, NULL },
-    { "matrix", "convection", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "trace", "convection", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "obstructs", "convection", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { NULL, NULL, NULL, JLT_UNSETTLED, NULL, NULL, NULL, NULL }
+    { "equilibria", "conduction", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "matrix", "conduction", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "equilibria", "convection", "rho = 1 + x^2/beta", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "matrix", "convection", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "trace", "convection", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "obstructs", "convection", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { NULL, NULL, NULL, JLT_UNSETTLED, NULL, NULL, NULL, NULL, NULL }
 };
 
 extern const jlt_descriptor jlt_kernels_lorenz_general;

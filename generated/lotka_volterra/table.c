@@ -42,16 +42,16 @@ const char jlt_table_lotka_volterra[] = {
 };
 
 const jlt_claim jlt_claims_lotka_volterra[] = {
-    { "integral", "H", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "measure", "rho", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "rate", "drift", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "reversor", "reversor", "c = a, d = b", JLT_PROVED, "", NULL, NULL, NULL },
-    { "equilibria", "coexistence", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "matrix", "coexistence", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "charpoly", "coexistence", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "log", "u", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "log", "v", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { NULL, NULL, NULL, JLT_UNSETTLED, NULL, NULL, NULL, NULL }
+    { "integral", "H", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "measure", "rho", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "rate", "drift", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "reversor", "reversor", "c = a, d = b", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "equilibria", "coexistence", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "matrix", "coexistence", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "charpoly", "coexistence", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "log", "u", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "log", "v", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { NULL, NULL, NULL, JLT_UNSETTLED, NULL, NULL, NULL, NULL, NULL }
 };
 
 extern const jlt_descriptor jlt_kernels_lotka_volterra_general;

@@ -41,14 +41,14 @@ const char jlt_table_nose_hoover[] = {
 };
 
 const jlt_claim jlt_claims_nose_hoover[] = {
-    { "measure", "canonical", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "rate", "heat", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "rate", "weight", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "reversor", "reversor", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "symmetry", "symmetry", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "root", "n", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "root", "m", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { NULL, NULL, NULL, JLT_UNSETTLED, NULL, NULL, NULL, NULL }
+    { "measure", "canonical", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "rate", "heat", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "rate", "weight", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "reversor", "reversor", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "symmetry", "symmetry", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "root", "n", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "root", "m", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { NULL, NULL, NULL, JLT_UNSETTLED, NULL, NULL, NULL, NULL, NULL }
 };
 
 extern const jlt_descriptor jlt_kernels_nose_hoover_general;

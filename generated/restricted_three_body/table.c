@@ -52,16 +52,16 @@ const char jlt_table_restricted_three_body[] = {
 };
 
 const jlt_claim jlt_claims_restricted_three_body[] = {
-    { "integral", "jacobi", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "measure", "volume", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "reversor", "reversor", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "equilibria", "triangular", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "trace", "triangular", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "charpoly", "triangular", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "root", "r1", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "root", "r2", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "root", "h", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { NULL, NULL, NULL, JLT_UNSETTLED, NULL, NULL, NULL, NULL }
+    { "integral", "jacobi", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "measure", "volume", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "reversor", "reversor", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "equilibria", "triangular", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "trace", "triangular", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "charpoly", "triangular", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "root", "r1", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "root", "r2", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "root", "h", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { NULL, NULL, NULL, JLT_UNSETTLED, NULL, NULL, NULL, NULL, NULL }
 };
 
 extern const jlt_descriptor jlt_kernels_restricted_three_body_general;

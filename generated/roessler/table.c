@@ -39,10 +39,10 @@ const char jlt_table_roessler[] = {
 };
 
 const jlt_claim jlt_claims_roessler[] = {
-    { "equilibria", "foci", "b = x*(c - x)/a", JLT_PROVED, "", NULL, NULL, NULL },
-    { "matrix", "foci", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "trace", "foci", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { NULL, NULL, NULL, JLT_UNSETTLED, NULL, NULL, NULL, NULL }
+    { "equilibria", "foci", "b = x*(c - x)/a", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "matrix", "foci", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "trace", "foci", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { NULL, NULL, NULL, JLT_UNSETTLED, NULL, NULL, NULL, NULL, NULL }
 };
 
 extern const jlt_descriptor jlt_kernels_roessler_general;

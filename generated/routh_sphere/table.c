@@ -78,23 +78,23 @@ const char jlt_table_routh_sphere[] = {
 };
 
 const jlt_claim jlt_claims_routh_sphere[] = {
-    { "integral", "E", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "integral", "Jellett", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "integral", "Routh", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "measure", "rho", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "equal", "norm", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "reversor", "reversor", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "equilibria", "precession", "g = -omega_n*(I1*gamma3*omega_n + I3*omega3*s + m*e*v_tau)/(m*a3*s^2)", JLT_PROVED, "", NULL, NULL, NULL },
-    { "trace", "precession", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "leftnull", "precession", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "equilibria", "rolling", "a3 = 0", JLT_PROVED, "", NULL, NULL, NULL },
-    { "trace", "rolling", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "root", "s", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "root", "h", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "variant", "balanced", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "time", "regular", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "pole", "gamma3", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { NULL, NULL, NULL, JLT_UNSETTLED, NULL, NULL, NULL, NULL }
+    { "integral", "E", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "integral", "Jellett", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "integral", "Routh", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "measure", "rho", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "equal", "norm", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "reversor", "reversor", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "equilibria", "precession", "g = -omega_n*(I1*gamma3*omega_n + I3*omega3*s + m*e*v_tau)/(m*a3*s^2)", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "trace", "precession", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "leftnull", "precession", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "equilibria", "rolling", "a3 = 0", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "trace", "rolling", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "root", "s", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "root", "h", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "variant", "balanced", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "time", "regular", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "pole", "gamma3", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { NULL, NULL, NULL, JLT_UNSETTLED, NULL, NULL, NULL, NULL, NULL }
 };
 
 extern const jlt_descriptor jlt_kernels_routh_sphere_general;

@@ -77,19 +77,19 @@ const char jlt_table_spherical_top_balanced[] = {
 };
 
 const jlt_claim jlt_claims_spherical_top_balanced[] = {
-    { "integral", "F0", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "equal", "two_energies", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "equal", "jellett", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "equal", "horizontal_momentum", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "reversor", "reversor", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "embedding", "reduced", "", JLT_PROVED, "", "87c26890eb25fc124a005e91d321d4c0fe2271d369b79011e6214acd6bfaa501", "spherical_top.tt", NULL },
-    { "periodic", "psi", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "reduction", "half", "", JLT_PROVED, "", "ca43e6402d257c70e6eccfa27f5263e94f71e8470105f669a4f962a6db2fa7f6", "spherical_top_plane.tt", NULL },
-    { "root", "s", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "variant", "equal_moments", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "time", "regular", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "pole", "gamma3", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { NULL, NULL, NULL, JLT_UNSETTLED, NULL, NULL, NULL, NULL }
+    { "integral", "F0", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "equal", "two_energies", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "equal", "jellett", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "equal", "horizontal_momentum", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "reversor", "reversor", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "embedding", "reduced", "", JLT_PROVED, "", "87c26890eb25fc124a005e91d321d4c0fe2271d369b79011e6214acd6bfaa501", "spherical_top.tt", NULL, NULL },
+    { "periodic", "psi", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "reduction", "half", "", JLT_PROVED, "", "ca43e6402d257c70e6eccfa27f5263e94f71e8470105f669a4f962a6db2fa7f6", "spherical_top_plane.tt", NULL, NULL },
+    { "root", "s", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "variant", "equal_moments", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "time", "regular", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "pole", "gamma3", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { NULL, NULL, NULL, JLT_UNSETTLED, NULL, NULL, NULL, NULL, NULL }
 };
 
 extern const jlt_descriptor jlt_kernels_spherical_top_balanced_general;

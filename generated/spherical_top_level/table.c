@@ -133,24 +133,24 @@ const char jlt_chart_spherical_top_level_turning[] = {
 };
 
 const jlt_claim jlt_claims_spherical_top_level[] = {
-    { "integral", "E", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "integral", "F0", "a3 = 0", JLT_PROVED, "", NULL, NULL, NULL },
-    { "integral", "E1", "I3 = 0", JLT_PROVED, "", NULL, NULL, NULL },
-    { "measure", "density", "I3 = 0", JLT_PROVED, "", NULL, NULL, NULL },
-    { "reversor", "reversor", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "section", "turning", "omega_tau = 0", JLT_PROVED, "", "bf5c565b976fefec01b0b9870e38f40c17511a13ec5354ac25e436f814722bac", "spherical_top_section.tt", NULL },
-    { "equilibria", "spinning", "a3 = 0", JLT_PROVED, "", NULL, NULL, NULL },
-    { "trace", "spinning", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "obstructs", "spinning", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "leftnull", "spinning", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "embedding", "reduced", "", JLT_PROVED, "", "87c26890eb25fc124a005e91d321d4c0fe2271d369b79011e6214acd6bfaa501", "spherical_top.tt", NULL },
-    { "root", "s", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "root", "stretch", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "variant", "balanced", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "variant", "rod", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "time", "regular", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "pole", "gamma3", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { NULL, NULL, NULL, JLT_UNSETTLED, NULL, NULL, NULL, NULL }
+    { "integral", "E", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "integral", "F0", "a3 = 0", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "integral", "E1", "I3 = 0", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "measure", "density", "I3 = 0", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "reversor", "reversor", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "section", "turning", "omega_tau = 0", JLT_PROVED, "", "bf5c565b976fefec01b0b9870e38f40c17511a13ec5354ac25e436f814722bac", "spherical_top_section.tt", NULL, NULL },
+    { "equilibria", "spinning", "a3 = 0", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "trace", "spinning", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "obstructs", "spinning", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "leftnull", "spinning", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "embedding", "reduced", "", JLT_PROVED, "", "87c26890eb25fc124a005e91d321d4c0fe2271d369b79011e6214acd6bfaa501", "spherical_top.tt", NULL, NULL },
+    { "root", "s", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "root", "stretch", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "variant", "balanced", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "variant", "rod", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "time", "regular", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "pole", "gamma3", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { NULL, NULL, NULL, JLT_UNSETTLED, NULL, NULL, NULL, NULL, NULL }
 };
 
 extern const jlt_descriptor jlt_kernels_spherical_top_level_general;

@@ -66,16 +66,16 @@ const char jlt_table_spherical_top_plane[] = {
 };
 
 const jlt_claim jlt_claims_spherical_top_plane[] = {
-    { "equal", "jellett", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "equal", "third_integral", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "embedding", "balanced", "", JLT_PROVED, "", "24a45271f1bb41ba5e244e58a9d3bf86965e07f3e00bac5fa205b37831e8cb33", "spherical_top_balanced.tt", NULL },
-    { "periodic", "psi", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "root", "s", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "root", "v_slip", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "variant", "equal_moments", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "time", "regular", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "pole", "gamma3", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { NULL, NULL, NULL, JLT_UNSETTLED, NULL, NULL, NULL, NULL }
+    { "equal", "jellett", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "equal", "third_integral", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "embedding", "balanced", "", JLT_PROVED, "", "24a45271f1bb41ba5e244e58a9d3bf86965e07f3e00bac5fa205b37831e8cb33", "spherical_top_balanced.tt", NULL, NULL },
+    { "periodic", "psi", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "root", "s", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "root", "v_slip", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "variant", "equal_moments", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "time", "regular", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "pole", "gamma3", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { NULL, NULL, NULL, JLT_UNSETTLED, NULL, NULL, NULL, NULL, NULL }
 };
 
 extern const jlt_descriptor jlt_kernels_spherical_top_plane_general;

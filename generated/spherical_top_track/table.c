@@ -127,25 +127,25 @@ const char jlt_table_spherical_top_track[] = {
 };
 
 const jlt_claim jlt_claims_spherical_top_track[] = {
-    { "integral", "E", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "integral", "G", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "rate", "along_nu", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "rate", "along_tau", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "rate", "vertical_turn", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "integral", "M_x", "a3 = 0", JLT_PROVED, "", NULL, NULL, NULL },
-    { "integral", "M_y", "a3 = 0", JLT_PROVED, "", NULL, NULL, NULL },
-    { "integral", "v_x", "I3 = 0", JLT_PROVED, "", NULL, NULL, NULL },
-    { "integral", "v_y", "I3 = 0", JLT_PROVED, "", NULL, NULL, NULL },
-    { "reversor", "reversor", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "reduction", "reduced", "", JLT_PROVED, "", "87c26890eb25fc124a005e91d321d4c0fe2271d369b79011e6214acd6bfaa501", "spherical_top.tt", NULL },
-    { "periodic", "chi", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "periodic", "spin", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "root", "s", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "variant", "balanced", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "variant", "rod", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "time", "regular", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "pole", "gamma3", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { NULL, NULL, NULL, JLT_UNSETTLED, NULL, NULL, NULL, NULL }
+    { "integral", "E", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "integral", "G", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "rate", "along_nu", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "rate", "along_tau", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "rate", "vertical_turn", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "integral", "M_x", "a3 = 0", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "integral", "M_y", "a3 = 0", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "integral", "v_x", "I3 = 0", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "integral", "v_y", "I3 = 0", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "reversor", "reversor", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "reduction", "reduced", "", JLT_PROVED, "", "87c26890eb25fc124a005e91d321d4c0fe2271d369b79011e6214acd6bfaa501", "spherical_top.tt", NULL, NULL },
+    { "periodic", "chi", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "periodic", "spin", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "root", "s", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "variant", "balanced", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "variant", "rod", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "time", "regular", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "pole", "gamma3", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { NULL, NULL, NULL, JLT_UNSETTLED, NULL, NULL, NULL, NULL, NULL }
 };
 
 extern const jlt_descriptor jlt_kernels_spherical_top_track_general;

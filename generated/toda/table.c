@@ -56,17 +56,17 @@ const char jlt_table_toda[] = {
 };
 
 const jlt_claim jlt_claims_toda[] = {
-    { "integral", "P", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "integral", "H", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "integral", "J", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "equal", "ring", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "measure", "volume", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "reversor", "reversor", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "reversor", "reversor", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "symmetry", "turn", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "symmetry", "mirror", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { "symmetry", "shift", "", JLT_PROVED, "", NULL, NULL, NULL },
-    { NULL, NULL, NULL, JLT_UNSETTLED, NULL, NULL, NULL, NULL }
+    { "integral", "P", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "integral", "H", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "integral", "J", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "equal", "ring", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "measure", "volume", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "reversor", "reversor", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "reversor", "reversor", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "symmetry", "turn", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "symmetry", "mirror", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { "symmetry", "shift", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
+    { NULL, NULL, NULL, JLT_UNSETTLED, NULL, NULL, NULL, NULL, NULL }
 };
 
 extern const jlt_descriptor jlt_kernels_toda_general;

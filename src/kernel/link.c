@@ -1,6 +1,5 @@
 #include "kernel/link.h"
 
-#include <math.h>
 #include <string.h>
 
 #include "kernel/descriptor.h"
@@ -25,15 +24,8 @@ const char *jlt_link_renames(const jlt_descriptor *from, const jlt_claim *claim,
 
 const char *jlt_link_widens(const jlt_descriptor *from, const jlt_claim *claim, const jlt_descriptor *to)
 {
-    size_t same;
-
     if (jlt_way_of(from, claim) != NULL) return NULL;
-    for (unsigned i = 0; i < from->state_count; i++) {
-        const jlt_quantity *q = &from->states[i];
-        if (isinf(q->low) && isinf(q->high)) continue;
-        if (!jlt_descriptor_state(to, q->name, &same) || to->states[same].low != q->low || to->states[same].high != q->high)
-            return q->name;
-    }
+    if (claim->widens != NULL) return claim->widens;
     for (unsigned i = 0; i < from->domain_count; i++) {
         unsigned k = 0;
         while (k < to->domain_count && strcmp(from->domains[i].text, to->domains[k].text) != 0) k++;

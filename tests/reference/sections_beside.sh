@@ -148,6 +148,8 @@ expect 3 'the reduction down gives k of low, which high does not have: call it k
 sed -i 's/stiff/k/g; s/with k = k, x = x/with x = y/; s/x/y/g; s/with y = y/with x = y/; s/^state y/state y in (-5, 5)/' \
     words/high.tt
 sed -i 's/^state x/state x in (-5, 5)/' words/low.tt words/low_section.tt
+expect 0 '^0,1,4.44288293815836' jellett section words/high.tt --set k=2 --start x=-1 --returns 1 # 2 pi/sqrt(2)
+sed -i 's/y in (-5, 5)/y in (-4, 5)/' words/high.tt
 expect 3 'where y does not bound the motion by the same words: write it with the same names in both, or ask low' \
     jellett section words/high.tt --set k=2 --start x=-1 --returns 1
 # So where that happens on the way, in a table between the two.
