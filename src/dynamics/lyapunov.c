@@ -7,6 +7,7 @@
 #include "core/memory.h"
 #include "dynamics/linear.h"
 #include "ext/eigen.h"
+#include "integrate/epoch.h"
 
 static double tolerance_of(const jlt_flow *flow) { return flow->tolerance != 0 ? flow->tolerance : JLT_ORBIT_TOLERANCE; }
 
@@ -94,7 +95,9 @@ static void count_return(jlt_lyapunov_state *state, double *frame, double *growt
     state->has_left |= state->at_saddle > 0 && jlt_chart_distance(flow->chart, p->q, state->q) > far;
     if (state->at_saddle == 0 && is_at_saddle(state->q, p, slope, flow)) state->at_saddle = state->returns + 1;
     memcpy(state->q, p->q, d * sizeof *p->q);
-    state->t += p->T;
+    jlt_epoch time = { state->t, state->t_low };
+    jlt_epoch_move(&time, &(double){ p->T });
+    state->t = time.time, state->t_low = time.low;
     state->returns++;
     *expansion += p->expansion;
     for (unsigned k = 0; k < d; k++) state->exponents[k] = growth[k] / state->t;

@@ -11,7 +11,7 @@
 
 typedef struct {
     size_t returns;
-    double t;         /* [time] of these returns */
+    double t, t_low;  /* [time] of these returns, and the rounding error of t */
     double exponents[JLT_CHART_DIM_MAX]; /* (dim,), per unit of time, largest first in the limit */
     size_t blurred;   /* returns whose DP contracts some direction by more than the tolerance resolves: the exponent of that
                          direction and those after it are NaN from then on */

@@ -178,4 +178,10 @@ for what in './forced.tt --section phi=0 --start x=1,v=0' './circle.tt --section
     awk -F, -v pi=3.141592653589793 '/^[01],20000,/ { n++; bad += ($3 - 2*pi*$2)^2 > 9e-20 } END { exit !(n > 0 && !bad) }' out ||
         fail "times of $what: $(tail -2 out)"
 done
+for sweep in '' '--sweep k=1:2:2'; do
+    [ -n "$sweep" ] && printf 'param k\ndefault k = 1\n' >> forced.tt
+    expect 0 '20000,' jellett lyapunov ./forced.tt --section phi=0 --start x=1,v=0 --returns 20000 $sweep
+    sed 's/^[0-9],//' out | awk -F, -v pi=3.141592653589793 '/^20000,/ { n++; bad += ($2 - 2*pi*$1)^2 > 9e-20 }
+        END { exit !(n > 0 && !bad) }' || fail "times of exponents $sweep: $(tail -2 out)"
+done
 exit $status
