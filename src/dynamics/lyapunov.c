@@ -61,39 +61,51 @@ static void begin_frame(double *frame, unsigned d)
         for (unsigned k = 0; k < d; k++) frame[i * d + k] = (i == k) - 2 * v[i] * v[k] / square;
 }
 
-/* Whether a return from q begins at a saddle, as near as at_saddle of the state says. slope: DP in units of the coordinates' sizes.
- * Errors by which an orbit leaves a separatrix are about the tolerance, and it then passes at the root of that; thin attractors
- * bring orbits as near by chance. */
-static bool is_at_saddle(const double *q, const jlt_map_batch_return *p, const double *slope, const jlt_flow *flow)
+/* Whether a return begins at a saddle, as near as at_saddle of the state says. move: of the return; slope: DP; both in units of the
+ * coordinates' sizes. reach: the size of the motion in these units. Errors by which an orbit leaves a separatrix are about the
+ * tolerance, and it then passes at the root of that; thin attractors bring orbits as near by chance. Where DP stretches by more
+ * than errors allow, it is not known how far the saddle is. */
+static bool is_at_saddle(const double *move, const jlt_map_batch_return *p, const double *slope, const jlt_flow *flow, double reach)
 {
     static const double keeps = 0.1, stretches = 1.1;
     const unsigned d = flow->chart->dim;
-    const double near = sqrt(tolerance_of(flow));
-    double fixed[JLT_CHART_DIM_MAX * JLT_CHART_DIM_MAX], move[JLT_CHART_DIM_MAX], off[JLT_CHART_DIM_MAX], re[JLT_CHART_DIM_MAX],
-        im[JLT_CHART_DIM_MAX];
+    const double near = sqrt(tolerance_of(flow)) * reach, length = jlt_linear_length(slope, d * d);
+    double fixed[JLT_CHART_DIM_MAX * JLT_CHART_DIM_MAX], off[JLT_CHART_DIM_MAX], re[JLT_CHART_DIM_MAX], im[JLT_CHART_DIM_MAX];
 
-    if (!(p->flux_determinant > keeps)) return false;
-    jlt_chart_difference(flow->chart, move, p->q, q);
-    jlt_chart_scaled(flow->chart, move, move);
-    if (!(jlt_linear_length(move, d) < near * (1 + jlt_linear_length(slope, d * d)))) return false;
+    if (!(p->flux_determinant > keeps) || !(length * noise_of(flow) < 1)) return false;
+    if (!(jlt_linear_length(move, d) < near * (1 + length))) return false;
     for (unsigned i = 0; i < d * d; i++) fixed[i] = slope[i] - (i % (d + 1) == 0);
     if (jlt_eigen_least_squares(off, fixed, move, d, d, 1e-14) != JLT_OK || !(jlt_linear_length(off, d) < near)) return false;
     if (jlt_linear_eigenvalues(re, im, slope, d) != JLT_OK) return false;
     return hypot(re[0], im[0]) > stretches && hypot(re[d - 1], im[d - 1]) < 1 / stretches;
 }
 
+/* Look whether the orbit is at a saddle, or has gone from one. The coordinates' sizes are those of its start, which may be near
+ * one. */
+static void watch_saddles(jlt_lyapunov_state *state, const jlt_map_batch_return *p, const double *slope, const jlt_flow *flow)
+{
+    static const double far = 1e-3; /* a move of a return, by far more than those of returns at a saddle */
+    const unsigned d = flow->chart->dim;
+    double move[JLT_CHART_DIM_MAX];
+
+    jlt_chart_difference(flow->chart, move, p->q, state->q);
+    jlt_chart_scaled(flow->chart, move, move);
+    state->reach = fmax(state->reach, jlt_linear_length(move, d));
+    const double reach = fmax(state->reach, 1);
+    state->has_left |= state->at_saddle > 0 && jlt_linear_length(move, d) > far * reach;
+    if (state->at_saddle == 0 && is_at_saddle(move, p, slope, flow, reach)) state->at_saddle = state->returns + 1;
+}
+
 /* Add a return to the state. frame: shape (d, d); growth: shape (d,); expansion: summed over returns. */
 static void count_return(jlt_lyapunov_state *state, double *frame, double *growth, double *expansion, const jlt_map_batch_return *p,
                          const jlt_flow *flow)
 {
-    static const double far = 1e-3; /* a move of a return, by far more than those of returns at a saddle */
     const unsigned d = flow->chart->dim;
     double slope[JLT_CHART_DIM_MAX * JLT_CHART_DIM_MAX];
 
     jlt_chart_scaled_slope(flow->chart, slope, p->slope);
     if (step_frame(frame, growth, slope, p->flux_determinant, noise_of(flow), d)) state->blurred++;
-    state->has_left |= state->at_saddle > 0 && jlt_chart_distance(flow->chart, p->q, state->q) > far;
-    if (state->at_saddle == 0 && is_at_saddle(state->q, p, slope, flow)) state->at_saddle = state->returns + 1;
+    watch_saddles(state, p, slope, flow);
     memcpy(state->q, p->q, d * sizeof *p->q);
     jlt_epoch time = { state->t, state->t_low };
     jlt_epoch_move(&time, &(double){ p->T });

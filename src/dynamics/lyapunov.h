@@ -16,7 +16,9 @@ typedef struct {
     size_t blurred;   /* returns whose DP contracts some direction by more than the tolerance resolves: the exponent of that
                          direction and those after it are NaN from then on */
     size_t at_saddle; /* number of the first return from a point nearer to a saddle, of a map that nearly keeps volume, than the
-                         square root of the tolerance: where the orbit goes from there is up to errors; 0: there is none */
+                         square root of the tolerance is of reach: where the orbit goes from there is up to errors; 0: there is
+                         none */
+    double reach;     /* the longest move of a return, in units of the coordinates' sizes */
     bool has_left;    /* it has gone from there */
     double sum_check; /* mean divergence along the orbit; it differs from the exponents' sum by log(flux at start/flux at q)/t */
     double q[JLT_CHART_DIM_MAX]; /* (dim,), the last return */

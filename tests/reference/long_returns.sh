@@ -95,6 +95,19 @@ for start in q=0,p=2 q=pi,p=0 q=0,p=2.001 q=1,p=1; do
     [ "$(grep -c 'return [1-4] begins nearer to a saddle than errors tell separatrices apart' err)" = $wanted ] ||
         fail "exponents from $start: $(cat err)"
 done
+# Nor does a motion that starts on a separatrix beside its saddle, however near. A chaotic one, of which every return stretches by
+# more than all digits, is at no saddle.
+printf '%s\n' 'model well' 'state x' 'state v' 'state phi' 'periodic phi = 2*pi' 'eq x = v' 'eq v = x - x^3' 'eq phi = 1' > well.tt
+for x in 1e-3 1e-5 1e-7; do
+    expect 0 '^100,' jellett lyapunov ./well.tt --section phi=0 --start x=$x,v=$x --returns 100
+    grep -q 'begins nearer to a saddle' err || fail "exponents of a separatrix from x=$x: $(cat err)"
+done
+sed -e 's/^model.*/model shaken/' -e 's/^eq p = .*/angle C S = cos(phi) sin(phi)\neq p = -s + s*C*3\/2/' -e '/^periodic phi/d' \
+    clocked.tt > shaken.tt
+for start in q=1,p=0.5 q=0.5,p=1 q=2,p=1; do
+    expect 0 '^100,' jellett lyapunov ./shaken.tt --section phi=0 --modulo phi=100.53096491487338 --start $start --returns 100
+    ! grep -q 'begins nearer to a saddle' err || fail "exponents of a chaotic orbit: $(cat err)"
+done
 # The period is 4 K(p/2); on the separatrix there is none.
 expect 0 '^1,1.99,14.78750032957' jellett orbits ./free.tt --section q=0 --start p=1.99 --period 1
 ! grep -q 'det DP differs' err || fail "a period that is known is said to be none: $(cat err)"
