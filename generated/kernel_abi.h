@@ -177,8 +177,8 @@ typedef struct {
     const char *file;        /* and the name of its file beside the model's */
     const char *renames;     /* of a reduction onto another table: a parameter of that table whose value here has another name, or
                                 none (see jlt_source); NULL: there is none, or the claim is of another kind */
-    const char *widens;      /* of the same: a state whose interval ends at a number, and which is no state with this interval
-                                there; NULL as above */
+    const char *widens;      /* of the same: a state with an interval, or a record `domain`, that bounds motions here and is no
+                                condition there; NULL as above */
 } jlt_claim;
 
 typedef struct {

@@ -115,9 +115,10 @@ int ttc_emit_source(const ttc_model *model, const char *name, ttc_id value, bool
  *  see jlt_claim; NULL if there is none, if the claim is no such reduction, or if memory is out. */
 const char *ttc_emit_renamed(const ttc_model *model, const ttc_claim *claim, const ttc_model *target);
 
-/** The name of the first state whose interval ends at a number, and which is no state of the target with that interval, by whatever
- *  name; NULL if there is none, or if the claim is no reduction onto its target. */
-const char *ttc_emit_widened(const ttc_model *model, const ttc_claim *claim, const ttc_model *target);
+/** The name of the first state with an interval, or of the first record `domain`, that bounds motions of the general field and is
+ *  none of the target's conditions, as the reduction gives the target's states; NULL if there is none, or if the claim is no
+ *  reduction onto its target. Also a name when memory is out. */
+const char *ttc_emit_widened(const ttc_kernels *general, const ttc_claim *claim, const ttc_model *target);
 
 /** Kernels of the general field for ways to tables that serve in place of its own, and their table, `ways`, of length *count. A
  *  way whose table does not fit is left out. */

@@ -26,8 +26,10 @@ static void add_name(ttc_text *text, const char *name)
 
 /* SHA-256 of a claim's target, its file, and the names that ttc_emit_renamed and ttc_emit_widened find, in quotation marks; NULL
  * where there is none. */
-static void add_target(ttc_text *text, const ttc_model *model, const ttc_claim *claim)
+static void add_target(ttc_text *text, const ttc_catalogue *catalogue, const ttc_claim *claim)
 {
+    const ttc_model *model = catalogue->model;
+    const ttc_kernels *general = catalogue->count > 0 ? catalogue->fields[0].kernels : NULL;
     ttc_diagnostics *ignored = claim != NULL && claim->target != NULL ? ttc_diagnostics_create() : NULL;
     ttc_model *target = ignored == NULL ? NULL : ttc_resolve_beside(NULL, model, claim->target, ignored);
     if (target == NULL) {
@@ -38,7 +40,7 @@ static void add_target(ttc_text *text, const ttc_model *model, const ttc_claim *
         ttc_text_add(text, "\"");
     }
     add_name(text, target == NULL ? NULL : ttc_emit_renamed(model, claim, target));
-    add_name(text, target == NULL ? NULL : ttc_emit_widened(model, claim, target));
+    add_name(text, target == NULL || general == NULL ? NULL : ttc_emit_widened(general, claim, target));
     ttc_model_destroy(target);
     ttc_diagnostics_destroy(ignored);
 }
@@ -61,7 +63,7 @@ static void add_claims(ttc_text *text, const ttc_catalogue *catalogue, const ttc
         ttc_text_format(text, "\", %s, \"", verdicts[proof->status]);
         if (proof->status != TTC_PROVED && proof->remainder != NULL) ttc_text_add_escaped(text, proof->remainder);
         ttc_text_add(text, "\", ");
-        add_target(text, model, claim);
+        add_target(text, catalogue, claim);
         ttc_text_add(text, " },\n");
     }
     ttc_text_add(text, "    { NULL, NULL, NULL, JLT_UNSETTLED, NULL, NULL, NULL, NULL, NULL }\n};\n");

@@ -1,4 +1,4 @@
-/* Finds what a claim gives of its target: parameters, by those of this table with their names or others; intervals of states. */
+/* Finds what gives the parameters of a claim's target: parameters of this table with their names, or others. */
 #include "emit/emit.h"
 
 #include "prove/image.h"
@@ -38,33 +38,6 @@ const char *ttc_emit_renamed(const ttc_model *model, const ttc_claim *claim, con
         const ttc_id given = ttc_given_for(claim, name);
         const int source = given != TTC_NONE ? ttc_emit_source(model, name, given, false) : OWN;
         if (source == PARAMS || source == OTHER_LEVEL) return name;
-    }
-    return NULL;
-}
-
-static bool is_number(const ttc_model *model, ttc_id end)
-{
-    return end != TTC_NONE && ttc_kind_of(model->graph, end) == TTC_NUMBER;
-}
-
-/* Whether both ends, TTC_NONE at infinity, are one number, or neither is a number. */
-static bool is_same_end(const ttc_model *model, ttc_id end, const ttc_model *target, ttc_id other)
-{
-    if (!is_number(model, end) || !is_number(target, other)) return !is_number(model, end) && !is_number(target, other);
-    return fmpq_equal(ttc_coefficient(model->graph, end), ttc_coefficient(target->graph, other));
-}
-
-const char *ttc_emit_widened(const ttc_model *model, const ttc_claim *claim, const ttc_model *target)
-{
-    for (size_t i = 0; claim->kind == TTC_CLAIM_REDUCTION && i < model->state_count; i++) {
-        const ttc_symbol_entry *state = model->symbols + model->states[i];
-        bool is_bound = !is_number(model, state->low) && !is_number(model, state->high);
-        for (size_t k = 0; k < target->state_count && !is_bound; k++) {
-            const ttc_symbol_entry *image = target->symbols + target->states[k];
-            is_bound = ttc_given_for(claim, image->name) == state->node && is_same_end(model, state->low, target, image->low)
-                       && is_same_end(model, state->high, target, image->high);
-        }
-        if (!is_bound) return state->name;
     }
     return NULL;
 }

@@ -33,8 +33,7 @@ ttc_scratch *ttc_scratch_of(ttc_field *field)
     return NULL;
 }
 
-/* Copy a node from one graph to another, parts first; TTC_DEPTH_LIMIT bounds the recursion. images: copies, by id in `from`. */
-static ttc_id carry(ttc_graph *to, const ttc_graph *from, ttc_id id, ttc_id *images)
+ttc_id ttc_carry(ttc_graph *to, const ttc_graph *from, ttc_id id, ttc_id *images)
 {
     ttc_kind kind = ttc_kind_of(from, id);
     size_t count = ttc_part_count(from, id);
@@ -47,7 +46,7 @@ static ttc_id carry(ttc_graph *to, const ttc_graph *from, ttc_id id, ttc_id *ima
     bool failed = parts == NULL || exponents == NULL || weights == NULL;
     for (size_t i = 0; i < count && !failed; i++) {
         ttc_part part = ttc_part_at(from, id, i);
-        parts[i] = carry(to, from, part.id, images);
+        parts[i] = ttc_carry(to, from, part.id, images);
         exponents[i] = part.exponent;
         weights[i] = *part.coefficient;
         failed = parts[i] == TTC_NONE;
@@ -85,7 +84,7 @@ ttc_id ttc_scratch_import(ttc_scratch *scratch, ttc_id id)
         if (!ok) return TTC_NONE;
         scratch->image_capacity = 2 * size;
     }
-    return carry(scratch->graph, scratch->field->graph, id, scratch->images);
+    return ttc_carry(scratch->graph, scratch->field->graph, id, scratch->images);
 }
 
 ttc_id ttc_scratch_export(ttc_scratch *scratch, ttc_id id)
@@ -93,7 +92,7 @@ ttc_id ttc_scratch_export(ttc_scratch *scratch, ttc_id id)
     if (id == TTC_NONE) return TTC_NONE;
     ttc_id *images = calloc((size_t)id + 1, sizeof *images), result = TTC_NONE;
     scratch->failed |= images == NULL;
-    if (images != NULL) result = carry(scratch->field->graph, scratch->graph, id, images);
+    if (images != NULL) result = ttc_carry(scratch->field->graph, scratch->graph, id, images);
     free(images);
     return result;
 }

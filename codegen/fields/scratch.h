@@ -22,6 +22,11 @@ typedef struct ttc_scratch {
 ttc_scratch *ttc_scratch_of(ttc_field *field);
 void ttc_scratch_destroy(ttc_scratch *scratch); /* legal on NULL */
 
+/* Copy a node from one graph to another, parts first; TTC_DEPTH_LIMIT bounds the recursion. In/out: images, the copies by id in
+ * `from`, TTC_NONE for those not made yet; a symbol without one keeps its number. Returns TTC_NONE if the graph fails or memory is
+ * out. */
+ttc_id ttc_carry(ttc_graph *to, const ttc_graph *from, ttc_id id, ttc_id *images);
+
 /* Copy an expression from the field's graph to the scratch graph, and back. Return TTC_NONE if a graph fails or memory is out. */
 ttc_id ttc_scratch_import(ttc_scratch *scratch, ttc_id id);
 ttc_id ttc_scratch_export(ttc_scratch *scratch, ttc_id id);

@@ -1,5 +1,6 @@
 #include "analysis/family.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -26,10 +27,13 @@ static double turns_between(const jlt_descriptor *d, unsigned i, double x, doubl
     return near(x, value) || !isfinite(turns) ? 0.0 : turns * period;
 }
 
+/* Whether a state has this value up to periods; not where its digits do not tell where in a period it is. */
 static bool meets(const jlt_descriptor *d, unsigned i, double x, double value)
 {
-    const double turned = turns_between(d, i, x, value);
-    return near(x, value + turned);
+    static const double part = 1e-6; /* of a period */
+    const double on = value + turns_between(d, i, x, value);
+
+    return near(x, value) || (near(x, on) && fabs(x - on) + DBL_EPSILON * fabs(x) <= part * period_of(d, i));
 }
 
 bool jlt_family_point(double *point, const jlt_equilibria *family, const jlt_descriptor *d, const double *params, const double *x)

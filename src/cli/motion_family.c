@@ -64,7 +64,7 @@ static jlt_exit refuse(const jlt_motion_family *self, const jlt_descriptor *d, c
         if (strcmp(d->integrals[i].name, name) == 0)
             return jlt_command_fail(JLT_EXIT_INPUT, "%s: to vary the level %s, fix it first: add --level %s=VALUE --solve "
                                     "STATE=GUESS", option, name, name);
-    return jlt_motion_plane_refuse(&self->plane, name, option);
+    return jlt_motion_plane_refuse(d, name, option);
 }
 
 static double *entry_of(jlt_motion_family *self, const char *name)

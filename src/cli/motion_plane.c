@@ -145,22 +145,20 @@ static jlt_exit find_integral(unsigned *index, const char *name, const jlt_descr
     return JLT_EXIT_DONE;
 }
 
-jlt_exit jlt_motion_plane_refuse(const jlt_motion_plane *plane, const char *name, const char *option)
+jlt_exit jlt_motion_plane_refuse(const jlt_descriptor *d, const char *name, const char *option)
 {
-    const jlt_descriptor *d = plane->descriptor;
-
     fprintf(stderr, "jellett: %s: there is no '%s'; there are the parameters", option, name);
     for (unsigned i = 0; i < d->param_count; i++) fprintf(stderr, "%s %s", i == 0 ? "" : ",", d->params[i].name);
     fputs(d->param_count == 0 ? " (none)" : "", stderr);
-    for (unsigned i = 0; i < plane->level_count; i++)
-        fprintf(stderr, "%s %s", i == 0 ? ", and of --level" : ",", d->integrals[plane->levels[i].integral].name);
+    for (unsigned i = 0; i < d->integral_count; i++)
+        fprintf(stderr, "%s %s", i == 0 ? ", and the levels of" : ",", d->integrals[i].name);
     fputc('\n', stderr);
     return JLT_EXIT_INPUT;
 }
 
 static jlt_exit add_level(jlt_motion_plane *out, const char *name, double value, bool swept, const jlt_descriptor *d)
 {
-    if (swept && jlt_descriptor_claim(d, "integral", name) == NULL) return jlt_motion_plane_refuse(out, name, "--sweep");
+    if (swept && jlt_descriptor_claim(d, "integral", name) == NULL) return jlt_motion_plane_refuse(d, name, "--sweep");
     if (d->integral_count > JLT_CHART_INTEGRALS_MAX)
         return jlt_command_fail(JLT_EXIT_INPUT, "--level: %s has %u integrals; levels are served of tables with up to %d", d->model,
                                 d->integral_count, JLT_CHART_INTEGRALS_MAX);

@@ -28,8 +28,9 @@ void jlt_motion_plane_clear(jlt_motion_plane *plane);
 /** A pointer to the value of the parameter or level of this name, through which the caller may change it; NULL: there is none. */
 double *jlt_motion_plane_value(jlt_motion_plane *plane, const char *name);
 
-/** Refuse, after `option`, a name that is neither a parameter nor a level, and print those that are. Returns INPUT. */
-jlt_exit jlt_motion_plane_refuse(const jlt_motion_plane *plane, const char *name, const char *option);
+/** Refuse, after `option`, a name that is neither a parameter nor an integral of the table, and print those that are. Returns
+ *  INPUT. */
+jlt_exit jlt_motion_plane_refuse(const jlt_descriptor *d, const char *name, const char *option);
 
 /** Make the system from the current values. Out: *system, for jlt_system_destroy; *no_angle, the index of a state that --modulo
  *  calls an angle although the field does not have its period, or the number of states if there is none. Errors: as

@@ -148,7 +148,7 @@ static bool tell_unfollowed(const jlt_descriptor *table, const jlt_claim *claim,
 {
     const bool is_bound = claim->condition[0] != '\0', is_known = to != NULL && !is_bound;
     const char *renamed = is_known ? jlt_link_renames(table, claim, to) : NULL;
-    const char *wider = is_known ? jlt_link_widens(table, claim, to) : NULL;
+    const char *wider = is_known ? jlt_link_widens(table, claim) : NULL;
 
     if (is_bound && jlt_way_of(table, claim) == NULL)
         jlt_command_fail(JLT_EXIT_INPUT, "the %s %s of %s holds only where %s, and no section is taken from its table", claim->kind,
@@ -162,9 +162,9 @@ static bool tell_unfollowed(const jlt_descriptor *table, const jlt_claim *claim,
                          "%s", claim->kind, claim->name, renamed, to->model, renamed, table->model, to->model);
     else if (wider != NULL)
         jlt_command_fail(JLT_EXIT_INPUT,
-                         "the %s %s of %s leads onto %s, where %s does not bound the motion by the same words: write "
-                         "it with the same names in both, or ask %s", claim->kind, claim->name, table->model, to->model, wider,
-                         to->model);
+                         "the %s %s of %s leads onto %s, where %s does not bound the motion: give it the same bound there, in "
+                         "the states that the %s gives, or ask %s", claim->kind, claim->name, table->model, to->model, wider,
+                         claim->kind, to->model);
     else return false;
     return true;
 }

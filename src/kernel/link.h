@@ -41,10 +41,10 @@ jlt_source jlt_link_source(const jlt_link *link, const char *name);
  *  another name, or none, or the name means something else; NULL if there is no such parameter. */
 const char *jlt_link_renames(const jlt_descriptor *from, const jlt_claim *claim, const jlt_descriptor *to);
 
-/** The name of a state with an interval, or of a record `domain`, that bounds the states of `from` and not those of `to`, a domain
- *  in the same words: after this reduction motions would be followed beyond their end; NULL if there is none. None is lost where
- *  the claim defines a way, which leads back by proof. */
-const char *jlt_link_widens(const jlt_descriptor *from, const jlt_claim *claim, const jlt_descriptor *to);
+/** The name of a state with an interval, or of a record `domain`, that bounds the states of `from` and not those of the claim's
+ *  table: after this reduction motions would be followed beyond their end; NULL if there is none. None is lost where the claim
+ *  defines a way, which leads back by proof. */
+const char *jlt_link_widens(const jlt_descriptor *from, const jlt_claim *claim);
 
 /** Whether any parameter of the last table is JLT_SOURCE_PARAMS. */
 bool jlt_link_computes(const jlt_link *link);

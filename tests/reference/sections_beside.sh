@@ -150,8 +150,26 @@ sed -i 's/stiff/k/g; s/with k = k, x = x/with x = y/; s/x/y/g; s/with y = y/with
 sed -i 's/^state x/state x in (-5, 5)/' words/low.tt words/low_section.tt
 expect 0 '^0,1,4.44288293815836' jellett section words/high.tt --set k=2 --start x=-1 --returns 1 # 2 pi/sqrt(2)
 sed -i 's/y in (-5, 5)/y in (-4, 5)/' words/high.tt
-expect 3 'where y does not bound the motion by the same words: write it with the same names in both, or ask low' \
+expect 3 'where y does not bound the motion: give it the same bound there, in the states that the reduction gives, or ask low' \
     jellett section words/high.tt --set k=2 --start x=-1 --returns 1
+# So with a record `domain`, whose words are the same in both tables where its bound is another, and differ where it is the same.
+mkdir bounds
+bounded() { # HERE BEYOND AS THERE...: this table's state and what bounds it; what gives x of the other; what bounds x
+    printf '%s\n' 'model small' 'state x' 'state v' "${@:4}" 'eq x = v' 'eq v = 9 - x' \
+        'section rest : by small_section.tt at v = 0 with x = x' > bounds/small.tt
+    printf '%s\n' 'model small_section' 'state x' "${@:4}" 'lift into small.tt with x = x, v = 0' > bounds/small_section.tt
+    printf '%b\n' 'model large' "state $1" 'state v' 'state z' "$2" "eq $1 = v" "eq v = 9 - ($3)" "eq z = $1" \
+        "reduction down : onto small.tt with x = $3, v = v" > bounds/large.tt
+}
+unbounded='leads onto small, where rim does not bound the motion'
+bounded y 'domain rim : y > 0' y 'domain rim : x > 0'
+expect 0 '^0,1,6.28318530717958' jellett section bounds/large.tt --start x=5 --returns 1
+bounded x 'domain rim : x > 0' 'x + 1' 'domain rim : x > 0'
+expect 3 "$unbounded" jellett section bounds/large.tt --start x=0.5 --returns 1
+bounded x 'let far = x - 2\ndomain rim : far > 0' x 'let far = x - 1' 'domain rim : far > 0'
+expect 3 "$unbounded" jellett section bounds/large.tt --start x=1.5 --returns 1
+bounded x 'let far = x - 1\ndomain rim : far > 0' x 'let far = x - 1' 'domain rim : far > 0'
+expect 0 '^0,1,6.28318530717958' jellett section bounds/large.tt --start x=1.5 --returns 1
 # So where that happens on the way, in a table between the two.
 sed 's/^reduction/embedding up : into wide.tt with x = x, p = p, z = z, w = J\n&/' -i other.tt
 sed 's/model other/model wide/; /J > 0/d; /default/d; s/J\*x/w*x/; /^integral/d; /^embedding/d; /^reduction/d

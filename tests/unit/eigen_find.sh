@@ -50,4 +50,7 @@ for turned in 0 2*pi -4*pi; do on down -0.125 pendulum --at "th=$turned"; done
 for turned in pi 3*pi -pi; do on up -0.125 pendulum --at "th=$turned"; done
 on down -0.125 pendulum --at th=6.2 --find
 on 'none of the table' '' line --at 'th=2*pi'
+# Where the digits of a state do not tell by how many periods it is away, nothing is said of its family.
+on up -0.125 pendulum --at 'th=200001*pi'
+for far in 3e13 62831853071.795 1e300; do on 'none of the table' '' pendulum --at "th=$far"; done
 exit $status

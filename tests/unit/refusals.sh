@@ -43,6 +43,8 @@ refuse 3 "--sweep: there is no parameter or level 'b'; there are m, R, g, I1, I3
     jellett section --start "$point" --sweep b=1:2:2
 refuse 3 "--sweep: there is no 'r'; there are the parameters sigma, rho, beta" \
     jellett section lorenz --section z=27 --start x=1,y=1 --sweep r=1:2:2
+refuse 3 "--sweep: there is no 'J'; there are the parameters mu, and the levels of jacobi" \
+    jellett section restricted_three_body --section y=0 --start x=0.5,vx=0,vy=1 --sweep J=2.9:3:2
 refuse 3 "--sweep: no state has these levels" jellett fates --start eta=0.1,gamma3=0.9 --sweep E=0.35:0.5:2 --plot rows.svg
 refuse 3 "2 of 2 points are outside the model's domain" jellett fates --grid 2x2 --sweep m=-5:-4:2 --output rows
 refuse 3 "no coordinate 'x'" jellett section --grid x=0:1:3
