@@ -81,7 +81,8 @@ typedef struct {
                                         error is relative to max(size, largest |x_j| but for the root), or JLT_BATCH_SPREAD times
                                         max(size, |x_i|) if that is less, size being jlt_field_size of the orbit's start; the
                                         clock's to the former over the size; the root's to the root */
-    size_t max_steps;                /* of one return, accepted and rejected */
+    size_t max_steps;                /* of one return, accepted and rejected; one at a bend of the rates, and the few after it,
+                                        count an eighth each */
     unsigned threads;                /* 0 and 1: the caller's alone */
     const jlt_descriptor *project;   /* descriptor whose integrals are restored: after every step that crosses the section, unless
                                         that would lead back across it, orbits are put back onto their starts' levels of its
