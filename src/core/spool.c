@@ -136,6 +136,8 @@ jlt_status jlt_spool_add(jlt_spool *self, size_t index, const double *record)
     return JLT_OK;
 }
 
+void jlt_spool_forget(jlt_spool *self, size_t index) { self->of[index] = (sequence){ 0 }; }
+
 void jlt_spool_rewind(jlt_spool *self, size_t index)
 {
     self->reading.sequence = index;

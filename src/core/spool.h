@@ -18,6 +18,9 @@ void jlt_spool_destroy(jlt_spool *self); /* NULL is legal */
 /** Append a record, shape (width,), to a sequence. Several threads may do so at once, each to sequences of its own. Errors: IO. */
 JLT_CHECKED jlt_status jlt_spool_add(jlt_spool *self, size_t sequence, const double *record);
 
+/** Forget the records of a sequence. Several threads may do so at once, each with sequences of its own. */
+void jlt_spool_forget(jlt_spool *self, size_t sequence);
+
 /** Make jlt_spool_read begin at the first record of this sequence. Only one sequence is read at a time. */
 void jlt_spool_rewind(jlt_spool *self, size_t sequence);
 

@@ -50,18 +50,6 @@ struct jlt_section_batch {
     } reading;
 };
 
-/* Most steps of a lane in a return: 400 at a tolerance of 1e-12, where returns take some 40; fewer at looser ones, 100 at least. A
- * creeping orbit takes more: stability then limits the steps of explicit methods, and their error is no power of the step. */
-static size_t most_steps(double tolerance)
-{
-    const double steps = 400 * pow(tolerance / 1e-12, -0.2);
-    return steps > 400 ? 400 : steps < 100 ? 100 : (size_t)steps;
-}
-
-/* The relative rate below which the end at a pole is known at once (integrate/approach.h) where rates of decay are from 0.1 to 2.
- * Ten tolerances at least: explicit methods at their stability limit make errors of a few. */
-static double rest_at_pole(double tolerance) { return fmax(0.002 * sqrt(tolerance), 10 * tolerance); }
-
 jlt_status jlt_section_batch_create(jlt_section_batch **out, const jlt_flow *flow, const jlt_kernel_batch *kernels,
                                     const jlt_section_batch_options *options)
 {
@@ -78,12 +66,12 @@ jlt_status jlt_section_batch_create(jlt_section_batch **out, const jlt_flow *flo
     self->columns = flow->chart->states + 1;
     self->width = self->columns + WATCHED;
     const double tolerance = flow->tolerance != 0 ? flow->tolerance : JLT_ORBIT_TOLERANCE;
-    const size_t steps_max = most_steps(tolerance);
+    const size_t steps_max = jlt_batch_most_steps(tolerance);
     self->slow = jlt_rest_slow(tolerance);
     self->map = (jlt_batch_map){
         .kernels = jlt_section_flows_obstacle(flow, kernels) == NULL ? kernels : NULL, .dim = flow->chart->states, .clock = true,
         .column = flow->chart->column, .direction = (int)flow->direction, .backwards = options->backwards,
-        .root = flow->field->root, .kept = flow->field->kept, .root_floor = root_floor, .root_rest = rest_at_pole(tolerance),
+        .root = flow->field->root, .kept = flow->field->kept, .root_floor = root_floor, .root_rest = jlt_batch_rest(tolerance),
         .root_least = root_least, .domain = jlt_field_watches(flow->field) ? &flow->field->domain : NULL, .tolerance = tolerance,
         .max_steps = flow->max_steps != 0 && flow->max_steps < steps_max ? flow->max_steps : steps_max, .threads = options->threads,
         .project = options->project != NULL ? options->project->descriptor : NULL, .interrupt = flow->interrupt,
@@ -173,9 +161,16 @@ static int keep_end(void *context, size_t lane, jlt_lane_end end, size_t returns
 {
     jlt_section_batch *self = context;
 
+    course *at = &self->courses[lane];
+
     (void)returns;
-    self->courses[lane].lane_end = end;
-    self->courses[lane].has_lane_end = true;
+    if (end == JLT_LANE_DOUBTED) {
+        __atomic_fetch_sub(&self->made, at->rows, __ATOMIC_RELAXED);
+        at->rows = 0;
+        if (self->rows != NULL) jlt_spool_forget(self->rows, lane);
+    }
+    at->lane_end = end;
+    at->has_lane_end = true;
     row_of(self, self->end + lane * self->width, x);
     return 0;
 }

@@ -1,5 +1,7 @@
 #include "integrate/batch.h"
 
+#include <math.h>
+
 #include "integrate/batch_lanes.h"
 #include "integrate/invariant.h"
 
@@ -15,6 +17,14 @@ static jlt_status run(const jlt_batch_job *job)
     default: return JLT_ERR_UNSUPPORTED;
     }
 }
+
+size_t jlt_batch_most_steps(double tolerance)
+{
+    const double steps = 400 * pow(tolerance / 1e-12, -0.2);
+    return steps > 400 ? 400 : steps < 100 ? 100 : (size_t)steps;
+}
+
+double jlt_batch_rest(double tolerance) { return fmax(0.002 * sqrt(tolerance), 10 * tolerance); }
 
 unsigned jlt_batch_columns(const jlt_batch_map *map)
 {

@@ -31,7 +31,9 @@ typedef enum {
     JLT_LANE_DOMAIN,  /* the orbit would have left the domain, or may have: go on from there with a scalar method */
     JLT_LANE_STALLED, /* the step fell below what time resolves, a value is not finite, or a tangent vector has more than
                          JLT_BATCH_STRETCHED times its length: go on from there with a scalar method */
-    JLT_LANE_BUDGET   /* max_steps are spent on one return */
+    JLT_LANE_BUDGET,  /* max_steps are spent on one return */
+    JLT_LANE_DOUBTED  /* a step, taken again in two halves, differed by far more than its estimated error: the rows so far are
+                         void; begin again, from the start that x is, with a scalar method */
 } jlt_lane_end;
 
 /** What orbits of one map may differ in. Plain data; what it points to must live as long as it is used. */
@@ -107,6 +109,14 @@ typedef struct {
     size_t rejected;
     size_t stages;   /* evaluations of a full vector */
 } jlt_batch_work;
+
+/** The usual max_steps for a tolerance: 400 at 1e-12, where returns take some 40; fewer at looser ones, 100 at least. A creeping
+ *  orbit takes more: stability then limits the steps of explicit methods, and their error is no power of the step. */
+size_t jlt_batch_most_steps(double tolerance);
+
+/** The usual root_rest, where rates of decay are from 0.1 to 2 (integrate/approach.h). Ten tolerances at least: explicit methods at
+ *  their stability limit make errors of a few. */
+double jlt_batch_rest(double tolerance);
 
 /** Columns of the map's starts, rows and ends: dim, and what is carried besides. */
 unsigned jlt_batch_columns(const jlt_batch_map *map);

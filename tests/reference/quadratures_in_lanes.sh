@@ -38,6 +38,28 @@ for lanes in 2 4 8; do
     done
 done
 
+# Ripples of which the estimates see nothing: steps that are taken again in halves show them, and gauss follows those orbits. Rows
+# stay independent of threads and company.
+for lanes in 2 4 8; do
+    export JELLETT_LANES=$lanes
+    for case in n=8,e=1.25e-5 n=8,e=1.25e-6 n=13,e=7.7e-6 n=13,e=7.7e-7 n=20,e=5e-6 n=20,e=5e-7; do
+        for tolerance in 1e-9 1e-12; do
+            jellett section ./ripple.tt --section s=0 --set $case --grid th=0.1:0.4:16 -n 10 --tol $tolerance > rows.csv
+            awk -F, -v t=$tolerance '/^[0-9]/ && $2 == 10 { off = $3 - 62.83185307179586; n++; bad += off^2 > (100*t + 1e-13)^2 }
+                END { exit n != 16 || bad }' rows.csv || fail "ripples $case in $lanes lanes at $tolerance: $(grep ',10,' rows.csv)"
+        done
+    done
+    for threads in 1 2; do
+        jellett section ./ripple.tt --section s=0 --set n=13,e=7.7e-7 --grid th=0.1:0.4:16 -n 10 --threads $threads |
+            grep -v '^#' > rows_$threads.csv
+    done
+    cmp -s rows_1.csv rows_2.csv || fail "ripples in $lanes lanes on two threads: $(cat rows_2.csv)"
+    jellett section ./ripple.tt --section s=0 --set n=13,e=7.7e-7 --start th=0.4 --start th=0.38 -n 10 > rows.csv
+    cmp -s <(grep '^15,' rows_1.csv | cut -d, -f2-) <(grep '^0,' rows.csv | cut -d, -f2-) ||
+        fail "a ripple in $lanes lanes in other company: $(cat rows.csv)"
+done
+unset JELLETT_LANES
+
 # A plane motion whose heading turns ever more slowly, and a weak feedback: alone by gauss, in lanes by the others.
 cat > walk.tt << 'T'
 model walk
