@@ -81,6 +81,7 @@ void ttc_check_rate_claim(ttc_check *check);
 void ttc_check_measure(ttc_check *check);
 void ttc_check_reversor(ttc_check *check);
 void ttc_check_symmetry(ttc_check *check);
+void ttc_check_period(ttc_check *check);
 void ttc_check_equal(ttc_check *check);
 void ttc_check_positive_claim(ttc_check *check);
 void ttc_check_equilibria(ttc_check *check);

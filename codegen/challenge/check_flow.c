@@ -2,6 +2,8 @@
 #include "challenge/check.h"
 #include "challenge/series.h"
 
+#include <stdlib.h>
+
 enum { SERIES_ORDER = 8 };
 
 static void require_rate_zero(ttc_check *check, ttc_id id)
@@ -184,3 +186,30 @@ void ttc_check_reversor(ttc_check *check)
 }
 
 void ttc_check_symmetry(ttc_check *check) { check_map(check, 1, "f(Sx) - DS f(x) in"); }
+
+/* What holds the table valid has the same value at the image; check_map has moved the probe to S(x). */
+static void check_validities(ttc_check *check, arb_srcptr before, const bool *has_value)
+{
+    const ttc_model *model = check->model;
+    for (size_t i = 0; i < model->validity_count && check->outcome != TTC_VIOLATED; i++) {
+        arb_srcptr image = has_value[i] ? ttc_probe_at(check->probe, model->validities[i].expression) : NULL;
+        if (image != NULL) ttc_check_same(check, image, before + i, "not the same at the image:", model->validities[i].name);
+    }
+}
+
+void ttc_check_period(ttc_check *check)
+{
+    const ttc_model *model = check->model;
+    arb_ptr before = _arb_vec_init((long)model->validity_count);
+    bool *has_value = calloc(model->validity_count + 1, sizeof *has_value);
+    for (size_t i = 0; has_value != NULL && i < model->validity_count; i++) {
+        arb_srcptr value = ttc_probe_at(check->probe, model->validities[i].expression);
+        has_value[i] = value != NULL;
+        if (value != NULL) arb_set(before + i, value);
+    }
+    check_map(check, 1, "f(Sx) - DS f(x) in");
+    if (has_value != NULL) check_validities(check, before, has_value);
+    else ttc_check_undefined(check);
+    free(has_value);
+    _arb_vec_clear(before, (long)model->validity_count);
+}

@@ -18,7 +18,7 @@ static const struct {
     { TTC_CLAIM_MATRIX, ttc_check_matrix, true },         { TTC_CLAIM_LEFT_NULL, ttc_check_left_null, true },
     { TTC_CLAIM_OBSTRUCTS, ttc_check_obstructs, false },  { TTC_CLAIM_REDUCTION, ttc_check_reduction, false },
     { TTC_CLAIM_SYMMETRY, ttc_check_symmetry, false },    { TTC_CLAIM_EMBEDDING, ttc_check_reduction, false },
-    { TTC_CLAIM_PERIODIC, ttc_check_symmetry, false },    { TTC_CLAIM_SECTION, ttc_check_section, false },
+    { TTC_CLAIM_PERIODIC, ttc_check_period, false },      { TTC_CLAIM_SECTION, ttc_check_section, false },
     { TTC_CLAIM_DESCENT, ttc_check_way, false },          { TTC_CLAIM_LIFT, ttc_check_way, false },
 };
 

@@ -2,6 +2,8 @@
 #include "discover/claim_text.h"
 #include "discover/discover.h"
 
+#include <string.h>
+
 /* base' = -2 div f base, in place of the density sqrt(base) where base changes its sign on the domain. */
 static bool publish_square(ttc_discovery *d, const char *base)
 {
@@ -28,6 +30,14 @@ static void write_density(ttc_text *claim, ttc_discovery *d, const char *name, c
     flint_free(root);
 }
 
+/* A root joins the table with its density, and where its base divides by zero is then no point of the domain. */
+static const char *extent_of(const char *base, int power, bool is_smooth)
+{
+    if (!is_smooth) return "not positive and smooth on the whole domain: ttc prove -v says where";
+    return power == 2 && strchr(base, '/') != NULL ? "positive and smooth where its root does not divide by zero"
+                                                   : "positive and smooth on the domain";
+}
+
 bool ttc_discovery_publish_density(ttc_discovery *d, const char *base, int power)
 {
     ttc_text claims[2] = { { 0 }, { 0 } };
@@ -41,8 +51,7 @@ bool ttc_discovery_publish_density(ttc_discovery *d, const char *base, int power
     const bool found = proved[chosen];
     if (found) {
         ttc_discovery_say(d, ttc_text_string(&claims[chosen]));
-        ttc_discovery_remark(d, "%s is %s", name, is_smooth[chosen] ? "positive and smooth on the domain"
-                                                  : "not positive and smooth on the whole domain: ttc prove -v says where");
+        ttc_discovery_remark(d, "%s is %s", name, extent_of(base, power, is_smooth[chosen]));
     }
     flint_free(name);
     for (int i = 0; i < 2; i++) ttc_text_clear(&claims[i]);

@@ -238,6 +238,17 @@ static void check_back(ttc_task *task)
     ttc_task_leave_map(task);
 }
 
+/* Require that what holds the model valid is the same after the state has grown by its period: a section identifies such states. */
+static void check_validities(ttc_task *task, ttc_valuation *map)
+{
+    const ttc_model *model = task->model;
+    for (size_t i = 0; i < model->validity_count; i++) {
+        const ttc_validity *valid = model->validities + i;
+        ttc_task_require_equal(task, map, valid->expression, task->field, valid->expression, "valid %s a period of %s on - %s",
+                               valid->name, task->claim->name, valid->name);
+    }
+}
+
 static void prove_map(ttc_task *task)
 {
     for (size_t i = 0; i < task->claim->bindings.count; i++)
@@ -256,6 +267,7 @@ static void prove_map(ttc_task *task)
         set_matrix(task, matrix);
         check_inverse(task, map, matrix);
         check_field(task, map);
+        if (task->claim->kind == TTC_CLAIM_PERIODIC) check_validities(task, map);
     }
     ttc_task_free(task, matrix, entries);
     ttc_task_leave_map(task);

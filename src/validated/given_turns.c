@@ -23,7 +23,7 @@ static bool find_period(arb_t period, const ttc_model *model, const jlt_descript
     return true;
 }
 
-/* Whether all levels and all conditions of the model are proved to be periodic. */
+/* Whether all levels are proved to be periodic; that all conditions are is a part of every period's claim. */
 static bool all_turn(const ttc_model *model, const jlt_cycle_question *question, char *problem)
 {
     const char *changed = NULL;
@@ -33,8 +33,6 @@ static bool all_turn(const ttc_model *model, const jlt_cycle_question *question,
         if (!ttc_model_find_claim(model, question->levels[i], &claim) || !ttc_prove_turns(model, model->claims[claim].expression))
             changed = question->levels[i];
     }
-    for (size_t i = 0; changed == NULL && i < model->validity_count; i++)
-        if (!ttc_prove_turns(model, model->validities[i].expression)) changed = model->validities[i].name;
     if (changed != NULL)
         snprintf(problem, JLT_GIVEN_PROBLEM_MAX, "turns: %s is not shown to be the same a period on, so that nothing closes",
                  changed);

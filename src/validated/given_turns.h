@@ -7,7 +7,7 @@
 
 /** Set the numbers of periods, shape (count, states), for the legs of self, and the corresponding growth of states as balls; if
  *  all are 0, there are no turns. Returns false, and describes why in problem, if the table does not prove these periods, or a
- *  level or a condition of the model is not proved to be periodic with them. Cost: parsing the table, and these proofs. */
+ *  level is not proved to be periodic with them. Cost: parsing the table, and these proofs. */
 bool jlt_given_turns_set(jlt_given_legs *self, const jlt_cycle_question *question, const int *counts,
                          char problem[JLT_GIVEN_PROBLEM_MAX]);
 

@@ -140,10 +140,11 @@ static void write_conditions_of(FILE *out, const jlt_descriptor *d, const json_t
         const char *meaning = "";
         for (unsigned i = 0; i < d->valid_count; i++)
             if (strcmp(d->valids[i].name, name) == 0) meaning = d->valids[i].meaning;
-        if (!(strtod(jlt_theorem_text(bound), NULL) > 0))
-            fprintf(out, "%sOf the condition %s (%s) it is not shown that it holds.", first ? "" : " ", name, meaning);
-        else fprintf(out, "%sThe condition %s (%s) holds %s: its quantity is at least %s.", first ? "" : " ", name, meaning, where,
-                     jlt_theorem_text(bound));
+        const bool is_shown = strtod(jlt_theorem_text(bound), NULL) > 0;
+        fprintf(out, "%s%s condition %s", first ? "" : " ", is_shown ? "The" : "Of the", name);
+        if (meaning[0] != '\0') fprintf(out, " (%s)", meaning);
+        if (is_shown) fprintf(out, " holds %s: its quantity is at least %s.", where, jlt_theorem_text(bound));
+        else fputs(" it is not shown that it holds.", out);
         first = false;
     }
 }

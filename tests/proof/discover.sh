@@ -207,6 +207,14 @@ done
 denied "# factors: no P with P' = c P, c != 0 rational in the parameters, deg P <= 2" -- 'x y' 'eq x = y^2
 eq y = -x^2' --degree 2 --seek factors
 
+# A root of a quotient takes the quotient's poles out of the domain, here where Rabinovich's system comes to rest; one of 1 + x^2
+# takes out nothing.
+denied 'is positive and smooth where its root does not divide by zero' '!on the domain' -- 'x y z' 'eq x = y*z - x
+eq y = -2*x*z - y
+eq z = x*y - z'
+denied 'is positive and smooth on the domain' '!where its root' -- 'x y' 'eq x = 1 + x^2
+eq y = -3*x*y' --seek densities --degree 2
+
 ttc discover codegen/models/lorenz.tt > "$scratch/lorenz" 2>&1
 grep '^[^#]' "$scratch/lorenz" && fail 'lorenz: finds for parameters in general'
 

@@ -76,6 +76,11 @@ for kind in cycle sink obstruction; do
 done
 forged pol 0 "" 'widen(c)' 's["period"]["radius"] = "1e-3"' 's["orbit"][0]["x"]["radius"] = "3e-10"'
 
+# A condition without a meaning in words.
+sed 's/ "one"$//; s/^valid middle.*/valid middle : 1 - y > 0/' pol.tt > bare.tt
+expect_text 0 "The condition near holds all along the orbit" jellett certify cycle ./bare.tt "${orbit[@]:1}"
+expect_text 0 "Of the condition middle it is not shown that it holds" jellett certify cycle ./bare.tt "${orbit[@]:1}"
+
 # A leg that ends where it begins, and one that goes back.
 still='g["legs"].append(copy.deepcopy(leg)); s["orbit"] *= 2; widen(c); '
 forged cycle 1 "a leg of the orbit is not shown to take time" "$still"'g["legs"][1]["instant"] = "1e-10"' \

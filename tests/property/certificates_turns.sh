@@ -92,7 +92,7 @@ T
 expect 3 "E is not shown to be the same a period on" jellett certify sink ./round.tt --section q=0 --level E=2 --solve p=2 \
     --start z=0.3
 sed -e '/^param a/d; /^default a/d; s/ + a$//; s/ - a.q$//; /^eq z/a valid near : 9 - q > 0' round.tt > near.tt
-expect 3 "near is not shown to be the same a period on" jellett certify sink ./near.tt --section q=0 --level E=2 --solve p=2 \
+expect 4 "the periodic claim 'q' is refuted" jellett certify sink ./near.tt --section q=0 --level E=2 --solve p=2 \
     --start z=0.3
 sed -i -e '/^param a/d; /^default a/d; s/ + a$//; s/ - a.q$//' round.tt
 expect 0 "" jellett certify sink ./round.tt --section q=0 --level E=2 --solve p=2 --start z=0.3 -o round.json
