@@ -50,6 +50,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
         if (r->json && r->csv) argp_error(state, "--json and --csv exclude each other");
         if (r->question.digits > 0 && (r->question.fast || r->csv || r->axis_count > 0))
             argp_error(state, "--digits excludes --fast, --csv and --sweep");
+        jlt_common_not_swept(&r->common, &r->at, "--at");
         r->question.proved_only = !r->json && (r->csv || r->axis_count > 0);
         if (!r->question.proved_only) jlt_common_no_table(&r->common, state, "a report");
         break;
@@ -147,6 +148,15 @@ static jlt_exit take_exact(jlt_eigen_request *r)
     return JLT_EXIT_DONE;
 }
 
+/* Let a search hold this state behind those that it holds already. */
+static void hold(jlt_equilibrium_question *q, size_t index)
+{
+    size_t known = 0;
+
+    while (known < q->held && q->order[known] != index) known++;
+    if (known == q->held) q->order[q->held++] = index;
+}
+
 /* Open the model, and look up the states of --at and the axes of --sweep by name. */
 static jlt_exit prepare(jlt_eigen_request *r)
 {
@@ -159,17 +169,18 @@ static jlt_exit prepare(jlt_eigen_request *r)
         return jlt_command_fail(JLT_EXIT_INPUT, "%s has %u states; eigen serves up to %d", d->model, d->state_count,
                                 JLT_LINEARIZATION_SIZE_MAX);
     JLT_PASS(jlt_assign_apply(r->x, q->given, &r->at, d->states, d->state_count, "state", d->model));
-    for (size_t i = 0; i < r->at.count; i++) {
-        size_t index = 0, known = 0;
-        (void)jlt_descriptor_state(d, r->at.items[i].name, &index);
-        while (known < q->held && q->order[known] != index) known++;
-        if (known == q->held) q->order[q->held++] = index;
-    }
     for (size_t i = 0; i < r->axis_count; i++) {
         jlt_eigen_target *target = &r->targets[i];
         target->is_state = jlt_descriptor_state(d, r->axes[i].name, &target->index);
-        if (!target->is_state && !jlt_descriptor_param(d, r->axes[i].name, &target->index))
+        if (target->is_state)
+            hold(q, target->index);
+        else if (!jlt_descriptor_param(d, r->axes[i].name, &target->index))
             return jlt_command_fail(JLT_EXIT_INPUT, "--sweep: %s has no state or parameter '%s'", d->model, r->axes[i].name);
+    }
+    for (size_t i = 0; i < r->at.count; i++) {
+        size_t index = 0;
+        (void)jlt_descriptor_state(d, r->at.items[i].name, &index);
+        hold(q, index);
     }
     if (jlt_oracle_create(&q->oracle, d, NULL) != JLT_OK)
         return jlt_command_fail(JLT_EXIT_NUMERICAL, "cannot read the table of %s back: %s", d->model,

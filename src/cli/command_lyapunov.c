@@ -69,7 +69,7 @@ static const struct argp parser = {
     "                    exponents tends\n\n"
     "Columns of a chart:\n"
     "  COORDINATE        each coordinate of the start\n"
-    "  exponent          empty if the orbit ends before N returns\n"
+    "  exponent          empty if the orbit ends before N returns, or a rate jumps\n"
     "  t                 time\n\n"
     "Differences of points are measured in coordinates, counted in units of the problem, powers of two; a coordinate that the "
     "grid, or a return, runs through by more than 64 of these, or by less than 1/64, counts in its own size, unless the "

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "dynamics/chart_crossing.h"
+#include "dynamics/jump.h"
 #include "dynamics/linear.h"
 #include "dynamics/map_return.h"
 #include "dynamics/passage.h"
@@ -28,7 +29,8 @@ struct jlt_map {
     jlt_image image;      /* of the returns so far */
 };
 
-/* Called after every step. Returns 1 if the orbit never comes back to the section: it falls into a pole, or comes to rest. */
+/* Called after every step. Returns 1 if the orbit never comes back to the section, as it falls into a pole or comes to rest, or if
+ * tangent vectors are lost where a rate jumps. */
 static int watch(void *context, jlt_orbit *orbit)
 {
     enum { SLOW_STEPS = 64 };                 /* between two tests of slowness: some turns of a spiral */
@@ -46,6 +48,7 @@ static int watch(void *context, jlt_orbit *orbit)
     self->swing = fmax(self->swing, fabs(stepper->x[self->varied.field.dim - 1]));
     if (self->watched.observed != NULL) jlt_section_conditions_step(&self->watched, orbit);
     if (root >= 0 && fabs(stepper->x[root]) < root_floor) return 1;
+    if (jlt_jump_is_behind(stepper, &self->varied)) return 1;
     if (self->keeps && jlt_passage_keep(orbit, &self->varied) != JLT_OK) return 1;
     if (stepper->steps % SLOW_STEPS != 0) return 0;
     const bool was_slow = self->is_slow;

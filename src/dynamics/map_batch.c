@@ -42,6 +42,7 @@ typedef struct {
     double *starts;  /* (BLOCK, columns) */
     double *flux;    /* at the starts */
     bool *is_on_way; /* the lane has ended before its return; its start is replaced by the point where it ended */
+    bool *is_doubted; /* its derivative disagrees with flux and divergence, as where a rate jumps */
 } worker;
 
 struct jlt_map_batch {
@@ -73,8 +74,10 @@ static jlt_status hire(worker *out, const jlt_map_batch *batch)
     out->starts = calloc((size_t)BLOCK * batch->columns, sizeof *out->starts);
     out->flux = calloc(BLOCK, sizeof *out->flux);
     out->is_on_way = calloc(BLOCK, sizeof *out->is_on_way);
+    out->is_doubted = calloc(BLOCK, sizeof *out->is_doubted);
     out->case_of = calloc(BLOCK, sizeof *out->case_of);
-    if (out->point == NULL || out->starts == NULL || out->flux == NULL || out->is_on_way == NULL || out->case_of == NULL)
+    if (out->point == NULL || out->starts == NULL || out->flux == NULL || out->is_on_way == NULL || out->is_doubted == NULL
+        || out->case_of == NULL)
         return JLT_ERR_NOMEM;
     return jlt_map_create(&out->alone, batch->flows);
 }
@@ -143,6 +146,7 @@ void jlt_map_batch_destroy(jlt_map_batch *self)
         free(w->starts);
         free(w->flux);
         free(w->is_on_way);
+        free(w->is_doubted);
         free(w->case_of);
     }
     free(self->workers);
@@ -183,23 +187,28 @@ static void add(const worker *self, size_t point, const jlt_map_batch_return *ma
     if (fabs(defect) > fabs(out->defect[point])) out->defect[point] = defect;
 }
 
-/* Store the return of a lane whose varied orbit has come back after time t, in the flow's unit. */
+/* Store the return of a lane whose varied orbit has come back after time t, in the flow's unit, unless it is doubted: where less
+ * than half of the digits asked for agree. */
 static void arrive(const worker *self, size_t lane, const double *varied, double t)
 {
     const jlt_map_images *out = self->out;
     const size_t point = self->point[lane];
     const jlt_flow *flow = flow_of(self, point);
     const unsigned n = flow->chart->states, d = flow->chart->dim;
-    double slope[D * D];
+    double q[D], slope[D * D];
     jlt_map_return arrival;
 
-    out->status[point] = jlt_map_return_end(&arrival, out->q + point * d, slope, flow, varied, self->flux[lane]);
+    out->status[point] = jlt_map_return_end(&arrival, q, slope, flow, varied, self->flux[lane]);
     if (out->status[point] != JLT_OK) return;
+    const double defect = (fabs(arrival.determinant) - arrival.flux_determinant) / (arrival.size > 0 ? arrival.size : 1);
+    self->is_doubted[lane] = fabs(defect) > sqrt(self->batch->map.tolerance);
+    if (self->is_doubted[lane]) return;
+    memcpy(out->q + point * d, q, d * sizeof *q);
     jlt_map_return_restore(slope, flow->chart);
     add(self, point,
         &(jlt_map_batch_return){ out->q + point * d, slope, arrival.flux_determinant, ldexp(t, flow->units.time),
                                  varied[n * (1 + d)] },
-        arrival.determinant, (fabs(arrival.determinant) - arrival.flux_determinant) / (arrival.size > 0 ? arrival.size : 1));
+        arrival.determinant, defect);
 }
 
 static int keep_row(void *context, size_t lane, size_t number, const double *x)
@@ -272,7 +281,7 @@ static size_t lift(const worker *self, size_t first, size_t count, size_t number
         out->status[i] = jlt_map_return_start(start, &self->flux[lanes], flow_of(self, i), out->q + i * d);
         if (out->status[i] != JLT_OK) continue;
         start[columns - 1] = 0;
-        self->is_on_way[lanes] = false;
+        self->is_on_way[lanes] = self->is_doubted[lanes] = false;
         self->case_of[lanes] = flow_index(self, i);
         self->point[lanes++] = i;
         out->status[i] = JLT_ERR_NO_CONVERGENCE; /* until it has its return */
@@ -292,8 +301,10 @@ static jlt_status one_return(worker *self, size_t first, size_t count, size_t nu
     const size_t lanes = lift(self, first, count, number);
     if (lanes == 0) return JLT_OK;
     const jlt_status st = jlt_batch_section(&map, self->starts, lanes, 1, keep_row, keep_end, self, NULL);
-    for (size_t lane = 0; st == JLT_OK && lane < lanes; lane++)
+    for (size_t lane = 0; st == JLT_OK && lane < lanes; lane++) {
         if (self->is_on_way[lane]) go_on(self, lane);
+        if (self->is_doubted[lane]) go_alone(self, self->point[lane]);
+    }
     return st;
 }
 

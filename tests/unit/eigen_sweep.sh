@@ -3,7 +3,7 @@
 # command is interrupted the first rows are saved, and that is said.
 source "$JLT_SOURCE_DIR/tests/scratch.sh"
 at=v_nu=0.7,omega3=1.1
-sweep=(eigen --set a3=0 --at $at --sweep gamma3=-0.9:0.9:37,v_nu=0:0.7:3)
+sweep=(eigen --set a3=0 --at omega3=1.1 --sweep gamma3=-0.9:0.9:37,v_nu=0:0.7:3)
 for how in "" --fast --json; do
     for count in 1 2 5; do OMP_NUM_THREADS=$count jellett "${sweep[@]}" $how > rows.$count 2> err ||
         fail "$how, $count: $(cat err)"; done

@@ -1,0 +1,30 @@
+#!/usr/bin/env bash
+# Dry friction on a spring, x'' = -x - mu sign(x'): a rate jumps where the velocity changes its sign. States pass there, but tangent
+# vectors jump by what no Jacobian has, so that no derivative of the map is given, whatever the method and the tolerance. Where
+# friction is smoothed, however sharply, there is one. Oracle: each half of a swing is a half circle about -mu or mu: a return to
+# x = 0 upwards makes r = sqrt(v^2 + mu^2) smaller by 4 mu, and dv'/dv = (v/r) (r - 4 mu)/v'.
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
+printf '%s\n' 'model dry' 'param mu >= 0' 'param soft >= 0' 'default mu = 1/2, soft = 0' 'state x' 'state v' \
+    'root size = sqrt(v^2 + soft)' 'eq x = v' 'eq v = - x - mu*v/size' > dry.tt
+image=$(awk 'BEGIN { r = sqrt(9.25) - 2; printf "%.17g", sqrt(r^2 - 0.25) }')
+expect 0 '^0,1,' jellett section ./dry.tt --section x=0 --start v=3 --returns 1
+awk -F, -v v="$image" '/^0,1,/ { exit !(($4 - v)^2 < 1e-20) }' out || fail "states: $(cat out)"
+expect 1 'DP could not be computed at 1 of 1 returns' jellett section ./dry.tt --section x=0 --start v=3 --returns 1 --check
+for how in '--method gauss' '--method dop853' '--method rkf45' '--tol 1e-5' '--tol 1e-15' '--set mu=1e-4'; do
+    expect 3 'a rate jumps on the way' jellett lyapunov ./dry.tt --section x=0 --start v=3 --returns 1 $how
+done
+for command in 'orbits --period 1' 'continue --along mu=0.4:0.6'; do
+    expect 3 'a rate jumps on the way' jellett $command ./dry.tt --section x=0 --start v=3
+done
+for tolerance in 1e-6 1e-12; do
+    expect 0 '^3,,' jellett lyapunov ./dry.tt --section x=0 --grid v=3:4:2 --returns 1 --tol $tolerance
+done
+# What is smoothed differs from the oracle by terms of the order of sqrt(soft).
+for soft in 1e-12 1e-20; do
+    for given in '--start v=3' '--grid v=3:3:1'; do
+        expect 0 '' jellett lyapunov ./dry.tt --section x=0 $given --returns 1 --set soft=$soft
+        awk -F, -v v="$image" '/^[13],/ { slope = exp($1 == 1 ? $3*$2 : $2*$3); found = 1 }
+            END { d = slope - (sqrt(9.25) - 2)/v*3/sqrt(9.25); exit !(found && d^2 < 1e-12) }' out || fail "$soft: $(cat out)"
+    done
+done
+exit $status
