@@ -43,7 +43,7 @@ jlt_exit jlt_lyapunov_chart_draw(const jlt_lyapunov_chart_options *o, const jlt_
     return jlt_plot_draw(&plot);
 }
 
-/* Map the starts q, shape (count, dim): skip returns, then apply the maps for `returns` returns. Out: exponents, images, saddles. */
+/* Map the starts q, shape (count, dim): skip returns, then apply the maps for `returns` more. Out: exponents, images, saddles. */
 static jlt_status measure(double *exponents, const jlt_map_images *images, jlt_saddle_watch *saddles,
                           const jlt_lyapunov_chart_options *o, jlt_map *map, jlt_map_batch *maps, const double *q, size_t count)
 {

@@ -121,8 +121,8 @@ jlt_exit jlt_section_run_verdict(const jlt_section_run *f)
                 sum->unknown, sum->orbits);
     if (sum->beside > 0)
         fprintf(stderr,
-                "jellett: %zu of %zu orbits pass nearer to a saddle than errors tell separatrices apart, orbit %zu first, in return "
-                "%zu: what follows is one of the motions beside it\n",
+                "jellett: %zu of %zu orbits pass nearer to a saddle than errors tell separatrices apart, orbit %zu first, in "
+                "return %zu: what follows is one of the motions beside it\n",
                 sum->beside, sum->orbits, sum->first_beside, sum->from_return);
     jlt_section_levels_tell(&f->levels, o->time_direction);
     JLT_PASS(jlt_motion_failures(f->system, &sum->failures, sum->orbits));
