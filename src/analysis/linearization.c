@@ -74,9 +74,79 @@ static jlt_status measure_gradients(jlt_linearization *r, const jlt_instance *in
     return JLT_OK;
 }
 
+/* Compare the field with what states within reach make of it. In: moved, shape (n,), the sum over j of |df_i/dx_j| times reach. */
+static void compare(jlt_linearization *r, const double *moved)
+{
+    r->residual = r->residual_ratio = 0.0;
+    for (size_t i = 0; i < r->n; i++) {
+        const double size = moved[i] / JLT_LINEARIZATION_TOLERANCE;
+        r->residual = fmax(r->residual, fabs(r->f[i]));
+        if (r->f[i] != 0.0) r->residual_ratio = fmax(r->residual_ratio, size > 0.0 ? fabs(r->f[i]) / size : INFINITY);
+    }
+}
+
+/* The slopes df_i/dx_j with x_j moved: shape (n,). They are infinite where there are none. */
+static jlt_status slopes_beside(double *slopes, const jlt_linearization *r, const jlt_instance *instance, const double *x, size_t j,
+                                double move)
+{
+    const size_t n = r->n;
+    double there[SIZE], jacobian[SIZE * SIZE];
+
+    memcpy(there, x, n * sizeof *there);
+    there[j] += move;
+    const jlt_status st = jlt_instance_jacobian(instance, jacobian, there);
+    for (size_t i = 0; i < n; i++) slopes[i] = st == JLT_OK ? jacobian[i * n + j] : INFINITY;
+    return st == JLT_ERR_DOMAIN || st == JLT_ERR_NONFINITE ? JLT_OK : st;
+}
+
+/* How much the slopes by x_j may change within a reach, shape (n,): by a third, or, as near a multiple root, by rounding beside the
+ * slopes far from x. */
+static jlt_status bends_allowed(double *bends, const jlt_linearization *r, const jlt_instance *instance, const double *x, size_t j)
+{
+    double slopes[SIZE];
+
+    for (size_t i = 0; i < r->n; i++) bends[i] = fabs(r->jacobian[i * r->n + j]) / 3;
+    for (int side = -1; side <= 1; side += 2) {
+        JLT_PASS(slopes_beside(slopes, r, instance, x, j, side * x[j] / 8));
+        for (size_t i = 0; i < r->n; i++)
+            if (isfinite(slopes[i])) bends[i] = fmax(bends[i], 128 * roundoff * fabs(slopes[i]));
+    }
+    return JLT_OK;
+}
+
+/* Slopes at x tell of states within reach only as far as they stay what they are: sin x is not linear over a reach of 10. Count
+ * each slope as far as it does, by steps of a factor 8 up to the whole reach. */
+static jlt_status keep_straight(jlt_linearization *r, const jlt_instance *instance, const double *x)
+{
+    enum { LEVELS = 5 };
+    const size_t n = r->n;
+    double moved[SIZE] = { 0 }, slopes[SIZE], bends[SIZE];
+
+    for (size_t j = 0; j < n; j++) {
+        double move = ldexp(r->reach[j], -3 * (LEVELS - 1)), reach[SIZE] = { 0 }, farthest = 0.0;
+        bool straight[SIZE];
+        for (size_t i = 0; i < n; i++) straight[i] = r->jacobian[i * n + j] != 0.0;
+        JLT_PASS(bends_allowed(bends, r, instance, x, j));
+        for (int level = 0; level < LEVELS; level++, move *= 8) {
+            for (int side = -1; side <= 1; side += 2) {
+                JLT_PASS(slopes_beside(slopes, r, instance, x, j, side * move));
+                for (size_t i = 0; i < n; i++)
+                    straight[i] = straight[i] && fabs(slopes[i] - r->jacobian[i * n + j]) <= bends[i];
+            }
+            for (size_t i = 0; i < n; i++)
+                if (straight[i]) reach[i] = farthest = move;
+        }
+        for (size_t i = 0; i < n; i++) moved[i] += fabs(r->jacobian[i * n + j]) * reach[i];
+        r->reach[j] = farthest;
+    }
+    compare(r, moved);
+    return JLT_OK;
+}
+
 static jlt_status measure_residual(jlt_linearization *r, const jlt_instance *instance, const double *x)
 {
     const size_t n = instance->descriptor->state_count;
+    double moved[SIZE] = { 0 };
 
     r->descriptor = instance->descriptor;
     r->n = n;
@@ -84,15 +154,11 @@ static jlt_status measure_residual(jlt_linearization *r, const jlt_instance *ins
     JLT_PASS(jlt_instance_jacobian(instance, r->jacobian, x));
     for (size_t i = 0; i < n * n; i++) r->jacobian[i] += 0.0; /* -0 becomes 0 */
     JLT_PASS(measure_gradients(r, instance, x));
-    r->residual = r->residual_ratio = 0.0;
     for (size_t j = 0; j < n; j++) r->reach[j] = reach_of(r, x, j);
-    for (size_t i = 0; i < n; i++) {
-        double size = 0.0;
-        for (size_t j = 0; j < n; j++) size += fabs(r->jacobian[i * n + j]) * (r->reach[j] / JLT_LINEARIZATION_TOLERANCE);
-        r->residual = fmax(r->residual, fabs(r->f[i]));
-        if (r->f[i] != 0.0) r->residual_ratio = fmax(r->residual_ratio, size > 0.0 ? fabs(r->f[i]) / size : INFINITY);
-    }
-    return JLT_OK;
+    for (size_t i = 0; i < n; i++)
+        for (size_t j = 0; j < n; j++) moved[i] += fabs(r->jacobian[i * n + j]) * r->reach[j];
+    compare(r, moved);
+    return r->residual > 0.0 && r->residual_ratio <= JLT_LINEARIZATION_TOLERANCE ? keep_straight(r, instance, x) : JLT_OK;
 }
 
 static jlt_status bind(jlt_instance **instance, const jlt_descriptor *descriptor, const double *params)

@@ -13,7 +13,8 @@
 enum { JLT_LINEARIZATION_SIZE_MAX = JLT_DEFLATION_SIZE_MAX };
 
 /* x counts as an equilibrium if one lies within `reach` of it: this tolerance times |x_j|, or times the distance of x_j from the
- * ends of its interval, whichever is less. Rounding of the states is always allowed for, up to a thousandth of that distance. */
+ * ends of its interval, whichever is less. Rounding of the states is always allowed for, up to a thousandth of that distance.
+ * But no farther than slopes of the field are what they are at x, to a third, or change by rounding beside those far from x. */
 #define JLT_LINEARIZATION_TOLERANCE 1e-12
 
 /* Stability of the linearized motion. */

@@ -268,9 +268,9 @@ static jlt_exit write_history(exponents *self)
                 "on them are left out, and the mean divergence stands for the sum of all; a section that is met more often shows "
                 "them\n",
                 state->blurred, state->returns);
-    if (state->has_left)
+    if (state->saddle.has_left)
         fprintf(stderr, "jellett: return %zu begins nearer to a saddle than errors tell separatrices apart: what follows is one of "
-                "the motions beside it\n", state->at_saddle);
+                "the motions beside it\n", state->saddle.at);
     return self->status == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(self->status, self->system, o->motion.starts[0]);
 }
 

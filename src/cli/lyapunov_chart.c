@@ -43,9 +43,9 @@ jlt_exit jlt_lyapunov_chart_draw(const jlt_lyapunov_chart_options *o, const jlt_
     return jlt_plot_draw(&plot);
 }
 
-/* Map the starts q, shape (count, dim): skip returns, then apply the maps for `returns` returns. Out: exponents, images. */
-static jlt_status measure(double *exponents, const jlt_map_images *images, const jlt_lyapunov_chart_options *o, jlt_map *map,
-                          jlt_map_batch *maps, const double *q, size_t count)
+/* Map the starts q, shape (count, dim): skip returns, then apply the maps for `returns` more. Out: exponents, images, saddles. */
+static jlt_status measure(double *exponents, const jlt_map_images *images, jlt_saddle_watch *saddles,
+                          const jlt_lyapunov_chart_options *o, jlt_map *map, jlt_map_batch *maps, const double *q, size_t count)
 {
     const unsigned d = jlt_map_flow(map)->chart->dim;
     jlt_status st = JLT_OK;
@@ -54,7 +54,8 @@ static jlt_status measure(double *exponents, const jlt_map_images *images, const
     for (size_t i = 0; i < count; i++)
         if ((st = jlt_lyapunov_chart_skip(map, images->q + i * d, o->skip)) != JLT_OK)
             for (unsigned k = 0; k < d; k++) images->q[i * d + k] = NAN; /* the orbit has ended already */
-    return st == JLT_ERR_NOMEM ? st : jlt_lyapunov_finite_each(maps, exponents, images, images->q, count, o->returns);
+    if (st == JLT_ERR_NOMEM) return st;
+    return jlt_lyapunov_finite_each(maps, exponents, images, saddles, images->q, count, o->returns);
 }
 
 jlt_exit jlt_lyapunov_chart_write(jlt_motion_map *picture, jlt_map *map, jlt_map_batch *maps, jlt_lyapunov_chart_options *o,
@@ -67,12 +68,13 @@ jlt_exit jlt_lyapunov_chart_write(jlt_motion_map *picture, jlt_map *map, jlt_map
     const size_t all = jlt_motion_grid_size(axes, system), block = BLOCK * o->threads;
     JLT_FREED double *q = malloc(block * (d + 1) * sizeof *q);
     JLT_FREED int *lost = malloc(block * sizeof *lost);
+    JLT_FREED jlt_saddle_watch *saddles = malloc(block * sizeof *saddles);
     jlt_orbit_losses losses = { .first = NAN };
     jlt_map_images images = { 0 };
     jlt_csv_names names;
     jlt_progress progress;
-    size_t unresolved = 0, strayed = 0;
-    jlt_status st = q == NULL || lost == NULL ? JLT_ERR_NOMEM : jlt_map_batch_images(&images, d, block);
+    size_t unresolved = 0, strayed = 0, beside = 0;
+    jlt_status st = q == NULL || lost == NULL || saddles == NULL ? JLT_ERR_NOMEM : jlt_map_batch_images(&images, d, block);
 
     if (o->returns == 0) o->returns = 10;
     FILE *line = jlt_csv_names_begin(&names, table->file);
@@ -84,7 +86,7 @@ jlt_exit jlt_lyapunov_chart_write(jlt_motion_map *picture, jlt_map *map, jlt_map
         const size_t count = all - first < block ? all - first : block;
         for (size_t i = 0; i < count; i++) jlt_motion_grid_point(q + i * d, axes, system, first + i);
         double *exponents = q + block * d;
-        st = measure(exponents, &images, o, map, maps, q, count);
+        st = measure(exponents, &images, saddles, o, map, maps, q, count);
         if (st == JLT_OK)
             st = jlt_lyapunov_losses(lost, &picture->system, 1, q, NULL, count, o->skip + o->returns, o->motion.in_lanes,
                                      o->threads);
@@ -92,6 +94,7 @@ jlt_exit jlt_lyapunov_chart_write(jlt_motion_map *picture, jlt_map *map, jlt_map
         for (size_t i = 0; st == JLT_OK && i < count; i++) {
             const bool has_returned = images.status[i] == JLT_OK;
             unresolved += has_returned && isnan(exponents[i]);
+            beside += saddles[i].has_left;
             strayed += images.status[i] == JLT_ERR_NO_CONVERGENCE && chart->solved_count > 0;
             losses.orbits += lost[i] != JLT_LYAPUNOV_NO_ORBIT;
             if (lost[i] >= 0) losses.all++, losses.lost[lost[i]]++;
@@ -111,6 +114,9 @@ jlt_exit jlt_lyapunov_chart_write(jlt_motion_map *picture, jlt_map *map, jlt_map
     if (strayed > 0)
         fprintf(stderr, "jellett: of %zu starts a return left the branch of --solve, or was not found: they have no exponent\n",
                 strayed);
+    if (beside > 0)
+        fprintf(stderr, "jellett: orbits of %zu starts pass nearer to a saddle than errors tell separatrices apart: what follows "
+                "is one of the motions beside it\n", beside);
     jlt_orbit_losses_tell(&losses, system->flow.observed, "");
     if (jlt_motion_interrupted(&o->motion)) fprintf(stderr, "jellett: interrupted; whole rows are saved in %s\n", table->path);
     return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, system, "chart");

@@ -55,12 +55,21 @@ static void point_before(double *before, const jlt_section_run *f, const jlt_ret
     for (unsigned k = 0; k < chart->dim; k++) before[k] = is_lifted ? at->q[k] : NAN;
 }
 
+static void count_saddle(jlt_section_run_totals *sum, const jlt_saddle_watch *saddle)
+{
+    if (!saddle->has_left) return;
+    if (sum->beside++ > 0) return;
+    sum->first_beside = sum->orbits;
+    sum->from_return = saddle->at;
+}
+
 /* Write the rows of orbit number `index` of its block, and follow it unless the batch has done so. */
 static jlt_status run_orbit(jlt_section_run *f, const double *q, size_t index)
 {
     jlt_section_run_totals *sum = &f->sum;
+    jlt_saddle_search saddles = { .number = 0 };
     jlt_return at;
-    double before[JLT_CHART_DIM_MAX];
+    double before[JLT_CHART_DIM_MAX], q_before[JLT_CHART_DIM_MAX];
 
     JLT_PASS(f->batch != NULL ? jlt_section_batch_start(f->batch, &at, f->begins + index)
                               : jlt_section_start(f->section, &at, q, f->o->time_direction));
@@ -69,16 +78,21 @@ static jlt_status run_orbit(jlt_section_run *f, const double *q, size_t index)
     JLT_PASS(put(f, &at, NULL));
     while (at.fate == JLT_FATE_ALIVE && at.number < f->returns && !stopped(f)) {
         point_before(before, f, &at);
+        memcpy(q_before, at.q, sizeof q_before);
         JLT_PASS(f->batch != NULL ? jlt_section_batch_next(f->batch, &at) : jlt_section_next(f->section, &at));
         if (at.interrupted) break;
         jlt_section_levels_note(&f->levels, sum->orbits, &at);
         JLT_PASS(put(f, &at, before));
+        if (at.fate == JLT_FATE_ALIVE)
+            JLT_PASS(jlt_saddle_search_note(&saddles, &f->map, &f->system->flow, q_before, at.q, at.number,
+                                            f->o->time_direction));
         show_written(f, index, at.number);
     }
     jlt_section_picture_end(f->picture, at.fate);
     if (at.least <= 0) sum->lost[at.lost]++, sum->invalid++;
     if (isnan(at.least)) sum->unknown++;
     jlt_failures_add(&sum->failures, at.fate, at.unbounded, at.t);
+    count_saddle(sum, &saddles.watch);
     sum->orbits++;
     return JLT_OK;
 }
@@ -105,6 +119,11 @@ jlt_exit jlt_section_run_verdict(const jlt_section_run *f)
         fprintf(stderr,
                 "jellett: of %zu of %zu orbits it is not known whether the model holds: a condition of it has no value there\n",
                 sum->unknown, sum->orbits);
+    if (sum->beside > 0)
+        fprintf(stderr,
+                "jellett: %zu of %zu orbits pass nearer to a saddle than errors tell separatrices apart, orbit %zu first, in "
+                "return %zu: what follows is one of the motions beside it\n",
+                sum->beside, sum->orbits, sum->first_beside, sum->from_return);
     jlt_section_levels_tell(&f->levels, o->time_direction);
     JLT_PASS(jlt_motion_failures(f->system, &sum->failures, sum->orbits));
     return !o->check || jlt_section_table_verdict(&f->table) ? JLT_EXIT_DONE : JLT_EXIT_FAILED;

@@ -8,6 +8,7 @@
 #include "cli/section_picture.h"
 #include "cli/section_table.h"
 #include "cli/writer.h"
+#include "dynamics/saddle.h"
 
 typedef struct {
     jlt_motion_options motion;
@@ -19,9 +20,9 @@ typedef struct {
 } jlt_section_run_options;
 
 /* Counts for the closing messages. empty: points of the grid without a state; invalid, unknown: orbits on which a condition of the
- * model breaks, or has no value. */
+ * model breaks, or has no value; beside: orbits that pass too near by a saddle, the first of them by its number and return. */
 typedef struct {
-    size_t orbits, empty, rows, invalid, unknown;
+    size_t orbits, empty, rows, invalid, unknown, beside, first_beside, from_return;
     jlt_failures failures;
     size_t lost[JLT_OBSERVED_CONDITIONS_MAX]; /* of the invalid orbits, by condition: those on which it has the least value */
 } jlt_section_run_totals;
@@ -42,7 +43,7 @@ typedef struct {
     jlt_section_table table;
     jlt_writer writer; /* of the table */
     jlt_section_row *row;
-    jlt_map *map;      /* of --check */
+    jlt_map *map;      /* of --check, and for derivatives at saddles; NULL: not needed yet */
     jlt_section *section;
     jlt_section_batch *batch; /* NULL: one at a time */
     jlt_section_batch_options batch_options;

@@ -3,15 +3,15 @@
 #include <math.h>
 #include <string.h>
 
-#include "dynamics/continuation_step.h"
+#include "dynamics/continuation_locate.h"
 
-enum { LOCATE = 120, FAILURES = 20, EXTREMUM = 8, DOUBLING_TEST = 1, BRANCH_TEST, TORUS_TEST };
+enum { CLIPPING = 120, EXTREMUM = 8, FOLD_TEST = 0, DOUBLING_TEST, BRANCH_TEST, TORUS_TEST };
 
 typedef jlt_continuation_runner runner;
 typedef jlt_continuation_place place;
+typedef jlt_continuation_bracket bracket;
 
-static const double turn = 0.3;         /* most radians by which the tangent turns in a step, */
-static const double turn_across = 0.15; /* and in each half of a step across a branch point */
+static const double turn_across = 0.15; /* most radians by which the tangent turns in each half of a step across a branch point */
 static const double same_place = 1e-6;
 /* Error of a test function, from the map's tolerance, amplified: det DP is 1 up to this where the map preserves areas, and that of
  * the bordered matrix 0 where orbits come in families; so is the tangent's component where a family has one value. */
@@ -21,89 +21,6 @@ const char *jlt_continuation_bifurcation_name(jlt_bifurcation kind)
 {
     static const char *const names[] = { "", "fold", "period doubling", "branch point", "torus" };
     return (unsigned)kind < sizeof names / sizeof *names ? names[kind] : "unknown";
-}
-
-static bool interrupted(const runner *self)
-{
-    return self->options.interrupt != NULL && *self->options.interrupt;
-}
-
-/* A bifurcation between two places of the branch, as far as it has been located. */
-typedef struct {
-    place at;
-    double low, high; /* of the value, at the places on both sides */
-} bracket;
-
-/* The next trial for a zero between a and b, where fa and fb differ in sign: in turn the secant's zero; a point twice as far from
- * the end with the smaller value, so that both ends close in (Alefeld, Potra, Shi, ACM TOMS 21 (1995) 327-344); the midpoint. */
-static double look(int count, double a, double fa, double b, double fb)
-{
-    const double middle = a + (b - a) / 2, slope = (fb - fa) / (b - a), end = fabs(fa) < fabs(fb) ? a : b;
-    double s = end - (count % 3 + 1) * (end == a ? fa : fb) / slope;
-
-    if (count % 3 == 2 || !(fabs(s - end) <= fabs(b - a) / 2)) s = middle;
-    return s > fmin(a, b) && s < fmax(a, b) ? s : middle;
-}
-
-/* The place at this part of the way between two others, to which steps from `from` lead, on the cubic through both with their
- * tangents. */
-static void between(place *out, const place *from, const place *low, const place *high, double part, unsigned d)
-{
-    const double rest = 1 - part, width = high->arc - low->arc;
-    double along[2] = { 0, 0 }; /* cosines of the tangents with that of the steps */
-
-    for (unsigned i = 0; i <= d; i++) {
-        along[0] += from->tangent[i] * low->tangent[i];
-        along[1] += from->tangent[i] * high->tangent[i];
-    }
-    for (unsigned i = 0; i <= d; i++) {
-        const double bend = rest * low->tangent[i] / along[0] - part * high->tangent[i] / along[1];
-        out->u[i] = (1 + 2 * part) * rest * rest * low->u[i] + (1 + 2 * rest) * part * part * high->u[i] +
-                    part * rest * width * bend;
-        out->tangent[i] = rest * low->tangent[i] + part * high->tangent[i];
-    }
-    out->arc = low->arc + part * width;
-}
-
-/* Locate the zero of test k between two places, to which steps from `from` lead. Where steps do not converge, or leave the branch,
- * as may happen at a branch point, the bracket stays as wide as it is, and the place is the secant's zero if an
- * orbit is there. */
-static bracket locate(const runner *self, const place *from, const place *before, const place *after, unsigned k)
-{
-    const double scale = self->options.scale;
-    const unsigned d = self->d;
-    double a = before->arc - from->arc, b = after->arc - from->arc, fa = before->test[k], fb = after->test[k];
-    bracket found = { fabs(fa) < fabs(fb) ? *before : *after, before->u[d] * scale, after->u[d] * scale };
-    double failed = NAN; /* a step that did not arrive; the next trials are halfway from it to either end */
-    place next, low = *before, high = *after;
-
-    bool ends = false;
-    for (int i = 0; i < LOCATE && !ends; i++) {
-        ends = fabs(b - a) <= 1e-10 * fmax(1, fabs(b)); /* the last trial is the secant's */
-        const double s = isnan(failed) ? look(ends ? 0 : i, a, fa, b, fb) : (failed + (i % 2 == 0 ? a : b)) / 2;
-        if (interrupted(self)) break;
-        if (jlt_continuation_step_to(self, &next, from, s, NULL) != JLT_OK ||
-            !jlt_continuation_step_straight(from, &next, turn, d)) {
-            if (isnan(failed)) failed = s;
-            else if (i > FAILURES) break;
-            continue;
-        }
-        if (fabs(next.test[k]) <= fabs(found.at.test[k])) found.at = next;
-        if ((next.test[k] > 0) == (fb > 0)) b = s, fb = next.test[k], found.high = next.u[d] * scale, high = next;
-        else a = s, fa = next.test[k], found.low = next.u[d] * scale, low = next;
-        if (next.test[k] == 0) {
-            found.low = found.high = next.u[d] * scale;
-            break;
-        }
-        if (!(failed > fmin(a, b) && failed < fmax(a, b))) failed = NAN;
-    }
-    if (isnan(failed)) return found;
-    next = found.at;
-    between(&next, from, &low, &high, fa / (fa - fb), d);
-    bool is_orbit = jlt_continuation_step_evaluate(self, &next.at, next.u) == JLT_OK;
-    for (unsigned i = 0; i < d; i++) is_orbit = is_orbit && fabs(next.at.f[i]) < next.at.noise;
-    if (is_orbit) found.at = next;
-    return found;
 }
 
 /* Measure the bifurcation and pass it to the sink; where it cannot be measured, the place before it stands for it. */
@@ -144,14 +61,16 @@ static bool rotates(const place *at)
     return fabs(at->at.slope[0] + at->at.slope[3]) < 2 - noise;
 }
 
+static bool changes(const place *from, const place *to, unsigned k) { return (from->test[k] > 0) != (to->test[k] > 0); }
+
 /* Whether the step from one place to the other stays on the branch, as far as angles show. The bordered determinant changes sign at
  * branch points alone: where it does, the place halfway must lie on the way as well, or the tangent was reversed behind a fold. */
 static bool follows(const runner *self, const place *from, const place *to, double step)
 {
     place middle;
 
-    if (!jlt_continuation_step_straight(from, to, turn, self->d)) return false;
-    if ((from->test[BRANCH_TEST] > 0) == (to->test[BRANCH_TEST] > 0)) return true;
+    if (!jlt_continuation_step_straight(from, to, JLT_CONTINUATION_TURN, self->d)) return false;
+    if (!changes(from, to, BRANCH_TEST)) return true;
     return jlt_continuation_step_to(self, &middle, from, step / 2, NULL) == JLT_OK &&
            jlt_continuation_step_straight(from, &middle, turn_across, self->d) &&
            jlt_continuation_step_straight(&middle, to, turn_across, self->d);
@@ -162,7 +81,7 @@ static bool visit(const runner *self, place *within, double *value, const place 
                   double side)
 {
     if (jlt_continuation_step_to(self, within, from, s, NULL) != JLT_OK || !follows(self, from, within, s)
-        || !jlt_continuation_step_straight(within, to, turn, self->d)) return false;
+        || !jlt_continuation_step_straight(within, to, JLT_CONTINUATION_TURN, self->d)) return false;
     *value = side * within->test[k];
     return true;
 }
@@ -202,10 +121,21 @@ static bool changes_twice(const runner *self, place *within, const place *before
 static jlt_status report_zero(const runner *self, const place *from, const place *before, const place *after, unsigned k,
                               jlt_continuation_sink sink, void *context)
 {
-    const bracket b = locate(self, from, before, after, k);
+    const bracket b = jlt_continuation_locate(self, from, before, after, k);
 
     if (k == TORUS_TEST && !rotates(&b.at)) return JLT_OK; /* a saddle of determinant 1 */
     return deliver(self, &b, from, (jlt_bifurcation)(JLT_BIFURCATION_FOLD + k), sink, context);
+}
+
+/* Whether the branch turns in the value between two places where it crosses another branch, as one that begins at a pitchfork does
+ * on its way to the other side: this is no fold of its own. Steps locate the crossing no better than the place is the same, as
+ * they cease to converge there. */
+static bool turns_at_branch_point(const runner *self, const place *from, const place *to)
+{
+    if (!changes(from, to, FOLD_TEST) || !changes(from, to, BRANCH_TEST)) return false;
+    const bracket fold = jlt_continuation_locate(self, from, from, to, FOLD_TEST);
+    const bracket point = jlt_continuation_locate(self, from, from, to, BRANCH_TEST);
+    return fabs(fold.at.arc - point.at.arc) <= 10 * same_place;
 }
 
 /* Report the bifurcations between two places, then the new place; before: the place before the two, NULL if there is none. If the
@@ -219,7 +149,7 @@ static jlt_status report(const runner *self, const place *before, const place *f
     JLT_PASS(jlt_continuation_step_measure(self, &point, to->u, to->tangent, to->arc, JLT_BIFURCATION_NONE));
     *ends = halves(self, last, &point);
     if (*ends) {
-        const bracket tip = locate(self, from, from, to, 0); /* a fold */;
+        const bracket tip = jlt_continuation_locate(self, from, from, to, FOLD_TEST);
         return deliver(self, &tip, from, JLT_BIFURCATION_DOUBLING, sink, context);
     }
     for (unsigned k = 0; k < JLT_CONTINUATION_TESTS; k++) {
@@ -227,7 +157,8 @@ static jlt_status report(const runner *self, const place *before, const place *f
         if (k != DOUBLING_TEST && fmax(fabs(from->test[k]), fabs(to->test[k])) < noise) continue;
         /* beside a torus they are a pair at least where both are inside the circle */
         if (k == TORUS_TEST && !rotates(from) && !rotates(to)) continue;
-        if ((from->test[k] > 0) != (to->test[k] > 0)) {
+        if (k == FOLD_TEST && turns_at_branch_point(self, from, to)) continue;
+        if (changes(from, to, k)) {
             JLT_PASS(report_zero(self, from, from, to, k, sink, context));
         } else if (before != NULL && changes_twice(self, &within, before, from, to, k)) {
             JLT_PASS(report_zero(self, from, from, &within, k, sink, context));
@@ -291,7 +222,7 @@ static bool next_place(const runner *self, place *next, double *step, unsigned *
         if (*st == JLT_OK && *iterations <= 7 && follows(self, here, next, *step)
             && (*step < 2 * self->options.step_min || resolves(before, here, next, self->d))) return true;
         *st = JLT_OK;
-        *end = interrupted(self) ? JLT_CONTINUATION_INTERRUPT : JLT_CONTINUATION_STUCK;
+        *end = jlt_continuation_locate_interrupted(self) ? JLT_CONTINUATION_INTERRUPT : JLT_CONTINUATION_STUCK;
         if (*end == JLT_CONTINUATION_INTERRUPT) return false;
     }
     return false;
@@ -320,7 +251,7 @@ static jlt_status clip(const runner *self, place *next, double *step, const plac
     const double limit = limit_ahead(self, next, here);
     double inside = 0, outside = *step, miss_inside = here->u[d] - limit, miss_outside = next->u[d] - limit;
 
-    for (int i = 0; i < LOCATE && fabs(miss_outside) > 1e-14 * fmax(1, fabs(limit)) && miss_inside != 0; i++) {
+    for (int i = 0; i < CLIPPING && fabs(miss_outside) > 1e-14 * fmax(1, fabs(limit)) && miss_inside != 0; i++) {
         const double secant = (inside * miss_outside - outside * miss_inside) / (miss_outside - miss_inside);
         const double s = i % 3 == 2 ? (inside + outside) / 2 : secant;
         place trial;
@@ -392,7 +323,7 @@ jlt_status jlt_continuation_run(jlt_continuation_end *end, const jlt_family *fam
         if (iterations < 6) step = fmin(1.4 * step, longest_step(&self, &here));
     }
 done:
-    if (interrupted(&self) && st == JLT_ERR_NO_CONVERGENCE) {
+    if (jlt_continuation_locate_interrupted(&self) && st == JLT_ERR_NO_CONVERGENCE) {
         *end = JLT_CONTINUATION_INTERRUPT;
         st = JLT_OK;
     }

@@ -9,12 +9,10 @@
 #include "ext/eigen.h"
 #include "integrate/epoch.h"
 
-static double tolerance_of(const jlt_flow *flow) { return flow->tolerance != 0 ? flow->tolerance : JLT_ORBIT_TOLERANCE; }
-
 /* The relative length below which errors of the tolerance change a vector of DP by more than a thousandth. */
 static double noise_of(const jlt_flow *flow)
 {
-    return 1e3 * tolerance_of(flow);
+    return 1e3 * (flow->tolerance != 0 ? flow->tolerance : JLT_ORBIT_TOLERANCE);
 }
 
 /* Replace the columns of `frame` by A = `slope` times them, orthonormalised by modified Gram-Schmidt, twice, and add the
@@ -61,41 +59,6 @@ static void begin_frame(double *frame, unsigned d)
         for (unsigned k = 0; k < d; k++) frame[i * d + k] = (i == k) - 2 * v[i] * v[k] / square;
 }
 
-/* Whether a return begins at a saddle, as near as at_saddle of the state says. move: of the return; slope: DP; both in units of the
- * coordinates' sizes. reach: the size of the motion in these units. Errors by which an orbit leaves a separatrix are about the
- * tolerance, and it then passes at the root of that; thin attractors bring orbits as near by chance. Where DP stretches by more
- * than errors allow, it is not known how far the saddle is. */
-static bool is_at_saddle(const double *move, const jlt_map_batch_return *p, const double *slope, const jlt_flow *flow, double reach)
-{
-    static const double keeps = 0.1, stretches = 1.1;
-    const unsigned d = flow->chart->dim;
-    const double near = sqrt(tolerance_of(flow)) * reach, length = jlt_linear_length(slope, d * d);
-    double fixed[JLT_CHART_DIM_MAX * JLT_CHART_DIM_MAX], off[JLT_CHART_DIM_MAX], re[JLT_CHART_DIM_MAX], im[JLT_CHART_DIM_MAX];
-
-    if (!(p->flux_determinant > keeps) || !(length * noise_of(flow) < 1)) return false;
-    if (!(jlt_linear_length(move, d) < near * (1 + length))) return false;
-    for (unsigned i = 0; i < d * d; i++) fixed[i] = slope[i] - (i % (d + 1) == 0);
-    if (jlt_eigen_least_squares(off, fixed, move, d, d, 1e-14) != JLT_OK || !(jlt_linear_length(off, d) < near)) return false;
-    if (jlt_linear_eigenvalues(re, im, slope, d) != JLT_OK) return false;
-    return hypot(re[0], im[0]) > stretches && hypot(re[d - 1], im[d - 1]) < 1 / stretches;
-}
-
-/* Look whether the orbit is at a saddle, or has gone from one. The coordinates' sizes are those of its start, which may be near
- * one. */
-static void watch_saddles(jlt_lyapunov_state *state, const jlt_map_batch_return *p, const double *slope, const jlt_flow *flow)
-{
-    static const double far = 1e-3; /* a move of a return, by far more than those of returns at a saddle */
-    const unsigned d = flow->chart->dim;
-    double move[JLT_CHART_DIM_MAX];
-
-    jlt_chart_difference(flow->chart, move, p->q, state->q);
-    jlt_chart_scaled(flow->chart, move, move);
-    state->reach = fmax(state->reach, jlt_linear_length(move, d));
-    const double reach = fmax(state->reach, 1);
-    state->has_left |= state->at_saddle > 0 && jlt_linear_length(move, d) > far * reach;
-    if (state->at_saddle == 0 && is_at_saddle(move, p, slope, flow, reach)) state->at_saddle = state->returns + 1;
-}
-
 /* Add a return to the state. frame: shape (d, d); growth: shape (d,); expansion: summed over returns. */
 static void count_return(jlt_lyapunov_state *state, double *frame, double *growth, double *expansion, const jlt_map_batch_return *p,
                          const jlt_flow *flow)
@@ -105,7 +68,7 @@ static void count_return(jlt_lyapunov_state *state, double *frame, double *growt
 
     jlt_chart_scaled_slope(flow->chart, slope, p->slope);
     if (step_frame(frame, growth, slope, p->flux_determinant, noise_of(flow), d)) state->blurred++;
-    watch_saddles(state, p, slope, flow);
+    jlt_saddle_note(&state->saddle, flow, state->q, p, state->returns + 1);
     memcpy(state->q, p->q, d * sizeof *p->q);
     jlt_epoch time = { state->t, state->t_low };
     jlt_epoch_move(&time, &(double){ p->T });
@@ -190,40 +153,48 @@ done:
     return st;
 }
 
-/* Of each orbit the product of its returns' derivatives, (d, d), without a factor 2^exponent, which may be beyond doubles. */
+/* Of each orbit the product of its returns' derivatives, (d, d), without a factor 2^exponent, which may be beyond doubles; and
+ * its saddles, with the number of its returns and the last, (d,). */
 typedef struct {
-    double *slopes, *exponents;
-    const jlt_chart *chart;
+    double *slopes, *exponents, *last;
+    jlt_saddle_watch *saddles;
+    size_t *returns;
+    const jlt_flow *flow;
 } products;
 
 static void add_slope(void *context, size_t i, const jlt_map_batch_return *made)
 {
     const products *all = context;
-    const unsigned d = all->chart->dim;
+    const jlt_chart *chart = all->flow->chart;
+    const unsigned d = chart->dim;
     const size_t size = (size_t)d * d;
     double *slope = all->slopes + i * size, scaled[JLT_CHART_DIM_MAX * JLT_CHART_DIM_MAX], largest = 0;
     int most = 0;
 
     jlt_linear_multiply(slope, made->slope, slope, d);
-    jlt_chart_scaled_slope(all->chart, scaled, slope); /* in any units the same factor */
+    jlt_saddle_note(&all->saddles[i], all->flow, all->last + i * d, made, ++all->returns[i]);
+    memcpy(all->last + i * d, made->q, d * sizeof *made->q);
+    jlt_chart_scaled_slope(chart, scaled, slope); /* in any units the same factor */
     for (size_t k = 0; k < size; k++) largest = fmax(largest, fabs(scaled[k]));
     if (isfinite(largest)) (void)frexp(largest, &most);
     for (size_t k = 0; k < size; k++) slope[k] = ldexp(slope[k], -most);
     all->exponents[i] += most;
 }
 
-jlt_status jlt_lyapunov_finite_each(jlt_map_batch *maps, double *exponents, const jlt_map_images *images, const double *q,
-                                    size_t count, size_t returns)
+jlt_status jlt_lyapunov_finite_each(jlt_map_batch *maps, double *exponents, const jlt_map_images *images,
+                                    jlt_saddle_watch *saddles, const double *q, size_t count, size_t returns)
 {
     const jlt_flow *flow = jlt_map_batch_flow(maps);
     const unsigned d = flow->chart->dim;
-    JLT_FREED size_t *flow_of = calloc(count, sizeof *flow_of);
-    JLT_FREED double *slopes = calloc(count * d, d * sizeof *slopes);
-    products all = { slopes, exponents, flow->chart };
+    JLT_FREED size_t *flow_of = calloc(count, 2 * sizeof *flow_of);
+    JLT_FREED double *slopes = calloc(count * (d + 1), d * sizeof *slopes);
+    products all = { slopes, exponents, slopes + count * d * d, saddles, flow_of + count, flow };
 
     if (count > 0 && (flow_of == NULL || slopes == NULL)) return JLT_ERR_NOMEM;
+    memcpy(all.last, q, count * d * sizeof *q);
     for (size_t i = 0; i < count; i++) {
         exponents[i] = 0;
+        saddles[i] = (jlt_saddle_watch){ 0 };
         for (unsigned k = 0; k < d; k++) slopes[(i * d + k) * d + k] = 1;
     }
     JLT_PASS(jlt_map_batch_apply_flows(maps, images, q, flow_of, count, returns, add_slope, &all));

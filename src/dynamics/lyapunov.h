@@ -8,6 +8,7 @@
 #define JLT_DYNAMICS_LYAPUNOV_H
 
 #include "dynamics/map_batch.h"
+#include "dynamics/saddle.h"
 
 typedef struct {
     size_t returns;
@@ -15,11 +16,7 @@ typedef struct {
     double exponents[JLT_CHART_DIM_MAX]; /* (dim,), per unit of time, largest first in the limit */
     size_t blurred;   /* returns whose DP contracts some direction by more than the tolerance resolves: the exponent of that
                          direction and those after it are NaN from then on */
-    size_t at_saddle; /* number of the first return from a point nearer to a saddle, of a map that nearly keeps volume, than the
-                         square root of the tolerance is of reach: where the orbit goes from there is up to errors; 0: there is
-                         none */
-    double reach;     /* the longest move of a return, in units of the coordinates' sizes */
-    bool has_left;    /* it has gone from there */
+    jlt_saddle_watch saddle; /* by which it passes */
     double sum_check; /* mean divergence along the orbit; it differs from the exponents' sum by log(flux at start/flux at q)/t */
     double q[JLT_CHART_DIM_MAX]; /* (dim,), the last return */
 } jlt_lyapunov_state;
@@ -42,8 +39,8 @@ JLT_CHECKED jlt_status jlt_lyapunov_run_each(jlt_map_batch *maps, jlt_lyapunov_s
 /** Finite-time exponents from q, shape (count, dim): the logarithm of the 2-norm of D(P^returns) per unit of the time that the
  *  returns took. The norm is that of coordinates in units of the problem; another norm changes the exponent by O(1/t). Out:
  *  exponents, shape (count,), NaN where the orbit ends, or where returns contract more than the flow's tolerance resolves; images,
- *  as jlt_map_batch_apply fills them. Errors: NOMEM; as jlt_map_batch_apply. */
+ *  as jlt_map_batch_apply fills them; saddles, shape (count,). Errors: NOMEM; as jlt_map_batch_apply. */
 JLT_CHECKED jlt_status jlt_lyapunov_finite_each(jlt_map_batch *maps, double *exponents, const jlt_map_images *images,
-                                                const double *q, size_t count, size_t returns);
+                                                jlt_saddle_watch *saddles, const double *q, size_t count, size_t returns);
 
 #endif

@@ -358,6 +358,7 @@ static void exponents_of_a_periodic_orbit_are_its_multipliers(void **unused)
     double exponent;
     images out;
     const jlt_map_images into = { out.status, out.q, out.slope, out.T, out.determinant, out.expansion, out.defect };
+    jlt_saddle_watch passed;
     jlt_periodic saddle;
     jlt_map *map;
     jlt_map_batch *maps;
@@ -368,7 +369,7 @@ static void exponents_of_a_periodic_orbit_are_its_multipliers(void **unused)
     assert_ok(jlt_periodic_find(map, &saddle, guess, 1, NULL));
     const double *a = saddle.slope;
     const double square = a[0] * a[0] + a[1] * a[1] + a[2] * a[2] + a[3] * a[3], det = a[0] * a[3] - a[1] * a[2];
-    assert_ok(jlt_lyapunov_finite_each(maps, &exponent, &into, saddle.points, 1, 1));
+    assert_ok(jlt_lyapunov_finite_each(maps, &exponent, &into, &passed, saddle.points, 1, 1));
     assert_true(fabs(out.T[0] - saddle.T) <= 1e-12);
     assert_true(fabs(exponent * out.T[0] - log((square + sqrt(square * square - 4 * det * det)) / 2) / 2) <= 1e-12);
     jlt_map_batch_destroy(maps);

@@ -43,6 +43,22 @@ for step in 0.01 0.003; do
         fail "a3, step $step: $(cat found)"
 done
 
+# Orbits x = sqrt(a) turn at a pitchfork, a = 0, which is no fold as well; and with a push e they turn where
+# a = x^2 - e/x is least, x = -(e/2)^(1/3): this is a fold.
+printf '%s\n' 'model pitchfork' 'param a' 'param e' 'default a = 1/10, e = 0' 'state x' 'state v' 'state phi' \
+    'periodic phi = 2*pi' 'eq x = v' 'eq v = a*x - x^3 - v/5 + e' 'eq phi = 1' > pitchfork.tt
+for step in 0.003 0.02 0.05; do
+    jellett continue ./pitchfork.tt --section phi=0 --start x=0.4,v=0 --along a=-0.1:0.2 --decreasing --step $step -o rows.csv \
+        2> log || fail "pitchfork: $(cat log)"
+    awk -F, '$17 ~ /./ && /^0/ { n++; bad += $17 != "branch point" || $2^2 > 1e-12 } END { exit !(n == 1 && !bad) }' rows.csv ||
+        fail "pitchfork, step $step: $(awk -F, '/^0/ && $17 != "" { print $2, $17 }' rows.csv)"
+    jellett continue ./pitchfork.tt --section phi=0 --start x=-0.4,v=0 --set e=1e-6 --along a=-0.1:0.2 --decreasing --step $step \
+        -o rows.csv 2> log || fail "pushed pitchfork: $(cat log)"
+    awk -F, '$17 ~ /./ && /^0/ { n++; bad += $17 != "fold" || ($2 - 3*(5e-7)^(2/3))^2 > 1e-24 }
+        END { exit !(n == 1 && !bad) }' rows.csv ||
+        fail "pushed pitchfork, step $step: $(awk -F, '/^0/ && $17 != "" { print $2, $17 }' rows.csv)"
+done
+
 # Both sides of that branch point, whose branches are steep.
 jellett continue --along G=-0.56:-0.2 --generations 2 -o rows.csv 2> log || fail "generations: status $?"
 [ "$(grep -c '^jellett: branch [23], from the branch point at -0.2724346596:' log)" = 2 ] || fail "generations: $(cat log)"

@@ -94,6 +94,11 @@ for start in q=0,p=2 q=pi,p=0 q=0,p=2.001 q=1,p=1; do
     expect 0 '^300,' jellett lyapunov ./clocked.tt --section phi=0 --start $start --returns 300
     [ "$(grep -c 'return [1-4] begins nearer to a saddle than errors tell separatrices apart' err)" = $wanted ] ||
         fail "exponents from $start: $(cat err)"
+    # So do charts of exponents, and sections, which have no derivatives at hand, of one orbit or in lanes, in both directions.
+    for how in "lyapunov --grid" "section --start" "section --grid" "section --backward --grid" "section --method dop853 --grid"; do
+        expect 0 '' jellett ${how%% *} ./clocked.tt --section phi=0 ${how#* } $start --returns 300
+        [ "$(grep -c 'nearer to a saddle than errors tell separatrices apart' err)" = $wanted ] || fail "$how $start: $(cat err)"
+    done
 done
 # Nor does a motion that starts on a separatrix beside its saddle, however near. A chaotic one, of which every return stretches by
 # more than all digits, is at no saddle.
