@@ -198,6 +198,8 @@ done
 [ "$(grep -c 'set title.*stiffness' p.gp)" -eq 0 ] || fail "long names: the caption takes the room of the axes"
 jellett simulate ./long.tt --start "$start" --times 0 --plot p.svg --keep p.gp -o rows.csv 2> log
 grep -q '^plot .* with points' p.gp || fail "a single row is drawn as a line, which is not seen: $(cat log)"
+jellett rod --start gamma3=0.2,v_nu=0.6,omega_tau=0.4,omega_n=1,omega3=0 --sweep omega_n=1:1:1 --plot p.svg --keep p.gp -o rows.csv
+grep -q '^plot .* with points' p.gp || fail "a single row of rod is drawn as a line, which is not seen"
 
 # Numbers beside an axis tell its ticks apart and do not run into each other, over any range; numbers are written as in print, not
 # as in programs; and a key says what cells without a value are.
