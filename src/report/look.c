@@ -279,6 +279,10 @@ void jlt_look_pen(FILE *stream, const jlt_look *self, jlt_pen pen)
 
 void jlt_look_palette(FILE *stream, const jlt_look *self, const char *label, jlt_extent values)
 {
+    if (values.high == values.low) {
+        values = jlt_extent_wider(values);
+        fprintf(stream, "set cbrange [%.15g:%.15g]\n", values.low, values.high);
+    }
     const bool known = values.high > values.low;
     const jlt_ticks ticks = known ? jlt_ticks_choose(values, 6, false) : (jlt_ticks){ 0 };
 

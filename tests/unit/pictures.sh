@@ -200,6 +200,11 @@ jellett simulate ./long.tt --start "$start" --times 0 --plot p.svg --keep p.gp -
 grep -q '^plot .* with points' p.gp || fail "a single row is drawn as a line, which is not seen: $(cat log)"
 jellett rod --start gamma3=0.2,v_nu=0.6,omega_tau=0.4,omega_n=1,omega3=0 --sweep omega_n=1:1:1 --plot p.svg --keep p.gp -o rows.csv
 grep -q '^plot .* with points' p.gp || fail "a single row of rod is drawn as a line, which is not seen"
+jellett continue --along E=2.1:2.2 --count 1 --plot p.svg --keep p.gp -o rows.csv 2> log
+grep -q '^plot .* with points' p.gp || fail "a single orbit of continue is drawn as a line, which is not seen: $(cat log)"
+# A colour box of one value has room for its label as well.
+jellett eigen --set a3=0 --at v_nu=0.7,omega3=1.1 --sweep gamma3=0.3:0.3:1 --plot p.svg --keep p.gp -o rows.csv
+grep -q '^set rmargin' p.gp || fail "eigen: the label of a colour box of one value leaves the picture"
 
 # Numbers beside an axis tell its ticks apart and do not run into each other, over any range; numbers are written as in print, not
 # as in programs; and a key says what cells without a value are.
