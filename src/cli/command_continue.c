@@ -236,11 +236,13 @@ static jlt_exit draw(const options *o, const jlt_system *system, const char *nam
         if (to->shown[k] == 0) jlt_plot_axis(&plot, k == 0 ? 'x' : 'y', label, range, 0);
         else jlt_motion_axis(&plot, system, k == 0 ? 'x' : 'y', to->shown[k] - 1, range);
     }
+    const bool alone = to->extent[0].low == to->extent[0].high && to->extent[1].low == to->extent[1].high;
     fputs("plot ", stream);
     for (unsigned stable = 2; stable-- > 0;) {
         if ((to->lines >> stable & 1u) == 0) continue;
         fprintf(stream, "$POINTS using 1:($4==%u||$3>0?$2:NaN) ", stable);
-        jlt_look_pen(stream, plot.look, (jlt_pen){ "lines", .dash = !stable });
+        jlt_look_pen(stream, plot.look, alone ? (jlt_pen){ "points", .mark = !stable, .size = 0.8 }
+                                              : (jlt_pen){ "lines", .dash = !stable });
         fprintf(stream, " title '%s', ", stable ? "stable" : "unstable");
     }
     for (unsigned kind = JLT_BIFURCATION_FOLD; kind <= (unsigned)JLT_BIFURCATION_TORUS; kind++) {

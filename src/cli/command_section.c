@@ -92,6 +92,8 @@ static const struct argp parser = {
     "wait in a file in TMPDIR. One orbit alone, and all orbits with --method, are integrated by the method named, gauss by "
     "default. With --sweep the orbits of all points go side by side, even where each point has one orbit only; the rows of a "
     "point do not depend on the other points.\n\n"
+    "A picture shows the ranges that --grid names and a third more, or all returns if hardly any lies there. Of more than 400000 "
+    "returns it shows a random half, a quarter, and so on; its title says so, and the table has all.\n\n"
     "Examples:\n"
     "  jellett section --level E=2.15,G=-0.56 --start eta=0.1,gamma3=-0.6 \\\n"
     "    --returns 10 --tol 1e-13\n"

@@ -230,6 +230,7 @@ pid_t jlt_interrupt_fork(void)
         polled = 0;
         raised = 0;
         first = due = 0;
+        for (int i = 0; i < FILES; i++) files[i] = NULL; /* what the parent writes is not the child's to save or remove */
     } else if (made > 0) {
         child = (sig_atomic_t)made;
         if (raised != 0) kill(made, raised);

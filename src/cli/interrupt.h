@@ -47,8 +47,9 @@ void jlt_interrupt_abandon(void);
 /** Seconds of a clock that nobody sets. It may be read within a signal handler. */
 double jlt_interrupt_clock(void);
 
-/** Fork. The child starts with no signal pending, as the program did. The parent passes signals on to the child until it calls
- *  jlt_interrupt_alone, which returns the first signal that came, or 0. jlt_interrupt_fork returns what fork does. */
+/** Fork. The child starts with no signal pending and no file registered, as the program did. The parent passes signals on to the
+ *  child until it calls jlt_interrupt_alone, which returns the first signal that came, or 0. jlt_interrupt_fork returns what fork
+ *  does. */
 pid_t jlt_interrupt_fork(void);
 int jlt_interrupt_alone(void);
 

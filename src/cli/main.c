@@ -25,9 +25,9 @@ static void print_help(FILE *stream)
           "  jellett --help            this page\n"
           "  jellett --version         the version\n\n"
           "Exit status: 0 done, 1 a claim or check failed, 2 wrong usage, 3 bad input, 4 a numerical method failed,\n"
-          "5 a file cannot be read or written. An interrupted command ends by the signal, within a second (shells show 130\n"
-          "after Ctrl-C, 143 after kill); a second later, another signal ends the program at once. A command that writes rows\n"
-          "as they come saves those that are whole; other commands save nothing.\n",
+          "5 a file cannot be read or written. An interrupted command ends by the signal (shells show 130 after Ctrl-C,\n"
+          "143 after kill), within a second, or ten more where it still draws --plot; a second later, another signal ends the\n"
+          "program at once. A command that writes rows as they come saves those that are whole; other commands save nothing.\n",
           stream);
 }
 

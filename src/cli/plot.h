@@ -12,12 +12,14 @@ extern const struct argp jlt_plot_argp, jlt_plot_axes_argp;
 /** A gnuplot script with its data, which have full digits. */
 typedef struct {
     const jlt_common *common;
-    const jlt_look *look;
+    const jlt_look *look;   /* what was asked for; letters may be smaller, so that panels fit */
     FILE *stream;           /* takes gnuplot commands; write errors show in jlt_plot_draw */
 
     /* private */
+    jlt_look own;           /* where `look` points */
     unsigned rows, columns; /* of panels; 0: there is one picture without panels */
     bool stacked;           /* panels share the x axis */
+    bool to_scale;          /* both axes of a panel have the same scale */
     double beside;          /* the room for the keys of stacked panels, in units of the font size */
     double letters;         /* in the longest label of a tick on a y axis */
     jlt_command_output script, title;
@@ -47,9 +49,16 @@ void jlt_plot_log(jlt_plot *self, char axis, const char *label, jlt_extent range
 /** A drift as it is drawn on a logarithmic axis: at least 1e-17, also where nothing drifts; NaN where it is not known. */
 double jlt_plot_drift(double drift);
 
-/** Lay out `count` panels in place of one picture: if stacked, one below the other with a common x axis, else side by side where
- *  there is room. */
+/** Lay out `count` panels in place of one picture: if stacked, one below the other with a common x axis, else side by side in a
+ *  picture that is not higher than wide. */
 void jlt_plot_panels(jlt_plot *self, unsigned count, bool stacked);
+
+/** Before anything is computed: refuse a --size with no room for `count` stacked panels in legible letters, or in those of
+ *  --font. */
+jlt_exit jlt_plot_check_stack(const jlt_common *common, unsigned count);
+
+/** Give the panels that follow axes of the same scale and length. */
+void jlt_plot_to_scale(jlt_plot *self);
 
 /** Leave room beside stacked panels for keys whose widest label has this width (jlt_look_breadth), up to half of the picture.
  *  Returns the factor, at most 1, of the size of letters with which it fits. */

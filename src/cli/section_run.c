@@ -37,8 +37,8 @@ static jlt_status put(jlt_section_run *f, const jlt_return *at, const double *be
     jlt_section_row_fill(f->row, f->system->flow.chart, f->sum.orbits, at, before);
     JLT_PASS(jlt_writer_put(&f->writer, f->row));
     f->sum.rows++;
-    if (at->number == 0 && f->o->motion.grid != NULL) return JLT_OK; /* the picture does not show the grid of starts */
-    return jlt_section_picture_add(f->picture, at->q);
+    if (at->number > 0 || f->o->motion.grid == NULL) jlt_section_picture_add(f->picture, at->q); /* without the grid of starts */
+    return JLT_OK;
 }
 
 static bool stopped(const jlt_section_run *f)

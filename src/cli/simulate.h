@@ -24,7 +24,7 @@ typedef struct {
     unsigned shown[2];   /* the columns that --axes names */
 } jlt_simulate_request;
 
-/** Read --axes into `shown`. */
+/** Read --axes into `shown`; without them, check that the panels of the states have room. */
 jlt_exit jlt_simulate_axes(jlt_simulate_request *request);
 
 /* Add a row to the picture's data. */

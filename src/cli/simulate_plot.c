@@ -7,7 +7,7 @@
 #include "core/memory.h"
 #include "report/symbol.h"
 
-enum { PANELS_MAX = 4 };
+enum { PANELS_MAX = JLT_PLAN_STATES_MAX };
 
 /* The first column of each kind: t, states, drifts, what the table observes, and with --track what the larger table adds. */
 static unsigned first_drift(const jlt_simulate_request *r)
@@ -59,7 +59,7 @@ static void caption(jlt_plot *plot, const jlt_simulate_request *r)
 
     jlt_plot_words(plot, "Motion of %s\n", d->model);
     jlt_session_caption(plot, &r->session);
-    jlt_plot_words(plot, "; start ");
+    jlt_plot_words(plot, d->param_count > 0 ? "; start " : "start ");
     for (unsigned i = 0; i < d->state_count; i++) jlt_plot_value(plot, d->states[i].name, r->session.x[i]);
     jlt_plot_words(plot, "; tier %s, ", jlt_plan_tier(&r->plans[0]));
     jlt_plot_value(plot, "tolerance", r->session.tolerance);
@@ -108,20 +108,27 @@ static void key(jlt_plot *plot, unsigned entries, unsigned panels, double narrow
     jlt_look_key(plot->stream, plot->look, where);
 }
 
-/* Draw states against t, those of the same unit in one panel, and drifts in another. */
-static void draw_states(jlt_plot *plot, const jlt_simulate_request *r)
+/* The units of the states, one for each panel. Returns how many there are. */
+static unsigned list_units(const char *units[PANELS_MAX], const jlt_descriptor *d)
 {
-    const jlt_descriptor *d = r->session.descriptor;
-    const char *units[PANELS_MAX];
-    const unsigned drifts = jlt_course_integrals(r->courses[0]);
-    jlt_extent drift = JLT_EXTENT_NONE;
     unsigned panels = 0;
 
     for (unsigned i = 0; i < d->state_count; i++) {
         unsigned k = 0;
         while (k < panels && strcmp(units[k], d->states[i].unit) != 0) k++;
-        if (k == panels && panels < PANELS_MAX) units[panels++] = d->states[i].unit;
+        if (k == panels) units[panels++] = d->states[i].unit;
     }
+    return panels;
+}
+
+/* Draw states against t, those of the same unit in one panel, and drifts in another. */
+static void draw_states(jlt_plot *plot, const jlt_simulate_request *r)
+{
+    const jlt_descriptor *d = r->session.descriptor;
+    const char *units[PANELS_MAX];
+    const unsigned drifts = jlt_course_integrals(r->courses[0]), panels = list_units(units, d);
+    jlt_extent drift = JLT_EXTENT_NONE;
+
     jlt_plot_panels(plot, panels + (drifts > 0), true);
     const double narrow = room_beside(plot, r);
     for (unsigned k = 0; k < panels; k++) {
@@ -214,7 +221,7 @@ static void draw_more(jlt_plot *plot, const jlt_simulate_request *r)
     }
     jlt_plot_panels(plot, count < 2 ? 1 : 2, false);
     if (count == 0) draw_pair(plot, r, (unsigned[]){ 0, first + k }, false);
-    else fputs("set size ratio -1\n", plot->stream);
+    else jlt_plot_to_scale(plot);
     for (unsigned i = 0; i < count; i++) draw_pair(plot, r, (unsigned[]){ pairs[i], pairs[i] + 1 }, true);
 }
 
@@ -222,10 +229,13 @@ static void draw_more(jlt_plot *plot, const jlt_simulate_request *r)
 jlt_exit jlt_simulate_axes(jlt_simulate_request *request)
 {
     const unsigned drift = first_drift(request), drifts = first_observed(request) - drift;
+    const char *units[PANELS_MAX];
     const unsigned count = first_of_more(request) - drifts + jlt_course_tells_more(request->courses[0], NULL, NULL);
     JLT_FREED const char **names = calloc(count, sizeof *names);
 
     if (names == NULL) return jlt_command_no_memory();
+    if (request->session.common.axes == NULL && !request->track)
+        JLT_PASS(jlt_plot_check_stack(&request->session.common, list_units(units, request->session.descriptor) + (drifts > 0)));
     for (unsigned i = 0; i < count; i++) names[i] = quantity_of(request, i < drift ? i : i + drifts).name;
     JLT_PASS(jlt_plot_shown(request->shown, &request->session.common, names, count));
     for (unsigned k = 0; k < 2; k++)

@@ -160,6 +160,7 @@ static jlt_exit compute_all(sweep *self)
     if (code == JLT_EXIT_DONE) code = jlt_swept_rows_finish(&self->rows);
     if (code == JLT_EXIT_DONE && self->rows.names == NULL && *interrupt == 0)
         code = self->lost > 0 ? JLT_EXIT_NUMERICAL : JLT_EXIT_INPUT;
+    if (code == JLT_EXIT_DONE && self->rows.names == NULL) fputs("jellett: interrupted; nothing is saved\n", stderr);
     if (code != JLT_EXIT_DONE || self->rows.names == NULL) return code;
     if (self->refused > 0)
         fprintf(stderr, "jellett: %zu of %zu points refused what was asked, and have no rows\n", self->refused, self->all);

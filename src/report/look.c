@@ -55,9 +55,17 @@ bool jlt_look_text_fits(const char *text)
     return true;
 }
 
+/* The scale of letters, marks and lines in a picture that is smaller than 8 x 6 cm, which they would cover otherwise. */
+static double reduction(const jlt_look *self)
+{
+    return fmin(1, fmin(self->width / 8, self->height / 6));
+}
+
 double jlt_look_points(const jlt_look *self)
 {
-    return self->points > 0 ? self->points : fmin(12, fmax(7, round(2 * (5.6 + 0.3 * self->width)) / 2));
+    const double usual = fmin(12, round(2 * (5.6 + 0.3 * fmax(8, self->width))) / 2);
+
+    return self->points > 0 ? self->points : usual * reduction(self);
 }
 
 /* Write one line of text as a string in single quotes. Characters with a meaning to gnuplot become octal escapes in a concatenated
@@ -263,13 +271,18 @@ void jlt_look_pen(FILE *stream, const jlt_look *self, jlt_pen pen)
     fprintf(stream, "with %s lc rgb '%s'", dots ? "dots" : pen.with, colour);
     if (lines)
         fprintf(stream, " dt %s lw %.3g", dashes[pen.dash % (sizeof dashes / sizeof *dashes)],
-                (pen.size == 0 ? 2 : 1.2) * self->line);
+                (pen.size == 0 ? 2 : 1.2) * self->line * reduction(self));
     if (points && !dots)
-        fprintf(stream, " pt %d ps %.3g", shapes[pen.mark % (sizeof shapes / sizeof *shapes)], pen.size * self->size);
+        fprintf(stream, " pt %d ps %.3g", shapes[pen.mark % (sizeof shapes / sizeof *shapes)],
+                pen.size * self->size * reduction(self));
 }
 
 void jlt_look_palette(FILE *stream, const jlt_look *self, const char *label, jlt_extent values)
 {
+    if (values.high == values.low) {
+        values = jlt_extent_wider(values);
+        fprintf(stream, "set cbrange [%.15g:%.15g]\n", values.low, values.high);
+    }
     const bool known = values.high > values.low;
     const jlt_ticks ticks = known ? jlt_ticks_choose(values, 6, false) : (jlt_ticks){ 0 };
 

@@ -225,7 +225,8 @@ static jlt_exit draw(const request *r)
                        (jlt_extent){ fmin(r->axes[0].low, r->axes[0].high), fmax(r->axes[0].low, r->axes[0].high) });
         jlt_plot_axis(&plot, 'y', labels[k], jlt_extent_wider(r->extent[k]), 0);
         fprintf(plot.stream, "plot $ROWS using 1:%u ", k + 2);
-        jlt_look_pen(plot.stream, plot.look, (jlt_pen){ "lines", .colour = 2 });
+        jlt_look_pen(plot.stream, plot.look,
+                     r->all == 1 ? (jlt_pen){ "points", .colour = 2, .size = 0.8 } : (jlt_pen){ "lines", .colour = 2 });
         fputs(" notitle\n", plot.stream);
     }
     return jlt_plot_draw(&plot);

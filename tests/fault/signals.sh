@@ -56,6 +56,13 @@ interrupt "INT INT" jellett eigen --set a3=0 --at v_nu=0.7,omega3=1.1 --sweep ga
 expect 130 "t.csv " "eigen"
 rows=$(sed -n 's/.*the first \([0-9]*\) of 900000 rows are saved in t.csv$/\1/p' "$scratch/err")
 [ "$(grep -vc '^#' "$scratch/d/t.csv")" = $((rows + 1)) ] || fail "eigen: says '$(cat "$scratch/err")'"
+# The process that computes points of a sweep ends, too, and leaves the table to the one that writes it.
+interrupt TERM jellett measure --set I3=0 --sweep I1=0.2:0.6:100000 -o t.csv
+expect 143 "t.csv " "measure --sweep"
+grep -q "whole points are saved in t.csv" "$scratch/err" || fail "measure --sweep: says '$(cat "$scratch/err")'"
+interrupt TERM jellett section --sweep E=2:2.1:9000 --start eta=0.1,gamma3=-0.6 --returns 3000000 --method gauss -o t.csv
+expect 143 "" "section --sweep before its first point"
+grep -q "nothing is saved" "$scratch/err" || fail "section --sweep before its first point: says '$(cat "$scratch/err")'"
 # Commands that save nothing before they are done say so.
 interrupt "TERM TERM" jellett transfer --boxes 900x900 -o t.csv
 expect 143 "" "transfer"

@@ -198,6 +198,13 @@ done
 [ "$(grep -c 'set title.*stiffness' p.gp)" -eq 0 ] || fail "long names: the caption takes the room of the axes"
 jellett simulate ./long.tt --start "$start" --times 0 --plot p.svg --keep p.gp -o rows.csv 2> log
 grep -q '^plot .* with points' p.gp || fail "a single row is drawn as a line, which is not seen: $(cat log)"
+jellett rod --start gamma3=0.2,v_nu=0.6,omega_tau=0.4,omega_n=1,omega3=0 --sweep omega_n=1:1:1 --plot p.svg --keep p.gp -o rows.csv
+grep -q '^plot .* with points' p.gp || fail "a single row of rod is drawn as a line, which is not seen"
+jellett continue --along E=2.1:2.2 --count 1 --plot p.svg --keep p.gp -o rows.csv 2> log
+grep -q '^plot .* with points' p.gp || fail "a single orbit of continue is drawn as a line, which is not seen: $(cat log)"
+# A colour box of one value has room for its label as well.
+jellett eigen --set a3=0 --at v_nu=0.7,omega3=1.1 --sweep gamma3=0.3:0.3:1 --plot p.svg --keep p.gp -o rows.csv
+grep -q '^set rmargin' p.gp || fail "eigen: the label of a colour box of one value leaves the picture"
 
 # Numbers beside an axis tell its ticks apart and do not run into each other, over any range; numbers are written as in print, not
 # as in programs; and a key says what cells without a value are.
@@ -284,9 +291,37 @@ for axes in "lambda1 λ_{1} 1/s" "t t s" "divergence divergence 1/s"; do
     grep -qF "set ylabel '$shown [$unit]'" p.gp || fail "lyapunov --sweep: no unit in $(grep ylabel p.gp)"
 done
 # Low panels have room for fewer labels beside their axes.
-jellett portrait --level E=2,G=0.3,F0=0.1 --orbits 2 --until 1 --size 8x8 --plot p.svg --keep p.gp -o rows.csv 2> log &&
+jellett portrait --level E=2,G=0.3,F0=0.1 --orbits 2 --until 1 --size 8x8.1 --plot p.svg --keep p.gp -o rows.csv 2> log &&
     ticks=$(grep "^set ytics" p.gp) || fail "portrait: $(cat log)"
-[ "$ticks" = "set ytics 1" ] || fail "portrait of 8x8 cm: $ticks"
+[ "$ticks" = "set ytics 1" ] || fail "portrait of 8x8.1 cm: $ticks"
+
+# Every unit has its panel, and panels have room for a line of letters for each of their two ticks and for their gap: letters are
+# smaller in small pictures, and a picture that would take letters of less than five points is refused.
+printf '%s\n' 'model units' 'state a [m]' 'state b [m/s]' 'state c [rad]' 'state d [kg]' 'state e [kg*m]' 'state f [s]' 'eq a = b' \
+    'eq b = -a' 'eq c = 1' 'eq d = a' 'eq e = b' 'eq f = 1' > units.tt
+orbit="./units.tt --start a=1,b=0,c=0,d=0,e=0,f=0 --until 1"
+for size in 18x13 8x8 8x6 5x5.3; do
+    jellett simulate $orbit --size $size --plot p.svg --keep p.gp -o rows.csv 2> log || fail "six units, $size: $(cat log)"
+    [ "$(grep -c '^plot' p.gp)" -eq 6 ] || fail "six units, $size: $(grep -c '^plot' p.gp) panels"
+    awk -v size=$size -F "[, ']+" '/^set terminal/ { em = $(NF - 1) * 2.54 / 72 / substr(size, index(size, "x") + 1) }
+        /^set multiplot/ { for (i = 1; i <= NF; i++) if ($i == "margins") { bottom = $(i + 3); top = $(i + 4); gap = $(i + 7) } }
+        END { if ((top - bottom - 5 * gap) / 6 + gap < 3.9 * em) exit 1 }' p.gp || fail "six units, $size: the panels are too low"
+done
+jellett simulate $orbit --plot p.svg --keep p.gp -o rows.csv 2> log
+grep -q 'set multiplot .*; start' p.gp && fail "a caption without parameters begins with a semicolon"
+for size in "8x5.2 5.3" "5x5 5.3" "18x13:Times,13 13.7"; do
+    rm -f p.svg
+    read -r look least <<< "$size"
+    expect 2 "^jellett: --size: 6 panels .* $least cm at least; or choose two columns by --axes$" \
+        jellett simulate $orbit --size ${look/:/ --font } --plot p.svg -o rows.csv
+    [ ! -e p.svg ] || fail "six units, $size: a picture in spite of the refusal"
+done
+jellett simulate ./long.tt --start "$start" --until 9 --style nokey --plot p.svg --keep p.gp -o rows.csv 2> log
+grep -q 'margins [0-9.]*,0\.8[0-9]*,' p.gp || fail "without a key its room stays empty: $(grep margins p.gp)"
+# Axes of one scale are as long as the shorter side of their panel, and have as many ticks as fit there.
+jellett simulate --start gamma3=0.25,v_nu=0.8,omega_tau=-0.6,omega_n=1.1,omega3=-2.3 --until 20 --every 1/2 --track --size 8x8.1 \
+    --plot p.svg --keep p.gp -o rows.csv 2> log
+[ "$(grep -m 1 '^set xtics' p.gp)" = "set xtics 20" ] || fail "a track to scale: $(grep -m 1 '^set xtics' p.gp)"
 
 refuse() { # WORDS OPTION...: status 2, the option named, and nothing written
     local words=$1 code
@@ -298,7 +333,7 @@ refuse() { # WORDS OPTION...: status 2, the option named, and nothing written
     [ ! -s out ] && [ ! -e p.svg ] && [ ! -e stolen ] || fail "$*: something is written"
     grep -qF -- "$words" err || fail "$*: says '$(head -1 err)', not '$words'"
 }
-for value in 8 8x 8x6km 2x2 -8x6cm 1e9x1 nanx6 6cm x 8x6cmcm ''; do refuse --size "--size=$value"; done
+for value in 8 8x 8x6km 2x2 4.9x8 8x3.9 -8x6cm 1e9x1 nanx6 6cm x 8x6cmcm ''; do refuse --size "--size=$value"; done
 for value in "a'b" '$(HOME)' '' ,8 Arial,0 Arial,x Arial,8,9 'Arial"' $'Arial\n!touch stolen' Arial,1e9; do refuse \
     --font "--font=$value"; done
 for value in 1 1:1 2:1 :1 1: 1:nan a:b '1:2]; !touch stolen' ''; do refuse --xrange "--xrange=$value"; done

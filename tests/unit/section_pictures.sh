@@ -1,0 +1,18 @@
+#!/usr/bin/env bash
+# The picture of a section shows all orbits alike, however many returns there are, and shows them where they are.
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
+gnuplot --version > /dev/null 2>&1 || exit 77
+
+# Of more returns than a picture holds a random share is drawn, of the last orbits as of the first, and the title says so: within
+# six standard deviations of a half. Where no return lies in the ranges of the grid, the picture shows where they are.
+jellett section --grid eta=0.40:0.48:21,gamma3=-0.63:-0.61:20 --returns 1000 --tol 1e-6 --plot p.png --keep p.gp -o rows.csv 2> log
+awk -F, 'FNR == NR { if (/^END/) over = 1; if (!over && split($0, v, " ") == 3) drawn[v[1] " " v[2]]; next }
+    !/^[#o]/ && $2 > 0 { all[$1]++; total++; if (($4 " " $5) in drawn) seen[$1]++ }
+    END { for (i in all) { half += seen[i]; if ((2 * seen[i] - all[i])^2 > 36 * all[i]) { print "orbit " i ": " seen[i]; bad = 1 } }
+          if (total <= 400000 || (2 * half - total)^2 > 36 * total) { print half " of " total; bad = 1 }; exit bad }' \
+    <(sed '1,/^\$POINTS/d' p.gp) rows.csv || fail "a random half of the returns is not drawn"
+grep -q "^set title .* 1000 returns, one in 2 drawn'" p.gp || fail "the title does not say that a half is drawn"
+jellett section --grid gamma3=0.95:0.99:2,eta=3:3.1:2 --returns 5 --plot p.svg --keep p.gp -o rows.csv 2> log
+grep '^set yrange' p.gp | tr '[:]' '   ' | awk '{ exit !($3 < -0.648 && $4 > -0.584) }' ||
+    fail "no return lies in the ranges of the grid, and none is seen: $(grep '^set yrange' p.gp)"
+exit $status
