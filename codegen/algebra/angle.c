@@ -102,7 +102,7 @@ ttc_angle_relation ttc_angle_relate(ttc_ring *ring, long *multiples, fmpq *quart
     for (size_t i = 0; i < count && relation == TTC_ANGLE_WHOLE; i++) {
         const fmpz *multiple = fmpq_numref(weights + i);
         if (fmpz_cmp_si(multiple, TTC_ANGLE_MULTIPLE_LIMIT) > 0 || fmpz_cmp_si(multiple, -TTC_ANGLE_MULTIPLE_LIMIT) < 0)
-            ttc_ring_fail(ring, TTC_RING_TOO_LARGE);
+            ttc_ring_fail(ring, TTC_RING_LARGE_MULTIPLE);
         else multiples[i] = fmpz_get_si(multiple);
     }
     _fmpq_vec_clear(weights, (slong)count + 1);

@@ -13,7 +13,7 @@ typedef enum {
 } ttc_angle_relation;
 
 /** Find the relation of `angle` to `basis`, shape (count,), which is linearly independent over the rationals.
- *  Out: multiples, shape (count,), the weights if WHOLE. One above TTC_ANGLE_MULTIPLE_LIMIT makes the ring fail with TOO_LARGE.
+ *  Out: multiples, shape (count,), the weights if WHOLE. The ring fails for one above TTC_ANGLE_MULTIPLE_LIMIT.
  *  quarters: NULL, or the basis begins with a quarter turn, whose weight goes here, and counts as whole if ttc_angle_has_roots. */
 ttc_angle_relation ttc_angle_relate(ttc_ring *ring, long *multiples, fmpq *quarters, const ttc_ratio *angle, const ttc_ratio *basis,
                                     size_t count);

@@ -58,7 +58,7 @@ static void insert(ttc_coprime *base, const fmpz_mpoly_t element)
     }
     if (ring->status == TTC_RING_OK && !fmpz_mpoly_is_one(a, ring->context)) {
         if (base->count == TTC_COPRIME_LIMIT) {
-            ttc_ring_fail(ring, TTC_RING_TOO_LARGE);
+            ttc_ring_fail(ring, TTC_RING_MANY_FACTORS);
         } else {
             fmpz_mpoly_init(base->elements[base->count], ring->context);
             fmpz_mpoly_set(base->elements[base->count++], a, ring->context);

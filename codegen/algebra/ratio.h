@@ -34,7 +34,13 @@ typedef enum {
     TTC_RING_LOG_OF_NEGATIVE,
     TTC_RING_PI,
     TTC_RING_NOT_SETTLED,
+    TTC_RING_LARGE_EXPRESSION, /* this one and those up to MANY_FACTORS: a limit is passed */
     TTC_RING_TOO_LARGE,
+    TTC_RING_MANY_ROOTS,
+    TTC_RING_MANY_ANGLES,
+    TTC_RING_MANY_FUNCTIONS,
+    TTC_RING_LARGE_MULTIPLE,
+    TTC_RING_MANY_FACTORS,
     TTC_RING_NO_MEMORY
 } ttc_ring_status;
 
@@ -82,6 +88,7 @@ void ttc_ring_fail(ttc_ring *ring, ttc_ring_status status); /* sets the status u
 const char *ttc_ring_status_text(ttc_ring_status status); /* a phrase; never NULL */
 /* Returns true for a failure which means that the expression has no value, rather than that it could not be computed. */
 bool ttc_ring_has_no_value(ttc_ring_status status);
+bool ttc_ring_is_too_large(ttc_ring_status status); /* a limit is passed */
 
 void ttc_ratio_init(ttc_ring *ring, ttc_ratio *a);
 void ttc_ratio_clear(ttc_ring *ring, ttc_ratio *a);

@@ -64,6 +64,11 @@ bool ttc_ring_has_no_value(ttc_ring_status status)
            || status == TTC_RING_LOG_OF_ZERO || status == TTC_RING_LOG_OF_NEGATIVE;
 }
 
+bool ttc_ring_is_too_large(ttc_ring_status status)
+{
+    return status >= TTC_RING_LARGE_EXPRESSION && status <= TTC_RING_MANY_FACTORS;
+}
+
 const char *ttc_ring_status_text(ttc_ring_status status)
 {
     switch (status) {
@@ -89,7 +94,16 @@ const char *ttc_ring_status_text(ttc_ring_status status)
     case TTC_RING_LOG_OF_NEGATIVE: return "the argument of a logarithm is not positive under the conditions of this claim";
     case TTC_RING_PI: return "the number pi stands in one of the two tables, and another quantity has the name pi in the other";
     case TTC_RING_NOT_SETTLED: return "it rests on the independence of exponentials, logarithms or pi, which is not known";
-    case TTC_RING_TOO_LARGE: return "an expression grows beyond what is allowed";
+    case TTC_RING_LARGE_EXPRESSION: return "a derivative or image passes a limit of expressions (exponents, terms, operands)";
+    case TTC_RING_TOO_LARGE:
+        return "a polynomial passes the limit of degree 4096, of 2^26 products of terms a multiplication, or of 131072 bits a "
+               "coefficient";
+    case TTC_RING_MANY_ROOTS: return "it passes the limit of 16 roots, and angles whose sines stand beside each other, in a claim";
+    case TTC_RING_MANY_ANGLES: return "it passes the limit of 128 angles";
+    case TTC_RING_MANY_FUNCTIONS: return "it passes the limit of 128 exponentials and logarithms";
+    case TTC_RING_LARGE_MULTIPLE: return "it passes the limit of 64 multiples of one angle or exponent in another";
+    case TTC_RING_MANY_FACTORS:
+        return "it passes the limit of 256 factors without common part of all arguments of logarithms";
     case TTC_RING_NO_MEMORY: return "out of memory";
     }
     return "unknown error";

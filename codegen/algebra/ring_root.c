@@ -222,7 +222,7 @@ static bool known_root(ttc_ring *ring, ttc_ratio *out, const ttc_ratio *radicand
     if (found) {
         int sign = positive ? evident_sign(ring, &root) : 0;
         if (sign == 0 && ring->choice_count < 16) sign = ring->choices >> ring->choice_count++ & 1 ? -1 : 1;
-        if (sign == 0) ttc_ring_fail(ring, TTC_RING_TOO_LARGE);
+        if (sign == 0) ttc_ring_fail(ring, TTC_RING_MANY_ROOTS);
         if (sign < 0) ttc_ratio_scale(ring, &root, &root, ring->minus_one);
         ttc_ratio_set(ring, out, &root);
     }
@@ -258,7 +258,7 @@ void ttc_ring_root(ttc_ring *ring, ttc_ratio *out, const ttc_ratio *radicand, sl
     if (ring->status != TTC_RING_OK || known_root(ring, out, radicand, positive) || ring->status != TTC_RING_OK) return;
     if (variable < 0 && ring->next_spare < ring->variable_count) variable = (slong)ring->next_spare++;
     if (variable < 0 || ring->generator_count == TTC_GENERATOR_LIMIT) {
-        ttc_ring_fail(ring, TTC_RING_TOO_LARGE);
+        ttc_ring_fail(ring, TTC_RING_MANY_ROOTS);
         return;
     }
     ttc_generator *generator = &ring->generators[ring->generator_count];

@@ -196,7 +196,7 @@ static void multiply_parts(ttc_valuation *v, ttc_ratio *out, ttc_id id)
 void ttc_evaluate(ttc_valuation *v, ttc_ratio *out, ttc_id id)
 {
     const ttc_graph *graph = v->model->graph;
-    if (id == TTC_NONE) ttc_ring_fail(v->ring, TTC_RING_TOO_LARGE);
+    if (id == TTC_NONE) ttc_ring_fail(v->ring, TTC_RING_LARGE_EXPRESSION);
     if (v->ring->status != TTC_RING_OK || !reserve_memo(v)) return;
     if (!v->seen[id]) {
         ttc_kind kind = ttc_kind_of(graph, id);

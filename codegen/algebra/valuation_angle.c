@@ -75,7 +75,7 @@ static size_t plain_angles(ttc_valuation *v, uint32_t *cosines)
         for (uint32_t k = 0; plain && k < model->symbol_count; k++) plain = !support[k] || !is_angle(model->symbols[k].kind);
         free(support);
         if (plain && ttc_valuation_may_join(v, i)) cosines[count++] = i;
-        if (count > TTC_ANGLE_LIMIT) ttc_ring_fail(v->ring, TTC_RING_TOO_LARGE);
+        if (count > TTC_ANGLE_LIMIT) ttc_ring_fail(v->ring, TTC_RING_MANY_ANGLES);
         if (v->ring->status != TTC_RING_OK) return 0;
     }
     return count;
@@ -121,7 +121,7 @@ static void find_basis(ttc_valuation *v)
         angles[i] = angle;
     }
     if (fixed < v->basis_count) ttc_ring_fail(v->ring, TTC_RING_ANGLE);
-    if (has_pi(v) && count == TTC_ANGLE_LIMIT) ttc_ring_fail(v->ring, TTC_RING_TOO_LARGE);
+    if (has_pi(v) && count == TTC_ANGLE_LIMIT) ttc_ring_fail(v->ring, TTC_RING_MANY_ANGLES);
     if (v->ring->status == TTC_RING_OK) found = choose(v, chosen, angles, count, fixed);
     for (size_t i = 0; i < found; i++)
         if (!in_basis(v, cosines[chosen[i]])) join(v, cosines[chosen[i]], &angles[chosen[i]]);

@@ -85,7 +85,7 @@ static size_t plain_exponentials(ttc_valuation *v, uint32_t *symbols)
             plain = !support[k] || (model->symbols[k].kind != TTC_EXP && model->symbols[k].kind != TTC_LOG);
         free(support);
         if (plain && ttc_valuation_may_join(v, i)) symbols[count++] = i;
-        if (count + v->logarithm_count + v->exponential_count >= TTC_ANGLE_LIMIT) ttc_ring_fail(v->ring, TTC_RING_TOO_LARGE);
+        if (count + v->logarithm_count + v->exponential_count >= TTC_ANGLE_LIMIT) ttc_ring_fail(v->ring, TTC_RING_MANY_FUNCTIONS);
     }
     return count;
 }
@@ -114,7 +114,7 @@ static void find_exponentials(ttc_valuation *v)
         ttc_evaluate(v, &exponent, v->model->symbols[plain[i]].definition);
         if (!ttc_array_has(symbols, fixed, plain[i]) && !ttc_ratio_is_zero(v->ring, &exponent)) symbols[total++] = plain[i];
     }
-    if (total > TTC_ANGLE_LIMIT) ttc_ring_fail(v->ring, TTC_RING_TOO_LARGE);
+    if (total > TTC_ANGLE_LIMIT) ttc_ring_fail(v->ring, TTC_RING_MANY_FUNCTIONS);
     if (v->ring->status == TTC_RING_OK) columns = columns_of(v, symbols, total);
     if (columns != NULL && v->ring->status == TTC_RING_OK) found = ttc_angle_choose(v->ring, chosen, columns, total, fixed, false);
     for (size_t i = fixed; i < found && v->ring->status == TTC_RING_OK; i++) join(v, symbols[chosen[i]], &columns[chosen[i]]);

@@ -150,5 +150,5 @@ void ttc_task_require_identity(ttc_task *task, ttc_id left, ttc_id right, const 
     shorten(task, by_quotients);
     free(by_quotients);
     free(by_functions);
-    if (task->ring->status == TTC_RING_TOO_LARGE) ttc_task_refute_at_point(task, difference, what);
+    if (ttc_ring_is_too_large(task->ring->status)) ttc_task_refute_at_point(task, difference, what);
 }

@@ -64,8 +64,9 @@ bool ttc_prove(const ttc_model *model, ttc_resolver resolver, void *context, ttc
                ttc_proof_report **report);
 void ttc_proof_report_destroy(ttc_proof_report *report); /* legal on NULL */
 
-/** Returns true if a quantity is proved to be equal at points that differ by claimed periods; the periods are taken for granted. */
-bool ttc_prove_turns(const ttc_model *model, ttc_id quantity);
+/** Returns true if a quantity is proved to be equal, under the conditions `when` on parameters, at points that differ by claimed
+ *  periods; the periods are taken for granted. */
+bool ttc_prove_turns(const ttc_model *model, ttc_id quantity, const ttc_bindings *when);
 
 /** A run proves the claims of a model one by one, so that a caller can bound the resources of each. A claim on which others rest
  *  is proved when it is first needed, and once. */

@@ -50,6 +50,15 @@ static void describe_poles(ttc_task *task, description *d)
     free(of_claim);
 }
 
+/* Say so unless the density is the same where an angle of the table has grown by its period. */
+static void describe_turns(ttc_task *task, description *d)
+{
+    if (ttc_prove_turns(task->model, task->claim->expression, &task->claim->when)) return;
+    if (!d->only_positive) fputs("; ", d->stream);
+    d->only_positive = false;
+    fputs("not shown to be the same a period on", d->stream);
+}
+
 static void describe_density(ttc_task *task)
 {
     size_t size = 0;
@@ -62,6 +71,7 @@ static void describe_density(ttc_task *task)
     describe_poles(task, &d);
     describe(task, &d, task->claim->expression, TTC_IS_NONNEGATIVE, "negative");
     describe(task, &d, task->claim->expression, TTC_IS_NONZERO, "zero");
+    describe_turns(task, &d);
     if (d.only_positive) fputs("positive and smooth on the domain", d.stream);
     bool is_first = task->note == NULL, is_worse = !is_first && task->has_smooth_density && !d.only_positive;
     if (fclose(d.stream) != 0 || !(is_first || is_worse)) {

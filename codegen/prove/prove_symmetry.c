@@ -306,10 +306,13 @@ void ttc_prove_level_is_periodic(ttc_task *task, const ttc_claim *integral, uint
 
 static void prove_level(ttc_task *task) { ttc_prove_level_is_periodic(task, task->claim, UINT32_MAX); }
 
-bool ttc_prove_turns(const ttc_model *model, ttc_id quantity)
+bool ttc_prove_turns(const ttc_model *model, ttc_id quantity, const ttc_bindings *when)
 {
-    const ttc_claim claim = { .kind = TTC_CLAIM_EQUAL, .name = "it", .expression = quantity };
+    const ttc_claim claim = { .kind = TTC_CLAIM_EQUAL, .name = "it", .expression = quantity, .when = *when };
     ttc_task task = { .model = model, .claim = &claim, .role = TTC_DIVIDES_FIELD };
+    bool has_period = false;
+    for (size_t i = 0; i < model->claim_count; i++) has_period |= model->claims[i].kind == TTC_CLAIM_PERIODIC;
+    if (!has_period) return true;
     ttc_task_run(&task, prove_level);
     free(task.remainder);
     free(task.point);

@@ -357,7 +357,7 @@ static jlt_exit refuse_for_good(const char *section, const jlt_quantity *state, 
 {
     const jlt_claim *period = jlt_descriptor_claim(d, "periodic", state->name);
 
-    fprintf(stderr, "jellett: %s changes at one rate everywhere, and comes back to %s only if it is an angle\n", state->name,
+    fprintf(stderr, "jellett: %s changes at one rate everywhere on %s, and comes back to it only if it is an angle\n", state->name,
             section);
     if (period != NULL && period->verdict == JLT_PROVED)
         return jlt_command_fail(JLT_EXIT_INPUT, "--modulo %s=0 sets aside its period, which the table proves", state->name);

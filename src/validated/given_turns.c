@@ -26,11 +26,13 @@ static bool find_period(arb_t period, const ttc_model *model, const jlt_descript
 /* Whether all levels are proved to be periodic; that all conditions are is a part of every period's claim. */
 static bool all_turn(const ttc_model *model, const jlt_cycle_question *question, char *problem)
 {
+    const ttc_bindings none = { .count = 0 };
     const char *changed = NULL;
 
     for (unsigned i = 0; changed == NULL && i < question->level_count; i++) {
         uint32_t claim;
-        if (!ttc_model_find_claim(model, question->levels[i], &claim) || !ttc_prove_turns(model, model->claims[claim].expression))
+        if (!ttc_model_find_claim(model, question->levels[i], &claim)
+            || !ttc_prove_turns(model, model->claims[claim].expression, &none))
             changed = question->levels[i];
     }
     if (changed != NULL)

@@ -140,8 +140,8 @@ eq x = x*(1 + w^20)
 eq y = y*(2 + v^20)' 'rate P1 : x = (y^1100 + 1)*x' 'rate P2 : y = (x^1060 + 2)*y' '!no irreducible'
 extactic 3 'x y' 'let w = x^64
 eq x = y + w^33
-eq y = y*(y + w^33)' '# factors with other cofactors: others not looked for, an expression grows beyond what is allowed' \
-    '!irreducible'
+eq y = y*(y + w^33)' '# factors with other cofactors: others not looked for, a polynomial passes the limit of degree 4096, of '\
+'2^26 products of terms a multiplication, or of 131072 bits a coefficient' '!irreducible'
 # Orbits in planes: y/x and such ratios are no integrals, though one exists.
 extactic 0 'x y z' 'eq x = y^2
 eq y = -x*y

@@ -346,6 +346,22 @@ static void a_claim_may_fall_into_512_cases_and_no_more(void **state)
     expect_of_factors(16, 15, "", TTC_UNSETTLED, "more than 512 cases");
 }
 
+static void a_bound_that_is_passed_is_named(void **state)
+{
+    (void)state;
+    char roots[4096] = "model roots\nstate x\neq x = 1\n", sum[512] = "";
+    for (int i = 0; i < 17; i++) {
+        const size_t used = strlen(roots), added = strlen(sum);
+        snprintf(roots + used, sizeof roots - used, "root r%d = sqrt(%d + x^2)\n", i, i + 2);
+        snprintf(sum + added, sizeof sum - added, " + r%d", i);
+    }
+    const size_t used = strlen(roots);
+    snprintf(roots + used, sizeof roots - used, "positive all : 1 - 5*x%s\n", sum);
+    expect(roots, "positive", "all", TTC_UNSETTLED, "the limit of 16 roots");
+    expect("model multiples\nstate x\nexp e = exp(x)\nexp f = exp(65*x)\neq x = 1\nequal power : f = e^64*e\n", "equal", "power",
+           TTC_UNSETTLED, "the limit of 64 multiples");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -373,6 +389,7 @@ int main(void)
         cmocka_unit_test(a_reduction_answers_for_every_state_and_root_of_its_target),
         cmocka_unit_test(variants_times_and_eliminations_are_held_to_the_field),
         cmocka_unit_test(a_claim_may_fall_into_512_cases_and_no_more),
+        cmocka_unit_test(a_bound_that_is_passed_is_named),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

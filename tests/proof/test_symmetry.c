@@ -103,6 +103,18 @@ static void a_period_leads_back_into_the_domain(void **state)
     }
 }
 
+/* A density that grows along phi as z contracts is one of the plane alone: on the cylinder all orbits go to the circle z = 0. */
+static void a_density_of_an_angle_has_one_value(void **state)
+{
+    (void)state;
+    const char *table = "model contracting\nparam a\nstate phi\nstate z\nangle c s = cos(phi) sin(phi)\nexp e = exp(a*phi)\n"
+                        "eq phi = 1\neq z = -a*z\nperiodic phi = 2*pi\nmeasure grown = e\nmeasure still = e when a = 0\n"
+                        "measure waves = (2 + s)/(2 + s) when a = 0\n";
+    expect(table, "measure", "grown", TTC_PROVED, "not shown to be the same a period on");
+    expect(table, "measure", "still", TTC_PROVED, "positive and smooth on the domain");
+    expect(table, "measure", "waves", TTC_PROVED, "positive and smooth on the domain");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -112,6 +124,7 @@ int main(void)
         cmocka_unit_test(a_map_is_affine_and_keeps_intervals),
         cmocka_unit_test(functions_are_mapped_by_their_definitions),
         cmocka_unit_test(a_period_leads_back_into_the_domain),
+        cmocka_unit_test(a_density_of_an_angle_has_one_value),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

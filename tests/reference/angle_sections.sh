@@ -133,7 +133,7 @@ expect 0 '^0,1,6.28' jellett section ./mill.tt --section b=1 --start t=0 --retur
 # What is no angle comes back never; coordinates that are bounded do not hide that.
 printf '%s\n' 'model tower' 'state x in (-1, 1)' 'state y in (-1, 1)' 'state z' 'eq x = y*(1 - x^2)' 'eq y = -x*(1 - y^2)' \
     'eq z = 1' > tower.tt
-expect 3 'z changes at one rate everywhere' jellett section ./tower.tt --section z=0 --start x=0.1,y=0.2 --returns 1
+expect 3 'z changes at one rate everywhere on z=0, and' jellett section ./tower.tt --section z=0 --start x=0.1,y=0.2 --returns 1
 
 # Mirror images of points on edges of cells are counted where they are: what stays in place visits its own mirror image, whether
 # orbits backwards are followed (--mirror) or known.
