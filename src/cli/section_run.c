@@ -73,6 +73,10 @@ static jlt_status run_orbit(jlt_section_run *f, const double *q, size_t index)
 
     JLT_PASS(f->batch != NULL ? jlt_section_batch_start(f->batch, &at, f->begins + index)
                               : jlt_section_start(f->section, &at, q, f->o->time_direction));
+    if (at.fate == JLT_FATE_ALIVE) { /* the coordinates asked for, which those of the state are but for rounding */
+        memcpy(at.q, q, f->system->flow.chart->dim * sizeof *q);
+        jlt_chart_wrap(f->system->flow.chart, at.q);
+    }
     if (f->levels.system == NULL) JLT_PASS(jlt_section_levels_open(&f->levels, f->system, q));
     jlt_section_levels_note(&f->levels, sum->orbits, &at);
     JLT_PASS(put(f, &at, NULL));

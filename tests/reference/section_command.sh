@@ -140,4 +140,12 @@ for signal in INT TERM; do
     interrupted $signal $code jellett run long.scene
     grep -q 'the last 1 were not begun' err || fail "the scene says nothing: $(cat err)"
 done
+
+# The row of a start has its coordinates as they were given, one at a time and in lanes.
+for eta in 0.1 0.3 0.6 0.7 -0.9 1.1; do
+    for how in --start --grid; do
+        expect 0 jellett section $how eta=$eta,gamma3=-0.61 --returns 1
+        grep -q "^0,0,0,$eta,-0.61,.*alive$" out || fail "start $eta: $(grep '^0,0,' out)"
+    done
+done
 exit $status
