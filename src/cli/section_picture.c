@@ -5,7 +5,8 @@
 #include <string.h>
 
 
-/* POINTS bounds the points of a picture, so that memory does not grow with the returns; more than DOTS points are drawn as dots. */
+/* POINTS bounds the points of a picture, so that memory does not grow with the returns; more than DOTS points are drawn as dots,
+ * unless --style says how large they are. */
 enum { POINTS = 400000, DOTS = 60000 };
 
 jlt_exit jlt_section_picture_open(jlt_section_picture *self, const jlt_motion_options *options, const jlt_system *system)
@@ -136,7 +137,8 @@ jlt_exit jlt_section_picture_draw(jlt_section_picture *self, const jlt_common *c
     for (int fate = JLT_FATE_COUNT - 1; fate >= (int)JLT_FATE_ALIVE; fate--) {
         if (self->by_fate[fate] == 0) continue;
         fprintf(stream, "%s$POINTS using 1:($3==%d?$2:NaN) ", first ? "" : ", ", fate);
-        if (self->count > DOTS) fprintf(stream, "with dots lc rgb '%s'", jlt_look_colour(plot.look, looks[fate].colour));
+        if (self->count > DOTS && common->look.size == 1)
+            fprintf(stream, "with dots lc rgb '%s'", jlt_look_colour(plot.look, looks[fate].colour));
         else jlt_look_pen(stream, plot.look, (jlt_pen){ "points", .colour = looks[fate].colour, .size = 0.2 });
         fprintf(stream, " notitle, keyentry with points pt 7 ps 0.8 lc rgb '%s' title '%zu %s'",
                 jlt_look_colour(plot.look, looks[fate].colour), self->by_fate[fate], looks[fate].name);

@@ -221,14 +221,19 @@ static bool is_same(const jlt_homoclinic *a, const jlt_homoclinic *b, const jlt_
 }
 
 /* List the points where sides of the polygons meet; the caller frees *out. If one polygon is the mirror image of the other, sides
- * (i, j) meet where (j, i) do, and only those with j <= i are listed. */
+ * (i, j) meet where (j, i) do, and only those with j <= i are listed. Errors: NO_CONVERGENCE, interrupted; NOMEM. */
 static jlt_status find_candidates(refinement **out, size_t *count, const jlt_manifold *unstable, const jlt_manifold *stable,
-                                  bool mirrored, const jlt_chart *chart)
+                                  bool mirrored, const jlt_flow *flow)
 {
+    const jlt_chart *chart = flow->chart;
     refinement *list = NULL;
 
     *count = 0;
-    for (size_t i = 0; i + 1 < unstable->count; i++)
+    for (size_t i = 0; i + 1 < unstable->count; i++) {
+        if (flow->interrupt != NULL && *flow->interrupt) {
+            free(list);
+            return JLT_ERR_NO_CONVERGENCE;
+        }
         for (size_t j = 0; j + 1 < stable->count && !(mirrored && j > i); j++) {
             jlt_homoclinic point = { .lobe = NAN };
             double a, b;
@@ -243,6 +248,7 @@ static jlt_status find_candidates(refinement **out, size_t *count, const jlt_man
             begin_refinement(&list[*count], &point);
             list[(*count)++].has_twin = mirrored && i != j;
         }
+    }
     *out = list;
     return JLT_OK;
 }
@@ -310,7 +316,7 @@ jlt_status jlt_homoclinic_find(jlt_homoclinic **points, size_t *count, size_t *t
     *points = NULL;
     *count = 0;
     if (touching != NULL) *touching = 0;
-    JLT_PASS(find_candidates(&list, &candidates, unstable, stable, mirrored, chart));
+    JLT_PASS(find_candidates(&list, &candidates, unstable, stable, mirrored, jlt_map_batch_flow(fine)));
     if (candidates == 0) return JLT_OK;
     JLT_FREED jlt_homoclinic *found = calloc(2 * candidates, sizeof *found);
     JLT_FREED bool *has_twin = calloc(candidates, sizeof *has_twin);

@@ -36,8 +36,8 @@ typedef struct {
  *  In: mirrored, the stable branch and its polygon are the images of the unstable ones under the chart's reversor, so that
  *  crossings come in pairs, of which one is refined; fine, maps of the branches' section; coarse, the same maps at ten times the
  *  tolerance, from which angle_error is found.
- *  Errors: NOMEM; as jlt_map_batch_apply. Cost: count_u*count_s comparisons, and about 24 branch points a crossing that is
- *  refined, all crossings at once. */
+ *  Errors: NO_CONVERGENCE, interrupted (flow.interrupt of fine); NOMEM; as jlt_map_batch_apply. Cost: count_u*count_s comparisons,
+ *  and about 24 branch points a crossing that is refined, all crossings at once. */
 JLT_CHECKED jlt_status jlt_homoclinic_find(jlt_homoclinic **points, size_t *count, size_t *touching, const jlt_manifold *unstable,
                                            const jlt_branch *unstable_branch, const jlt_manifold *stable,
                                            const jlt_branch *stable_branch, bool mirrored, jlt_map_batch *fine,

@@ -94,6 +94,7 @@ jlt_status jlt_handle_section_known(jlt_handle_section **out, const char *model,
     double all[JLT_CHART_VALUES_MAX];
     jlt_system *system = NULL;
 
+    if (out == NULL) return JLT_ERR_ARG;
     *out = NULL;
     JLT_PASS(find_model(&d, model, names, values, count));
     JLT_PASS(jlt_surface_find(&surface, &broken, d, NULL, NULL));
@@ -132,9 +133,11 @@ jlt_status jlt_handle_section_plane(jlt_handle_section **out, const char *model,
     JLT_OWNED(jlt_system) *system = NULL;
     size_t column;
 
+    if (out == NULL) return JLT_ERR_ARG;
     *out = NULL;
     JLT_PASS(find_model(&d, model, names, values, count));
     if (direction < -1 || direction > 1 || state == NULL || !jlt_descriptor_state(d, state, &column)) return JLT_ERR_ARG;
+    if (!(level > d->states[column].low && level < d->states[column].high)) return isfinite(level) ? JLT_ERR_DOMAIN : JLT_ERR_ARG;
     JLT_PASS(read_params(&params, d, names, values, count));
     JLT_PASS(jlt_system_plane(&system, jlt_system_regular(d), params, (unsigned)column, level, NULL, &options));
     JLT_PASS(set_angles(system, d));
@@ -215,6 +218,7 @@ jlt_status jlt_handle_section_returns(jlt_handle_section *self, double *q, doubl
 {
     const size_t dim = jlt_handle_section_dim(self), width = jlt_handle_section_columns(self);
 
+    if (done == NULL || fate == NULL) return JLT_ERR_ARG;
     *done = 0;
     if (self == NULL || !self->started || (count > 0 && (q == NULL || t == NULL))) return JLT_ERR_ARG;
     while (*done < count && self->at.fate == JLT_FATE_ALIVE) {
@@ -231,10 +235,12 @@ jlt_status jlt_handle_section_returns(jlt_handle_section *self, double *q, doubl
 jlt_status jlt_handle_motion_create(jlt_handle_motion **out, const char *model, const char *const *names, const double *values,
                                     size_t count, double tolerance)
 {
-    jlt_handle_motion *self = calloc(1, sizeof *self);
+    jlt_handle_motion *self = NULL;
     jlt_status st = JLT_ERR_NOMEM;
 
+    if (out == NULL) return JLT_ERR_ARG;
     *out = NULL;
+    self = calloc(1, sizeof *self);
     if (self == NULL) return st;
     self->tolerance = tolerance;
     st = JLT_ERR_ARG;
@@ -309,6 +315,7 @@ jlt_status jlt_handle_motion_states(jlt_handle_motion *self, double *x, double *
     jlt_course_row row;
     jlt_status st = JLT_OK;
 
+    if (done == NULL || fate == NULL) return JLT_ERR_ARG;
     *done = 0;
     if (self == NULL || self->course == NULL || (count > 0 && (x == NULL || t == NULL || times == NULL))) return JLT_ERR_ARG;
     while (*done < count && !self->ended && st == JLT_OK) {

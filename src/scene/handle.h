@@ -12,8 +12,8 @@
  *  names and values, shape (count,): the values that differ from the defaults, in any order, each name once; or NULL if count is 0.
  *  tolerance: of a step, as in integrate/method.h; 0: 1e-12. A fate is an integer that says how an orbit ended: 0 means that it has
  *  not, and jlt_section_fate_name(fate) in dynamics/section.h gives its name. One thread at a time may use a handle; different
- *  handles are independent. Arguments are copied, so the caller may free them after each call. Where a handle, a name or an array
- *  that is needed is NULL, the status is ARG, the number of names 0 and the name NULL. */
+ *  handles are independent. Arguments are copied, so the caller may free them after each call. Where a handle, a name, an array or
+ *  another output that is needed is NULL, the status is ARG, the number of names 0 and the name NULL. */
 #ifndef JLT_SCENE_HANDLE_H
 #define JLT_SCENE_HANDLE_H
 
@@ -35,7 +35,7 @@ JLT_CHECKED jlt_status jlt_handle_section_known(jlt_handle_section **out, const 
 
 /** The section STATE = level of any model, with all its other states as coordinates; states that its table proves to be periodic
  *  are angles. direction: +1 crossed upwards, -1 downwards, 0 both; names: parameters. Errors: as above; ARG also if the model does
- *  not have this state, the level is not finite, or the direction is another number. */
+ *  not have this state, the level is not finite, or the direction is another number; DOMAIN if the state has no such value. */
 JLT_CHECKED jlt_status jlt_handle_section_plane(jlt_handle_section **out, const char *model, const char *state, double level,
                                                 int direction, const char *const *names, const double *values, size_t count,
                                                 double tolerance);

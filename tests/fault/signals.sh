@@ -4,8 +4,8 @@
 source "$JLT_SOURCE_DIR/tests/scratch.sh"
 now() { date +%s%N; }
 
-# SIGNALS COMMAND...: run in $scratch/d, send each signal when it has run for 0.4 s, one right after the other; into $code,
-# $seconds, err.
+# SIGNALS COMMAND...: run in $scratch/d, send each signal when it has run for $pause s, by default 0.4, one right after the other;
+# into $code, $seconds, err.
 interrupt() {
     local signals=$1 job begun
     shift
@@ -21,7 +21,7 @@ interrupt() {
             (((0x$(awk '/SigCgt/ { print $2 }' /proc/$job/status) >> 14) & 1)) && break
         sleep 0.05
     done
-    sleep 0.4
+    sleep ${pause:-0.4}
     open=0 # threads beside the first that would meet INT, TERM or HUP
     for thread in /proc/$job/task/*; do
         [ "${thread##*/}" = $job ] && continue
@@ -63,6 +63,9 @@ grep -q "whole points are saved in t.csv" "$scratch/err" || fail "measure --swee
 interrupt TERM jellett section --sweep E=2:2.1:9000 --start eta=0.1,gamma3=-0.6 --returns 3000000 --method gauss -o t.csv
 expect 143 "" "section --sweep before its first point"
 grep -q "nothing is saved" "$scratch/err" || fail "section --sweep before its first point: says '$(cat "$scratch/err")'"
+# While crossings are looked for, the branches are complete: they are saved.
+pause=4 interrupt TERM jellett manifolds --length 100 --count 9000 --seed 1e-3 --tol 1e-8 -o t.csv
+expect 143 "t.csv " "manifolds"
 # Commands that save nothing before they are done say so.
 interrupt "TERM TERM" jellett transfer --boxes 900x900 -o t.csv
 expect 143 "" "transfer"

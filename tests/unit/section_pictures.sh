@@ -12,6 +12,10 @@ awk -F, 'FNR == NR { if (/^END/) over = 1; if (!over && split($0, v, " ") == 3) 
           if (total <= 400000 || (2 * half - total)^2 > 36 * total) { print half " of " total; bad = 1 }; exit bad }' \
     <(sed '1,/^\$POINTS/d' p.gp) rows.csv || fail "a random half of the returns is not drawn"
 grep -q "^set title .* 1000 returns, one in 2 drawn'" p.gp || fail "the title does not say that a half is drawn"
+grep -q '^plot .* with dots ' p.gp || fail "so many points are no dots"
+jellett section --grid eta=0.40:0.48:8,gamma3=-0.63:-0.61:8 --returns 1000 --tol 1e-6 --style points=3 --plot p.png --keep p.gp \
+    -o rows.csv 2> log
+grep -q '^plot .* with points .* ps 0.6 ' p.gp || fail "--style points=3 is not followed: $(grep -o 'with dots' p.gp)"
 jellett section --grid gamma3=0.95:0.99:2,eta=3:3.1:2 --returns 5 --plot p.svg --keep p.gp -o rows.csv 2> log
 grep '^set yrange' p.gp | tr '[:]' '   ' | awk '{ exit !($3 < -0.648 && $4 > -0.584) }' ||
     fail "no return lies in the ranges of the grid, and none is seen: $(grep '^set yrange' p.gp)"
