@@ -42,6 +42,22 @@ static ttc_id squares(ttc_graph *graph, ttc_id id)
     return result;
 }
 
+/* Whether no term of a radicand is negative, as in a sum of squares: it can only touch zero, within all other conditions. */
+static bool has_no_negative_term(ttc_field *field, ttc_id radicand)
+{
+    ttc_graph *graph = field->graph;
+    const ttc_id id = ttc_field_specialise(field, radicand);
+    if (id == TTC_NONE) return false;
+    if (ttc_kind_of(graph, id) != TTC_SUM) return ttc_extent_is_nonnegative(ttc_field_extent(field, id));
+    bool good = fmpq_sgn(ttc_coefficient(graph, id)) >= 0;
+    for (size_t i = 0; good && i < ttc_part_count(graph, id); i++) {
+        const ttc_part part = ttc_part_at(graph, id, i);
+        const ttc_extent term = ttc_field_extent(field, part.id);
+        good = fmpq_sgn(part.coefficient) > 0 ? ttc_extent_is_nonnegative(term) : ttc_extent_is_nonpositive(term);
+    }
+    return good;
+}
+
 static void add_factor(factor_list *list, const ttc_claim *claim, ttc_id written)
 {
     ttc_graph *graph = list->field->graph;
@@ -51,6 +67,13 @@ static void add_factor(factor_list *list, const ttc_claim *claim, ttc_id written
     }
     const ttc_id id = ttc_field_specialise(list->field, written);
     list->failed |= id == TTC_NONE;
+    if (!list->failed && ttc_kind_of(graph, id) == TTC_SYMBOL) {
+        const ttc_symbol_entry *symbol = list->field->model->symbols + ttc_symbol_of(graph, id);
+        if (symbol->kind == TTC_ROOT && has_no_negative_term(list->field, symbol->definition)) {
+            add_factor(list, claim, symbol->definition);
+            return;
+        }
+    }
     if (list->failed || (ttc_field_extent(list->field, id).signs & TTC_SIGN_ZERO) == 0) return;
     if (claim != NULL && !ttc_field_is_constant(list->field, id)) {
         const ttc_symbol_entry *param = ttc_model_zero_divisor(list->field->model, written);

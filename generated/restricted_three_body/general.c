@@ -389,6 +389,37 @@ static const jlt_equilibria equilibria[] = {
       .left_null_count = 0, .obstructs = 0 },
 };
 
+static void divisor_values(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    const double t0 = params[0] + x[0]; /* mu + x */
+    const double t1 = t0*t0; /* (mu + x)*(mu + x) */
+    const double t2 = x[1]*x[1]; /* y*y */
+    const double t3 = t1 + t2; /* (mu + x)*(mu + x) + y*y */
+    out[0] = t3;
+    const double t4 = x[0]*x[0]; /* x*x */
+    const double t5 = params[0]*params[0]; /* mu*mu */
+    const double t6 = t4 + t5; /* x*x + mu*mu */
+    const double t7 = t6*t6; /* (x*x + mu*mu)*(x*x + mu*mu) */
+    const double t8 = t2*t2; /* y*y*y*y */
+    const double t9 = t7 + t8; /* (x*x + mu*mu)*(x*x + mu*mu) + y*y*y*y */
+    out[1] = t9;
+    const double t10 = params[0] + (-1.0); /* mu + -1 */
+    const double t11 = x[0] + t10; /* x + mu + -1 */
+    const double t12 = t11*t11; /* (x + mu + -1)*(x + mu + -1) */
+    const double t13 = t2 + t12; /* y*y + (x + mu + -1)*(x + mu + -1) */
+    out[2] = t13;
+    const double t14 = 1.0 + t4; /* 1 + x*x */
+    const double t15 = t5 + t14; /* mu*mu + 1 + x*x */
+    const double t16 = t15*t15; /* (mu*mu + 1 + x*x)*(mu*mu + 1 + x*x) */
+    const double t17 = t8 + t16; /* y*y*y*y + (mu*mu + 1 + x*x)*(mu*mu + 1 + x*x) */
+    out[3] = t17;
+}
+
+static const jlt_region divisors[] = {
+    { "a division", "(mu + x)^2 + y^2 != 0", 0 },
+    { "a division", "y^2 + (mu + x - 1)^2 != 0", 0 },
+};
+
 static const jlt_quantity states[] = {
     { "x", "", "", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN, 0.0 },
     { "y", "", "", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN, 0.0 },
@@ -449,6 +480,7 @@ const jlt_descriptor jlt_kernels_restricted_three_body_general = {
     .valid_values = { .loses_digits = "" },
     .domain_values = { .loses_digits = "" },
     .domain_gradients = { .loses_digits = "" },
+    .divisor_count = 2, .divisors = divisors, .divisor_values = divisor_values,
     .reversor_count = 1, .reversors = reversors,
     .integral_count = 1, .measure_count = 1, .equilibria_count = 1,
     .integrals = integrals,

@@ -1972,6 +1972,7 @@ static void divisor_values(const double *restrict x, const double *restrict para
     const double t0 = x[0]*x[0]; /* gamma1*gamma1 */
     const double t1 = x[1]*x[1]; /* gamma2*gamma2 */
     const double t2 = t0 + t1; /* gamma1*gamma1 + gamma2*gamma2 */
+    out[2] = t2;
     const double t3 = x[2]*x[2]; /* gamma3*gamma3 */
     const double t4 = t2 + t3; /* one = gamma1*gamma1 + gamma2*gamma2 + gamma3*gamma3 */
     const double t5 = params[4]*t4; /* I1*one */
@@ -1984,10 +1985,15 @@ static void divisor_values(const double *restrict x, const double *restrict para
     out[0] = t11;
     const double t12 = t11*t11; /* D*D */
     out[1] = t12;
+    const double t13 = t0*t0; /* gamma1*gamma1*gamma1*gamma1 */
+    const double t14 = t1*t1; /* gamma2*gamma2*gamma2*gamma2 */
+    const double t15 = t13 + t14; /* gamma1*gamma1*gamma1*gamma1 + gamma2*gamma2*gamma2*gamma2 */
+    out[3] = t15;
 }
 
 static const jlt_region divisors[] = {
     { "a division", "D != 0", 0 },
+    { "a division", "gamma1^2 + gamma2^2 != 0", 0 },
 };
 
 static const jlt_quantity states[] = {
@@ -2075,7 +2081,7 @@ const jlt_descriptor jlt_kernels_spherical_top_full_general = {
     .domain_values = { .loses_digits = "" },
     .domain_gradients = { .loses_digits = "" },
     .observe_count = 4, .observes = observes,
-    .divisor_count = 1, .divisors = divisors, .divisor_values = divisor_values,
+    .divisor_count = 2, .divisors = divisors, .divisor_values = divisor_values,
     .tier = "full", .tier_meaning = "the full system (2.7) with (2.1): every vector by its components",
     .tier_condition_count = 1, .tier_conditions = tier_conditions,
     .tier_values = tier_values,

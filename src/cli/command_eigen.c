@@ -148,16 +148,7 @@ static jlt_exit take_exact(jlt_eigen_request *r)
     return JLT_EXIT_DONE;
 }
 
-/* Let a search hold this state behind those that it holds already. */
-static void hold(jlt_equilibrium_question *q, size_t index)
-{
-    size_t known = 0;
-
-    while (known < q->held && q->order[known] != index) known++;
-    if (known == q->held) q->order[q->held++] = index;
-}
-
-/* Open the model, and look up the states of --at and the axes of --sweep by name. */
+/* Open the model, and look up the states of --at and the axes of --sweep by name. A search holds the states of the sweep first. */
 static jlt_exit prepare(jlt_eigen_request *r)
 {
     jlt_equilibrium_question *q = &r->question;
@@ -173,15 +164,11 @@ static jlt_exit prepare(jlt_eigen_request *r)
         jlt_eigen_target *target = &r->targets[i];
         target->is_state = jlt_descriptor_state(d, r->axes[i].name, &target->index);
         if (target->is_state)
-            hold(q, target->index);
+            q->order[q->held++] = target->index;
         else if (!jlt_descriptor_param(d, r->axes[i].name, &target->index))
             return jlt_command_fail(JLT_EXIT_INPUT, "--sweep: %s has no state or parameter '%s'", d->model, r->axes[i].name);
     }
-    for (size_t i = 0; i < r->at.count; i++) {
-        size_t index = 0;
-        (void)jlt_descriptor_state(d, r->at.items[i].name, &index);
-        hold(q, index);
-    }
+    for (size_t i = 0; i < r->at.count; i++) (void)jlt_descriptor_state(d, r->at.items[i].name, &q->order[q->held++]);
     if (jlt_oracle_create(&q->oracle, d, NULL) != JLT_OK)
         return jlt_command_fail(JLT_EXIT_NUMERICAL, "cannot read the table of %s back: %s", d->model,
                                 jlt_status_text(JLT_ERR_NOMEM));

@@ -38,8 +38,8 @@ jlt_exit jlt_motion_fail(jlt_status status, const jlt_system *system, const char
                                 "('jellett simulate' tells which)",
                                 what, jlt_status_text(status));
     if (status == JLT_ERR_DOMAIN && system != NULL && system->surface != NULL)
-        return jlt_command_fail(JLT_EXIT_INPUT, "%s: the orbit ends before it returns, or the map has no derivative, as a rate "
-                                "jumps on the way: take another start ('jellett fates' shows which return)", what);
+        return jlt_command_fail(JLT_EXIT_INPUT, "%s: the orbit ends before it returns: take another start ('jellett fates' shows "
+                                "which return), unless a rate jumps on the way, as dry friction does", what);
     if (status == JLT_ERR_DOMAIN && system != NULL)
         return jlt_command_fail(JLT_EXIT_INPUT, "%s: the map has no derivative there: the orbit crosses the section the other way "
                                 "(--direction), leaves the model's domain, or does not come back ('jellett section' tells which), "

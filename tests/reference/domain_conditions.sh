@@ -68,6 +68,14 @@ for unused in 'root r = sqrt(1/x^2)' 'log l = log(1/x^2)'; do
     refuses "--start: outside the domain of unused: a division needs x != 0, and it is 0 here" \
         simulate ./unused.tt --start x=0,y=1 --times 1
 done
+# A root that divides is zero where its radicand is.
+for root in 'v != 0|v^2|v/r' 'x^2 + v^2 != 0|x^2 + v^2|x/r^3'; do
+    IFS='|' read -r condition radicand term <<< "$root"
+    printf 'model rooted\nstate x\nstate v\nroot r = sqrt(%s)\neq x = v\neq v = - x - %s\n' "$radicand" "$term" > rooted.tt
+    refuses "--start: outside the domain of rooted: a division needs $condition, and it is 0 here" \
+        simulate ./rooted.tt --start x=0,v=0 --times 1
+    jellett simulate ./rooted.tt --start x=1e-9,v=1e-9 --times 1e-12 > rows.csv 2> err || fail "rooted: $(cat err)"
+done
 # Of an angle the divisor counts, whichever of its two names the equations use.
 for part in c s; do
     printf 'model turned\nstate x\nstate y\nangle c s = cos(1/x) sin(1/x)\neq x = 0\neq y = %s\n' $part > turned.tt
