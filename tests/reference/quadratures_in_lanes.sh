@@ -85,6 +85,24 @@ jellett lyapunov ./walk.tt --section x=0 --grid y=0:1:2,th=0.3:0.5:2,w=1:1.1:2 -
 paste -d, <(grep -v '^#' rows.csv) <(grep -v '^#' alone.csv) | awk -F, '/^[0-9]/ { n++; bad += ($4 - $9)^2 > 1e-16 }
     END { exit n != 8 || bad }' || fail "exponents alone and in lanes: $(cat alone.csv rows.csv)"
 
+# A way travelled, s' = sqrt(x^2 + d^2) on a circle: ten turns take 40 sqrt(r^2 + d^2) E(r^2/(r^2 + d^2)); the root bends each half
+# turn.
+printf '%s\n' 'model way' 'param d > 0' 'default d = 1/100' 'state x' 'state y' 'state s' 'root q = sqrt(x^2 + d^2)' 'eq x = y' \
+    'eq y = -x' 'eq s = q' > way.tt
+for d in 1/100 3/1000 1/1000; do
+    jellett section ./way.tt --section x=0 --set d=$d --grid y=0.5:1.5:64,s=0:0.1:1 -n 10 --tol 1e-9 > rows.csv
+    # E by the mean of geometric and arithmetic means; a hundred tolerances a turn for a way of some 60.
+    awk -F, -v d=$d 'BEGIN { split(d, part, "/"); d = part[1]/part[2] }
+        function way(r, a, b, c, sum, two, k) {
+            a = 1; b = d/sqrt(r*r + d*d); sum = (1 - b*b)/2; two = 1/2
+            for (k = 0; k < 6; k++) { c = (a - b)/2; b = sqrt(a*b); a -= c; two *= 2; sum += two*c*c }
+            return 40*sqrt(r*r + d*d)*2*atan2(1, 1)/a*(1 - sum)
+        }
+        /^[0-9]/ && $2 == 0 { r[$1] = $4; s[$1] = $5 }
+        /^[0-9]/ && $2 == 10 { off = $5 - s[$1] - way(r[$1]); n++; bad += off^2 > (60*1000*1e-9)^2 }
+        END { exit n != 64 || bad }' rows.csv || fail "a way with d = $d: $(grep ',10,' rows.csv)"
+done
+
 # The pole of a field in such a state is none that a step passes over.
 printf '%s\n' 'model wall' 'state x' 'state y' 'state q' 'state r' 'eq x = 1' 'eq y = 1/(x - 1)' 'eq q = r' 'eq r = -9*q' > wall.tt
 jellett section ./wall.tt --section q=0 --start x=0,y=0,r=1 --start x=0.1,y=0,r=1 -n 3 > rows.csv 2> err
