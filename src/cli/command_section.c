@@ -86,7 +86,7 @@ static const struct argp parser = {
     "flux(start)/flux(end)*exp(divergence), relative to the size of DP. The exit status is 1 when a defect is larger than an "
     "error of one tolerance a step explains. That bound is wide where the section is crossed slowly.\n\n"
     "Two or more orbits are followed side by side, in lanes of vectors and on all processors, by a Runge-Kutta method that "
-    "--tol chooses; near a pole or at rest, and where a step, taken again in halves, differs by more than the tolerance, one at "
+    "--tol chooses; near a pole or at rest, and where steps, taken again in halves, differ by more than the tolerance, one at "
     "a time. `jellett plan section ...` and the header of the table name the method, or say why there are no lanes. Orbits go in "
     "blocks of 256 a thread, and the rows of a block are written when it is done. Rows beyond 1024 of an orbit, or beyond 256 MiB, "
     "wait in a file in TMPDIR. One orbit alone, and all orbits with --method, are integrated by the method named, gauss by "

@@ -1,7 +1,7 @@
 /** The return map and its derivative at many points at once: one in each lane of a vector, by the variational equations on batched
  *  kernels. The result for a point depends neither on the others, nor on their order, nor on the number of threads.
  *
- *  A lane ends early near a pole, when its orbit has all but come to rest, or when a step proves to err by more than the tolerance.
+ *  A lane ends early near a pole, when its orbit has all but come to rest, or when steps prove to err by more than the tolerance.
  *  The flow's own method then follows that orbit alone, so that its fate is the one that a jlt_map finds; it follows all orbits
  *  where lanes do not serve: if the section's state is an angle, if flow.t_max is set, or with many states. Points of several
  *  flows, such as those of one model under different parameters, go side by side: jlt_map_batch_add. */

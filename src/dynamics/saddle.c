@@ -6,6 +6,7 @@
 #include "dynamics/linear.h"
 #include "ext/eigen.h"
 
+static const double keeps = 0.1; /* the least determinant of a map that nearly keeps volume */
 static const double far = 1e-3; /* a move of a return, of reach, by far more than those of returns at a saddle */
 
 static double tolerance_of(const jlt_flow *flow) { return flow->tolerance != 0 ? flow->tolerance : JLT_ORBIT_TOLERANCE; }
@@ -17,7 +18,7 @@ static double near_of(const jlt_flow *flow, double reach) { return sqrt(toleranc
  * Where DP stretches by more than errors allow, it is not known how far the saddle is. */
 static bool is_at_saddle(const double *move, const double *slope, double determinant, const jlt_flow *flow, double near)
 {
-    static const double keeps = 0.1, stretches = 1.1;
+    static const double stretches = 1.1;
     const unsigned d = flow->chart->dim;
     const double length = jlt_linear_length(slope, d * d);
     double fixed[JLT_CHART_DIM_MAX * JLT_CHART_DIM_MAX], off[JLT_CHART_DIM_MAX], re[JLT_CHART_DIM_MAX], im[JLT_CHART_DIM_MAX];
@@ -52,7 +53,8 @@ void jlt_saddle_note(jlt_saddle_watch *self, const jlt_flow *flow, const double 
     if (is_at_saddle(move, slope, made->flux_determinant, flow, near_of(flow, self->reach))) self->at = number;
 }
 
-/* The orbit has gone from where it moved least: compute DP there. */
+/* The orbit has gone from where it moved least: compute DP there. Where the map contracts volume, so it most likely does elsewhere:
+ * few passages are looked at after that. */
 static jlt_status judge(jlt_saddle_search *self, jlt_map **map, const jlt_flow *flow, int time_direction)
 {
     jlt_status st = *map != NULL ? JLT_OK : jlt_map_create(map, flow);
@@ -64,6 +66,7 @@ static jlt_status judge(jlt_saddle_search *self, jlt_map **map, const jlt_flow *
                     &(jlt_map_batch_return){ self->next, image.slope, image.flux_determinant, image.T, image.expansion },
                     self->number);
     self->watch.has_left = self->watch.at > 0;
+    if (!(image.flux_determinant > keeps)) self->rests_until = 2 * self->number;
     return JLT_OK;
 }
 
@@ -78,7 +81,8 @@ jlt_status jlt_saddle_search_note(jlt_saddle_search *self, jlt_map **map, const 
     self->watch.reach = fmax(self->watch.reach, length);
     const double reach = fmax(self->watch.reach, 1), near = near_of(flow, reach);
     if (self->number > 0 && length > fmax(far * reach, 10 * self->nearest)) {
-        if (self->nearest < sqrt(near / reach) * reach) JLT_PASS(judge(self, map, flow, time_direction));
+        const bool is_near = self->nearest < sqrt(near / reach) * reach;
+        if (is_near && self->number >= self->rests_until) JLT_PASS(judge(self, map, flow, time_direction));
         self->number = 0;
     }
     if (self->number > 0 && !(length < self->nearest)) return JLT_OK;

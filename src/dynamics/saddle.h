@@ -23,7 +23,7 @@ void jlt_saddle_note(jlt_saddle_watch *self, const jlt_flow *flow, const double 
 typedef struct {
     jlt_saddle_watch watch;
     double nearest; /* the least move since the orbit last went away, in return `number`, 0: none yet, from `point` to `next` */
-    size_t number;
+    size_t number, rests_until; /* no passage is looked at before the return rests_until */
     double point[JLT_CHART_DIM_MAX], next[JLT_CHART_DIM_MAX]; /* (dim,) */
 } jlt_saddle_search;
 

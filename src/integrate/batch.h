@@ -32,7 +32,7 @@ typedef enum {
     JLT_LANE_STALLED, /* the step fell below what time resolves, a value is not finite, or a tangent vector has more than
                          JLT_BATCH_STRETCHED times its length: go on from there with a scalar method */
     JLT_LANE_BUDGET,  /* max_steps are spent on one return */
-    JLT_LANE_DOUBTED  /* a step, taken again in two halves, differed by far more than its estimated error: the rows so far are
+    JLT_LANE_DOUBTED  /* steps, taken again in two halves, differed by far more than estimated errors: the rows so far are
                          void; begin again, from the start that x is, with a scalar method */
 } jlt_lane_end;
 

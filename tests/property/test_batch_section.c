@@ -1,6 +1,8 @@
 /* The batched section map: an orbit's rows do not depend on its company, and agree with quadruple precision. */
 #include "batch_grid.h"
 
+#include "kernel/descriptor.h"
+
 typedef struct {
     double x[ORBITS][RETURNS][STATES], last[ORBITS][STATES];
     size_t rows;
@@ -223,6 +225,50 @@ static void the_clock_matches_quadruple_precision(void **unused)
     }
 }
 
+static int ignore(void *context, size_t orbit, size_t number, const double *x)
+{
+    (void)context, (void)orbit, (void)number, (void)x;
+    return 0;
+}
+
+static int count_doubted(void *context, size_t orbit, jlt_lane_end end, size_t returns, const double *x)
+{
+    (void)orbit, (void)returns, (void)x;
+    *(unsigned *)context += end == JLT_LANE_DOUBTED;
+    assert_true(end == JLT_LANE_DONE || end == JLT_LANE_DOUBTED);
+    return 0;
+}
+
+/* Of a smooth motion that turns sharply one step in some hundred differs from its halves by more than the tolerance, however long
+ * it is followed: few orbits are left to a slower method for that. */
+static void smooth_motions_stay_in_lanes(void **unused)
+{
+    enum { COUNT = 40 };
+    const jlt_descriptor *d = jlt_descriptor_find("roessler", NULL, NULL, NULL);
+    double params[] = { 0.2, 0.2, 5.7 }, block[256], starts[COUNT][3];
+
+    (void)unused;
+    assert_true(d != NULL && d->prepared_count <= 256 && d->param_count == 3 && d->state_count == 3);
+    d->prepare(params, block);
+    for (int i = 0; i < COUNT; i++) memcpy(starts[i], (double[]){ 0, -8 + i / 8.0, 0.02 }, sizeof starts[i]);
+    for (int isa = 0; isa < JLT_ISA_COUNT; isa++) {
+        const jlt_kernel_batch *kernels = d->batches[isa];
+        for (int digits = 8; jlt_batch_isa_runs(kernels) && digits <= 9; digits++) {
+            const jlt_batch_map map = { .kernels = kernels,
+                                        .cases = &(jlt_batch_case){ .p = block },
+                                        .dim = 3,
+                                        .direction = 1,
+                                        .root = -1,
+                                        .tolerance = pow(10, -digits),
+                                        .max_steps = 300 };
+            unsigned doubted = 0;
+            assert_int_equal(jlt_batch_section(&map, starts[0], COUNT, 2000, ignore, count_doubted, &doubted, NULL), JLT_OK);
+            print_message("%u lanes, 1e-%d: %u of %d orbits leave their lanes\n", (unsigned)kernels->lanes, digits, doubted, COUNT);
+            assert_true(doubted <= COUNT / 10);
+        }
+    }
+}
+
 static void the_environment_bounds_the_lanes(void **unused)
 {
     (void)unused;
@@ -240,6 +286,7 @@ int main(void)
         cmocka_unit_test(projected_points_are_on_the_levels_of_their_starts),
         cmocka_unit_test(no_projection_leads_back_across_the_section),
         cmocka_unit_test(the_clock_matches_quadruple_precision),
+        cmocka_unit_test(smooth_motions_stay_in_lanes),
         cmocka_unit_test(the_environment_bounds_the_lanes),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
