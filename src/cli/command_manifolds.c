@@ -219,6 +219,20 @@ static jlt_exit draw(const options *o, const jlt_system *system, const jlt_separ
     return jlt_plot_draw(&plot);
 }
 
+/* Say why a file of crossings is empty: the branches end before they meet. */
+static void tell_none(const jlt_separatrices *p)
+{
+    size_t count = 0, ended = 0;
+
+    for (int k = 0; k < JLT_SEPARATRICES; k++) {
+        count += p->count[k / 2][k % 2] + p->touching[k / 2][k % 2];
+        ended += p->curve[k].end == JLT_MANIFOLD_LENGTH;
+    }
+    if (count == 0 && ended > 0)
+        fprintf(stderr, "jellett: separatrices do not cross within --length: %zu of %d branches end there; ask for a larger one\n",
+                ended, JLT_SEPARATRICES);
+}
+
 static jlt_exit save(jlt_stream *crossings, options *o, const jlt_system *system,
                      const jlt_separatrices *p, const jlt_periodic *saddle)
 {
@@ -237,6 +251,7 @@ static jlt_exit save(jlt_stream *crossings, options *o, const jlt_system *system
     for (int k = 0; k < JLT_SEPARATRICES && code == JLT_EXIT_DONE; k++)
         if (p->curve[k].end != JLT_MANIFOLD_LENGTH && p->curve[k].end != JLT_MANIFOLD_INTERRUPT)
             write_end(stderr, "jellett: shorter than --length: ", p, k);
+    if (code == JLT_EXIT_DONE && o->points != NULL && !jlt_motion_interrupted(&o->motion)) tell_none(p);
     if (code == JLT_EXIT_DONE && common->plot != NULL) code = draw(o, system, p, saddle);
     return code;
 }

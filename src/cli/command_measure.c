@@ -5,6 +5,7 @@
 #include "cli/swept.h"
 #include "core/digits.h"
 #include "core/memory.h"
+#include "kernel/descriptor.h"
 #include "report/csv.h"
 #include "report/decimal.h"
 #include "report/json.h"
@@ -117,14 +118,23 @@ static bool has_kernel(const jlt_descriptor *of, const char *density)
     return false;
 }
 
+/* What the prover says of the claim of a density, for the end of a line; "" where it is proved. */
+static const char *doubt_of(const jlt_descriptor *of, const char *density)
+{
+    static const char *const words[] = {
+        [JLT_PROVED] = "", [JLT_REFUTED] = "; its claim is refuted", [JLT_UNSETTLED] = "; its claim is not settled"
+    };
+    return words[jlt_descriptor_claim(of, "measure", density)->verdict];
+}
+
 static void write_claims(FILE *stream, const jlt_measure_finding *f)
 {
     const jlt_descriptor *d = f->instance->descriptor;
     bool is_any = d->measure_count > 0;
 
     for (unsigned i = 0; i < d->measure_count; i++)
-        fprintf(stream, "table        density %s: |div(rho f)| is at most %.2g of its terms over %d random states\n",
-                d->measures[i].name, f->residual[i], JLT_MEASURE_SAMPLES);
+        fprintf(stream, "table        density %s: |div(rho f)| is at most %.2g of its terms over %d random states%s\n",
+                d->measures[i].name, f->residual[i], JLT_MEASURE_SAMPLES, doubt_of(d, d->measures[i].name));
     for (const jlt_claim *claim = d->claims; claim->kind != NULL; claim++) {
         if (strcmp(claim->kind, "measure") != 0 || claim->verdict != JLT_PROVED || has_kernel(d, claim->name)) continue;
         fprintf(stream, "table        density %s, claimed where %s, is not compared: no record 'variant' that sets this holds at "
@@ -211,10 +221,16 @@ static jlt_exit judge(const jlt_measure_finding *f)
     const jlt_measure_attempt *a = &f->attempt;
     jlt_exit code = JLT_EXIT_DONE;
 
-    for (unsigned i = 0; i < d->measure_count; i++)
+    for (unsigned i = 0; i < d->measure_count; i++) {
+        const char *name = d->measures[i].name;
+        const jlt_claim *claim = jlt_descriptor_claim(d, "measure", name);
         if (!(f->residual[i] <= JLT_DENSITY_TOLERANCE))
             code = jlt_command_fail(JLT_EXIT_FAILED, "the density %s is not invariant: |div(rho f)| is %.2g of its terms, %.0e is "
-                                                     "allowed", d->measures[i].name, f->residual[i], JLT_DENSITY_TOLERANCE);
+                                                     "allowed", name, f->residual[i], JLT_DENSITY_TOLERANCE);
+        else if (claim->verdict == JLT_REFUTED)
+            code = jlt_command_fail(JLT_EXIT_FAILED, "the density %s is not invariant, by less than random states show: its claim "
+                                                     "is refuted: %s", name, claim->reason);
+    }
     if (a->closed_form != NULL && !(a->difference <= a->difference_bound))
         code = jlt_command_fail(JLT_EXIT_FAILED, "the density %s differs from the quadrature by %.2g, %.2g is allowed",
                                 a->closed_form, a->difference, a->difference_bound);

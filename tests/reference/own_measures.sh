@@ -157,4 +157,11 @@ for claim in 'trace rest = 0' 'obstructs rest'; do
     expect 0 '^    rest' jellett models ./turning.tt
     ! grep 'excludes' out || fail "models, of a claim that is not proved"
 done
+# A density that is refuted is none, however little it fails by: here by 1e-12 of the terms, and by less than their rounding.
+for small in 1e-12 1e-40; do
+    printf '%s\n' 'model nearly' 'state x' 'state y' 'eq x = (1+x^2)*(y+2*x*y)' \
+        "eq y = -(1+x^2)*(2*x+y^2) + $small*x^2*y^3" 'measure rho = 1/(1+x^2)' > nearly.tt
+    expect 1 'not invariant, by less than random states show: its claim is refuted: .*x.*y' jellett measure ./nearly.tt
+    grep -q 'density rho: .*random states; its claim is refuted$' out || fail "not said of the density: $(grep rho: out)"
+done
 exit $status

@@ -170,4 +170,11 @@ jellett manifolds ./pass.tt --section phi=0 --start x=-1,v=0 --length 20 --no-cr
 grep -q 'unstable branch, side +1: .* errors outgrow the spacing' err || { echo "nothing of errors: $(cat err)"; status=1; }
 awk -F, '/^unstable,1,/ { length_of = $4 } /^unstable,-1,/ { other = $4 } END { exit !(length_of < 3 && other > 20) }' out ||
     { echo "branches between saddles, and to infinity: $(grep '^# .* branch' out)"; status=1; }
+
+# Who asks for crossings before which the branches end is told so; who gets some is not.
+jellett manifolds --length 0.3 --crossings points.csv > out 2> err < /dev/null || { echo "short branches: $(cat err)"; status=1; }
+grep -q 'do not cross within --length: 4 of 4 branches end there; ask for a larger one' err ||
+    { echo "nothing is said of branches that end before they cross: $(cat err)"; status=1; }
+jellett manifolds --crossings points.csv > out 2> err < /dev/null || { echo "the branches of Figure 3b: $(cat err)"; status=1; }
+! grep 'do not cross' err || status=1
 exit $status
