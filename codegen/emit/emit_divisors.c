@@ -12,7 +12,7 @@
 typedef struct {
     const ttc_claim *claim; /* the claim that divides by it; NULL: the domain excludes its zeros */
     ttc_id written;         /* as the table writes it */
-    ttc_id outputs[2];      /* in the field's symbols, and `squares` of it */
+    ttc_id outputs[2];      /* in the field's symbols, and `squares` of it, or of a radicand `radicand_squares` */
 } factor;
 
 typedef struct {
@@ -58,11 +58,31 @@ static bool has_no_negative_term(ttc_field *field, ttc_id radicand)
     return good;
 }
 
-static void add_factor(factor_list *list, const ttc_claim *claim, ttc_id written)
+/* A radicand without negative terms, with the base of every even power replaced by the root of its `squares`: rounding of the bases
+ * makes this times the square of a rounding. */
+static ttc_id rounded(ttc_graph *graph, ttc_id id)
+{
+    const bool is_sum = id != TTC_NONE && ttc_kind_of(graph, id) == TTC_SUM;
+    if (!is_sum && (id == TTC_NONE || ttc_kind_of(graph, id) != TTC_PRODUCT)) return id;
+    ttc_id result = ttc_number(graph, ttc_coefficient(graph, id));
+    for (size_t i = 0; i < ttc_part_count(graph, id); i++) {
+        const ttc_part part = ttc_part_at(graph, id, i);
+        if (is_sum) result = ttc_add(graph, result, ttc_scale(graph, rounded(graph, part.id), part.coefficient));
+        else if (part.exponent % 2 != 0) result = ttc_multiply(graph, result, ttc_power(graph, part.id, part.exponent));
+        else result = ttc_multiply(graph, result, ttc_power(graph, squares(graph, part.id), part.exponent / 2));
+    }
+    return result;
+}
+
+/* What serves a radicand as `squares` does other divisors: its root, not itself, is compared with rounding. */
+static ttc_id radicand_squares(ttc_graph *graph, ttc_id id) { return ttc_multiply(graph, id, rounded(graph, id)); }
+
+static void add_factor(factor_list *list, const ttc_claim *claim, ttc_id written, bool is_radicand)
 {
     ttc_graph *graph = list->field->graph;
     if (ttc_kind_of(graph, written) == TTC_PRODUCT) {
-        for (size_t i = 0; i < ttc_part_count(graph, written); i++) add_factor(list, claim, ttc_part_at(graph, written, i).id);
+        for (size_t i = 0; i < ttc_part_count(graph, written); i++)
+            add_factor(list, claim, ttc_part_at(graph, written, i).id, is_radicand);
         return;
     }
     const ttc_id id = ttc_field_specialise(list->field, written);
@@ -70,19 +90,19 @@ static void add_factor(factor_list *list, const ttc_claim *claim, ttc_id written
     if (!list->failed && ttc_kind_of(graph, id) == TTC_SYMBOL) {
         const ttc_symbol_entry *symbol = list->field->model->symbols + ttc_symbol_of(graph, id);
         if (symbol->kind == TTC_ROOT && has_no_negative_term(list->field, symbol->definition)) {
-            add_factor(list, claim, symbol->definition);
+            add_factor(list, claim, symbol->definition, true);
             return;
         }
     }
     if (list->failed || (ttc_field_extent(list->field, id).signs & TTC_SIGN_ZERO) == 0) return;
     if (claim != NULL && !ttc_field_is_constant(list->field, id)) {
         const ttc_symbol_entry *param = ttc_model_zero_divisor(list->field->model, written);
-        if (param != NULL) add_factor(list, claim, param->node);
+        if (param != NULL) add_factor(list, claim, param->node, false);
         return;
     }
     for (size_t i = 0; i < list->count; i++)
         if (list->factors[i].outputs[0] == id) return;
-    const ttc_id sum = squares(graph, id);
+    const ttc_id sum = is_radicand ? radicand_squares(graph, id) : squares(graph, id);
     if (sum == TTC_NONE) ttc_graph_clear_error(graph); /* a power exceeds the graph's limits: leave it out */
     if (sum == TTC_NONE) return;
     list->failed |= !TTC_ARRAY_GROW(list->factors, list->count);
@@ -97,11 +117,13 @@ static bool find_factors(factor_list *list)
     list->failed = used == NULL;
     for (size_t i = 0; !list->failed && i < model->divisor_count; i++) {
         const ttc_divisor *d = model->divisors + i;
-        if (d->role == TTC_DIVIDES_FIELD || (d->role == TTC_DIVIDES_SYMBOL && used[d->owner])) add_factor(list, NULL, d->divisor);
+        if (d->role == TTC_DIVIDES_FIELD || (d->role == TTC_DIVIDES_SYMBOL && used[d->owner]))
+            add_factor(list, NULL, d->divisor, false);
     }
     for (size_t i = 0; !list->failed && i < model->divisor_count; i++)
         for (uint32_t k = 0; !list->failed && k < model->claim_count; k++)
-            if (ttc_model_prepares(model, k, model->divisors + i)) add_factor(list, model->claims + k, model->divisors[i].divisor);
+            if (ttc_model_prepares(model, k, model->divisors + i))
+                add_factor(list, model->claims + k, model->divisors[i].divisor, false);
     free(used);
     return !list->failed;
 }

@@ -397,22 +397,21 @@ static void divisor_values(const double *restrict x, const double *restrict para
     const double t3 = t1 + t2; /* (mu + x)*(mu + x) + y*y */
     out[0] = t3;
     const double t4 = x[0]*x[0]; /* x*x */
-    const double t5 = params[0]*params[0]; /* mu*mu */
-    const double t6 = t4 + t5; /* x*x + mu*mu */
-    const double t7 = t6*t6; /* (x*x + mu*mu)*(x*x + mu*mu) */
-    const double t8 = t2*t2; /* y*y*y*y */
-    const double t9 = t7 + t8; /* (x*x + mu*mu)*(x*x + mu*mu) + y*y*y*y */
-    out[1] = t9;
-    const double t10 = params[0] + (-1.0); /* mu + -1 */
-    const double t11 = x[0] + t10; /* x + mu + -1 */
-    const double t12 = t11*t11; /* (x + mu + -1)*(x + mu + -1) */
-    const double t13 = t2 + t12; /* y*y + (x + mu + -1)*(x + mu + -1) */
-    out[2] = t13;
-    const double t14 = 1.0 + t4; /* 1 + x*x */
-    const double t15 = t5 + t14; /* mu*mu + 1 + x*x */
-    const double t16 = t15*t15; /* (mu*mu + 1 + x*x)*(mu*mu + 1 + x*x) */
-    const double t17 = t8 + t16; /* y*y*y*y + (mu*mu + 1 + x*x)*(mu*mu + 1 + x*x) */
-    out[3] = t17;
+    const double t5 = t2 + t4; /* y*y + x*x */
+    const double t6 = params[0]*params[0]; /* mu*mu */
+    const double t7 = t5 + t6; /* y*y + x*x + mu*mu */
+    const double t8 = t3*t7; /* ((mu + x)*(mu + x) + y*y)*(y*y + x*x + mu*mu) */
+    out[1] = t8;
+    const double t9 = params[0] + (-1.0); /* mu + -1 */
+    const double t10 = x[0] + t9; /* x + mu + -1 */
+    const double t11 = t10*t10; /* (x + mu + -1)*(x + mu + -1) */
+    const double t12 = t2 + t11; /* y*y + (x + mu + -1)*(x + mu + -1) */
+    out[2] = t12;
+    const double t13 = 1.0 + t2; /* 1 + y*y */
+    const double t14 = t4 + t13; /* x*x + 1 + y*y */
+    const double t15 = t6 + t14; /* mu*mu + x*x + 1 + y*y */
+    const double t16 = t12*t15; /* (y*y + (x + mu + -1)*(x + mu + -1))*(mu*mu + x*x + 1 + y*y) */
+    out[3] = t16;
 }
 
 static const jlt_region divisors[] = {

@@ -1985,10 +1985,8 @@ static void divisor_values(const double *restrict x, const double *restrict para
     out[0] = t11;
     const double t12 = t11*t11; /* D*D */
     out[1] = t12;
-    const double t13 = t0*t0; /* gamma1*gamma1*gamma1*gamma1 */
-    const double t14 = t1*t1; /* gamma2*gamma2*gamma2*gamma2 */
-    const double t15 = t13 + t14; /* gamma1*gamma1*gamma1*gamma1 + gamma2*gamma2*gamma2*gamma2 */
-    out[3] = t15;
+    const double t13 = t2*t2; /* (gamma1*gamma1 + gamma2*gamma2)*(gamma1*gamma1 + gamma2*gamma2) */
+    out[3] = t13;
 }
 
 static const jlt_region divisors[] = {

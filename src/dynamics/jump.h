@@ -6,8 +6,16 @@
 #include "dynamics/varied.h"
 #include "integrate/stepper.h"
 
+/** What is known of the orbit's steps so far. Zeroed at first. */
+typedef struct {
+    size_t rejected; /* of the stepper, as it was at the last step */
+    double length;   /* of that step; 0: there is none */
+    unsigned calm;   /* steps since one became less than half as long, after it was rejected */
+} jlt_jump_watch;
+
 /** Whether a rate has jumped within the last step of an orbit of the varied field: it has changed by far more than the Jacobian
- *  tells at the step's ends. Cost: two evaluations of field and Jacobian, only after a step that is short for its motion. */
-bool jlt_jump_is_behind(const jlt_stepper *stepper, const jlt_varied *varied);
+ *  tells, and so it has within a small part of the step. Called after every step. Cost: two evaluations of field and Jacobian, only
+ *  after a step that is short for its motion, or soon after steps became much shorter, as they do at a jump. */
+bool jlt_jump_is_behind(jlt_jump_watch *self, const jlt_stepper *stepper, const jlt_varied *varied);
 
 #endif

@@ -21,6 +21,7 @@ struct jlt_map {
     jlt_orbit *orbit;
     jlt_section *section; /* for returns without derivative */
     bool is_slow;         /* as `watch` found last */
+    jlt_jump_watch jump;
     bool keeps;           /* jlt_passage_keep after every step */
     double most, least;   /* largest and smallest size of a tangent vector on the way; 1 is counted too */
     double swing;         /* largest |integral of the divergence| on the way, at least 1 */
@@ -48,7 +49,7 @@ static int watch(void *context, jlt_orbit *orbit)
     self->swing = fmax(self->swing, fabs(stepper->x[self->varied.field.dim - 1]));
     if (self->watched.observed != NULL) jlt_section_conditions_step(&self->watched, orbit);
     if (root >= 0 && fabs(stepper->x[root]) < root_floor) return 1;
-    if (jlt_jump_is_behind(stepper, &self->varied)) return 1;
+    if (jlt_jump_is_behind(&self->jump, stepper, &self->varied)) return 1;
     if (self->keeps && jlt_passage_keep(orbit, &self->varied) != JLT_OK) return 1;
     if (stepper->steps % SLOW_STEPS != 0) return 0;
     const bool was_slow = self->is_slow;
@@ -67,6 +68,7 @@ jlt_status jlt_map_create(jlt_map **out, const jlt_flow *flow)
     if (self == NULL) return JLT_ERR_NOMEM;
     self->orbit = NULL;
     self->section = NULL;
+    self->jump = (jlt_jump_watch){ 0 };
     self->varied.spread = NULL;
     self->flow = *flow;
     if (self->flow.method == NULL) self->flow.method = jlt_method_find(NULL);

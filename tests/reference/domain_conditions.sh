@@ -76,6 +76,13 @@ for root in 'v != 0|v^2|v/r' 'x^2 + v^2 != 0|x^2 + v^2|x/r^3'; do
         simulate ./rooted.tt --start x=0,v=0 --times 1
     jellett simulate ./rooted.tt --start x=1e-9,v=1e-9 --times 1e-12 > rows.csv 2> err || fail "rooted: $(cat err)"
 done
+# Near a place that is not 0 its distance is far above rounding, though the square of that is not.
+for y in 1e-9 1e-10 1e-14; do
+    jellett simulate restricted_three_body --start x=-0.012277471,y=$y,vx=0,vy=0 --times 0 > rows.csv 2> err ||
+        fail "beside a body, y=$y: $(cat err)"
+done
+refuses "--start: outside the domain of restricted_three_body: a division needs" \
+    simulate restricted_three_body --start x=0.987722529,y=0,vx=0,vy=0 --times 0
 # Of an angle the divisor counts, whichever of its two names the equations use.
 for part in c s; do
     printf 'model turned\nstate x\nstate y\nangle c s = cos(1/x) sin(1/x)\neq x = 0\neq y = %s\n' $part > turned.tt

@@ -13,11 +13,29 @@ expect 1 'DP could not be computed at 1 of 1 returns' jellett section ./dry.tt -
 for how in '--method gauss' '--method dop853' '--method rkf45' '--tol 1e-5' '--tol 1e-15' '--set mu=1e-4'; do
     expect 3 'a rate jumps on the way' jellett lyapunov ./dry.tt --section x=0 --start v=3 --returns 1 $how
 done
+# Long steps of loose tolerances are rejected at a jump, and it is looked for in the shorter ones that follow.
+for how in '--tol 1e-3' '--tol 1e-4 --set mu=0.1' '--tol 1e-5 --set mu=0.03' '--tol 1e-6 --set mu=1e-2' \
+    '--tol 1e-8 --set mu=1e-4'; do
+    for method in gauss dop853; do
+        expect 3 'a rate jumps on the way' jellett lyapunov ./dry.tt --section x=0 --start v=3 --returns 1 $how --method $method
+    done
+done
 for command in 'orbits --period 1' 'continue --along mu=0.4:0.6'; do
     expect 3 'a rate jumps on the way' jellett $command ./dry.tt --section x=0 --start v=3
 done
 for tolerance in 1e-6 1e-12; do
     expect 0 '^3,,' jellett lyapunov ./dry.tt --section x=0 --grid v=3:4:2 --returns 1 --tol $tolerance
+done
+# What turns quickly, but smoothly, does not jump: its exponents do not depend on the tolerance.
+printf '%s\n' 'model rippled' 'param n > 0' 'default n = 300' 'state x' 'state v' 'angle c s = cos(n*x) sin(n*x)' 'eq x = v' \
+    'eq v = - x - s' > rippled.tt
+printf '%s\n' 'model wall' 'state x' 'state v' 'root a = sqrt((x - 1/3)^2)' 'eq x = v' 'eq v = - x - 30*(x - 1/3 + a)' > wall.tt
+for model in rippled wall; do
+    for v in 0.4 1 2 2.9; do
+        for tolerance in 1e-5 1e-8 1e-12; do
+            expect 0 '^3,' jellett lyapunov ./$model.tt --section x=0 --start v=$v --returns 3 --tol $tolerance
+        done
+    done
 done
 # What is smoothed differs from the oracle by terms of the order of sqrt(soft).
 for soft in 1e-12 1e-20; do
