@@ -1,6 +1,8 @@
 #include "base/options.h"
 
-#include <stddef.h>
+#include "base/text.h"
+
+#include <string.h>
 
 enum { OPTIONS_MAX = 128, FIRST = 256 };
 
@@ -38,6 +40,32 @@ static error_t see(int key, char *value, struct argp_state *state)
     return 0;
 }
 
+/* The name that this one, of an option that there is not, resembles; NULL: none, or there is such an option, maybe cut short. */
+static const char *meant(const options_seen *self, const char *name, size_t length)
+{
+    const char *near = NULL;
+
+    for (size_t i = 0; i < self->count; i++) {
+        const char *known = self->options[i].name;
+        if (strncmp(known, name, length) == 0) return NULL;
+        if (near == NULL && ttc_text_resembles(known, strlen(known), name, length)) near = known;
+    }
+    return near;
+}
+
+/* End the program at the first option that there is not, if it resembles one. */
+static void stop_at_unknown(const options_seen *self, int argc, char **argv)
+{
+    for (int i = 1; i < argc && strcmp(argv[i], "--") != 0; i++) {
+        const char *name = argv[i] + 2;
+        const size_t length = strncmp(argv[i], "--", 2) == 0 ? strcspn(name, "=") : 0;
+        const char *near = length > 0 ? meant(self, name, length) : NULL;
+        if (near != NULL)
+            argp_failure(NULL, argp_err_exit_status, 0, "unrecognized option '--%.*s'; did you mean '--%s'?", (int)length, name,
+                         near);
+    }
+}
+
 void ttc_options_parse(const struct argp *parser, int argc, char **argv, void *input)
 {
     options_seen seen = { 0 };
@@ -45,6 +73,6 @@ void ttc_options_parse(const struct argp *parser, int argc, char **argv, void *i
     collect(&seen, parser);
     const struct argp flat = { seen.options, see, NULL, NULL, NULL, NULL, NULL };
     /* Other mistakes end this round without a word: the next one tells of them. */
-    (void)argp_parse(&flat, argc, argv, ARGP_SILENT, NULL, &seen);
+    if (argp_parse(&flat, argc, argv, ARGP_SILENT, NULL, &seen) != 0) stop_at_unknown(&seen, argc, argv);
     argp_parse(parser, argc, argv, 0, NULL, input);
 }

@@ -8,7 +8,8 @@
 #define TTC_OPTIONS_REPEATED 0x10000
 
 /** Parse as argp_parse does, with its defaults, once it is sure that no option with a value is given twice, but those marked
- *  TTC_OPTIONS_REPEATED. Otherwise prints which, with both values, and ends the program with argp_err_exit_status. */
+ *  TTC_OPTIONS_REPEATED. Otherwise prints which, with both values, and ends the program with argp_err_exit_status; so it does at an
+ *  unknown option that resembles one. */
 void ttc_options_parse(const struct argp *parser, int argc, char **argv, void *input);
 
 #endif

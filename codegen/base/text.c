@@ -75,3 +75,17 @@ void ttc_text_add_comment(ttc_text *text, const char *bytes)
         else ttc_text_add_bytes(text, c, 1);
     }
 }
+
+static char lower(char c) { return (char)(c | 0x20); }
+
+bool ttc_text_resembles(const char *a, size_t n, const char *b, size_t m)
+{
+    size_t head = 0, tail = 0;
+    while (head < n && head < m && lower(a[head]) == lower(b[head])) head++;
+    while (tail < n - head && tail < m - head && lower(a[n - 1 - tail]) == lower(b[m - 1 - tail])) tail++;
+    const char *p = a + head, *q = b + head; /* what is between */
+    n -= head + tail;
+    m -= head + tail;
+    const bool swapped = n == 2 && m == 2 && lower(p[0]) == lower(q[1]) && lower(p[1]) == lower(q[0]);
+    return head + tail > 0 && ((n <= 1 && m <= 1) || swapped);
+}

@@ -33,4 +33,8 @@ void ttc_text_add_escaped(ttc_text *text, const char *bytes);
 /* Add the string `bytes` for use within a C comment: comment marks are broken up by a space, line ends become spaces. */
 void ttc_text_add_comment(ttc_text *text, const char *bytes);
 
+/* Returns true if the names a, of n characters, and b, of m, begin or end alike, and differ in case, in at most one character
+ * changed, dropped or added, or in two neighbours swapped. */
+bool ttc_text_resembles(const char *a, size_t n, const char *b, size_t m);
+
 #endif

@@ -225,8 +225,9 @@ static void print_help(FILE *stream)
 /* Flush stdout, so that a full disk is noticed. Returns `status`, or TTC_EXIT_IO on failure. */
 static int flushed(int status)
 {
-    if (fflush(stdout) == 0 && !ferror(stdout)) return status;
-    fprintf(stderr, "ttc: cannot write the result\n");
+    const bool failed = ferror(stdout) != 0;
+    if (fclose(stdout) == 0 && !failed) return status;
+    fprintf(stderr, "ttc: cannot write to standard output: %s\n", strerror(errno));
     return TTC_EXIT_IO;
 }
 

@@ -1,5 +1,5 @@
 /* Finds the kernels that rest on claims without a proof. Relies on the order of a report: the table's claims in its order, then
- * the derived ones (roots, variants, times, eliminations, poles, observed quantities) by kind and name. */
+ * the derived ones (those of records, and of the domain) by kind and name. */
 #include "kernels/unproved.h"
 
 #include "base/array.h"

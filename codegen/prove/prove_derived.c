@@ -117,11 +117,28 @@ static uint32_t root_at(const ttc_model *model, size_t index)
     return symbol;
 }
 
-size_t ttc_derived_count(const ttc_model *model)
+static size_t record_count(const ttc_model *model)
 {
     return root_count(model) + model->variant_count + model->time_count + model->elimination_count + model->pole_count
            + ttc_observed_count(model);
 }
+
+static bool is_between_expressions(const ttc_model *model, const ttc_symbol_entry *state)
+{
+    return state->low != TTC_NONE && state->high != TTC_NONE
+           && (ttc_kind_of(model->graph, state->low) != TTC_NUMBER || ttc_kind_of(model->graph, state->high) != TTC_NUMBER);
+}
+
+/* Where nothing else is claimed, only a claim of its own tells that conditions on the domain contradict each other. */
+static bool is_domain_alone(const ttc_model *model)
+{
+    bool has_conditions = model->region_count > 0;
+    for (size_t i = 0; i < model->state_count; i++)
+        has_conditions |= is_between_expressions(model, &model->symbols[model->states[i]]);
+    return has_conditions && model->claim_count + record_count(model) == 0;
+}
+
+size_t ttc_derived_count(const ttc_model *model) { return record_count(model) + is_domain_alone(model); }
 
 void ttc_derived_claim_get(const ttc_model *model, size_t index, ttc_derived_claim *derived)
 {
@@ -134,6 +151,13 @@ void ttc_derived_claim_get(const ttc_model *model, size_t index, ttc_derived_cla
         derived->claim.family = symbol;
         derived->tested_root = symbol;
         derived->prove = prove_root;
+        return;
+    }
+    if (index == record_count(model)) {
+        derived->kind = "domain";
+        derived->name = model->name;
+        derived->claim.place = model->region_count > 0 ? model->regions[0].place : model->symbols[model->states[0]].place;
+        derived->prove = prove_nothing;
         return;
     }
     index -= root_count(model);

@@ -1,4 +1,5 @@
-/** Derived claims: what roots, logarithms, variants, times, eliminations, poles and the records of observed.h state. */
+/** Derived claims: what roots, logarithms, variants, times, eliminations, poles and the records of observed.h state; and that the
+ *  domain of a table that claims nothing else has a point. */
 #ifndef TTC_PROVE_DERIVED_H
 #define TTC_PROVE_DERIVED_H
 

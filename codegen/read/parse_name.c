@@ -98,15 +98,6 @@ static const ttc_token *record_of(const ttc_token *token)
     return token;
 }
 
-/* Returns true if the names differ in case, or in at most one character changed, dropped or added. */
-static bool resembles(const char *a, size_t n, const char *b, size_t m)
-{
-    size_t head = 0, tail = 0;
-    while (head < n && head < m && (a[head] | 0x20) == (b[head] | 0x20)) head++;
-    while (tail < n - head && tail < m - head && (a[n - 1 - tail] | 0x20) == (b[m - 1 - tail] | 0x20)) tail++;
-    return n - head - tail <= 1 && m - head - tail <= 1 && (head + tail > 0 || (n == 1 && m == 1 && (*a | 0x20) == (*b | 0x20)));
-}
-
 void ttc_parse_unknown(ttc_parser *parser, const ttc_token *name)
 {
     ttc_place place = ttc_token_place(name);
@@ -127,7 +118,7 @@ void ttc_parse_unknown(ttc_parser *parser, const ttc_token *name)
                         "another name)");
     } else {
         for (size_t i = 1; searched && near == NULL && i < parser->model->symbol_count; i++)
-            if (resembles(parser->model->symbols[i].name, strlen(parser->model->symbols[i].name), text, name->length))
+            if (ttc_text_resembles(parser->model->symbols[i].name, strlen(parser->model->symbols[i].name), text, name->length))
                 near = parser->model->symbols[i].name;
         ttc_parse_error(parser, place, "unknown name '%.*s' (expected a name defined above%s%s%s)", length, text,
                         near == NULL ? "" : "; did you mean '", near == NULL ? "" : near, near == NULL ? "" : "'?");

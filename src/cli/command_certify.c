@@ -133,8 +133,10 @@ static error_t parse(int key, char *value, struct argp_state *state)
         check_typed(o, state);
         if (strcmp(o->kind, "equilibria") == 0) return 0;
         if (o->motion.starts[0] == NULL && !has_section(o->kind))
-            argp_error(state, "say where the motions begin: --start, every state, and how far around, --spread");
-        if (o->motion.starts[0] == NULL) argp_error(state, "say near which orbit: --start, as `jellett orbits` gives it");
+            jlt_common_incomplete(&o->motion.common, state,
+                                  "say where the motions begin: --start, every state, and how far around, --spread");
+        if (o->motion.starts[0] == NULL)
+            jlt_common_incomplete(&o->motion.common, state, "say near which orbit: --start, as `jellett orbits` gives it");
         return 0;
     default: return ARGP_ERR_UNKNOWN;
     }

@@ -60,7 +60,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case FOLLOW: o->generations = o->generations == 0 ? 1 : o->generations; return 0;
     case GENERATIONS: jlt_common_count(&o->generations, value, 1, 1000000, "--generations"); return 0;
     case ARGP_KEY_END:
-        if (o->along == NULL) argp_error(state, "say what runs: --along NAME=LOW:HIGH");
+        if (o->along == NULL) jlt_common_incomplete(&o->motion.common, state, "say what runs: --along NAME=LOW:HIGH");
         return 0;
     default: return ARGP_ERR_UNKNOWN;
     }

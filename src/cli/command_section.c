@@ -47,7 +47,8 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case CHECK: o->check = true; return 0;
     case PROJECT: o->project = true; return 0;
     case ARGP_KEY_END:
-        if (o->motion.start_count == 0 && o->motion.grid == NULL) argp_error(state, "say where to start: --start or --grid");
+        if (o->motion.start_count == 0 && o->motion.grid == NULL)
+            jlt_common_incomplete(&o->motion.common, state, "say where to start: --start or --grid");
         return 0;
     default: return ARGP_ERR_UNKNOWN;
     }

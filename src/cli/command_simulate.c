@@ -45,7 +45,8 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case TRACK: r->track = true; return 0;
     case PROJECT: r->project = true; return 0;
     case ARGP_KEY_END:
-        if (r->times_text == NULL && isnan(r->until)) argp_error(state, "say when: --times, or --until with --every");
+        if (r->times_text == NULL && isnan(r->until))
+            jlt_common_incomplete(&r->session.common, state, "say when: --times, or --until with --every");
         if (r->times_text != NULL && !isnan(r->until)) argp_error(state, "--times and --until exclude each other");
         if (isnan(r->until) && !isnan(r->every)) argp_error(state, "--every goes with --until");
         return 0;

@@ -150,6 +150,15 @@ void jlt_common_no_table(const jlt_common *self, const struct argp_state *state,
         argp_error(state, "%s is no table: --output %s would be an array, which takes tables alone", what, self->output);
 }
 
+void jlt_common_incomplete(const jlt_common *self, const struct argp_state *state, const char *words)
+{
+    const jlt_descriptor *model;
+    const jlt_exit code = jlt_common_model(self, &model);
+
+    if (code != JLT_EXIT_DONE) exit((int)code);
+    argp_error(state, "%s", words);
+}
+
 error_t jlt_common_inputs(struct argp_state *state, const struct argp_child *its)
 {
     for (unsigned i = 0; its[i].argp != NULL; i++) state->child_inputs[i] = state->input;

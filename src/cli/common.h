@@ -50,6 +50,10 @@ extern const struct argp jlt_common_argp, jlt_common_certificate_argp, jlt_accur
  *  --output names a NumPy array, which can hold only a table. */
 void jlt_common_no_table(const jlt_common *self, const struct argp_state *state, const char *what);
 
+/** Call it at ARGP_KEY_END where the command line leaves out what the command cannot do without: it ends the program with `words`
+ *  and status 2, or as jlt_common_model does if there is no such model. */
+void jlt_common_incomplete(const jlt_common *self, const struct argp_state *state, const char *words);
+
 /** Call it at ARGP_KEY_INIT: it passes the parser's own input to all children. That input is a structure whose first member, or the
  *  first member of that, is the jlt_common. Returns 0. */
 error_t jlt_common_inputs(struct argp_state *state, const struct argp_child *children);

@@ -110,10 +110,19 @@ static double panels_along(const jlt_plot *self, char axis)
     return self->to_scale ? fmax(self->columns, 0.75 * width * panels_along(self, 'y') / (0.65 * height)) : self->columns;
 }
 
+static void look_for_data(jlt_plot *self, char axis, jlt_extent data)
+{
+    const bool y = axis == 'y', apart = data.high < self->look->low[y] || data.low > self->look->high[y];
+
+    self->apart[y] |= apart;
+    self->met[y] |= !apart;
+}
+
 jlt_extent jlt_plot_axis(jlt_plot *self, char axis, const char *label, jlt_extent range, double period)
 {
     double letters;
 
+    look_for_data(self, axis, range);
     range = jlt_look_axis(self->stream, self->look, axis, label, range, period, panels_along(self, axis), &letters);
     if (axis == 'y') self->letters = fmax(self->letters, letters);
     return range;
@@ -121,6 +130,7 @@ jlt_extent jlt_plot_axis(jlt_plot *self, char axis, const char *label, jlt_exten
 
 void jlt_plot_log(jlt_plot *self, char axis, const char *label, jlt_extent range, int base)
 {
+    look_for_data(self, axis, range);
     jlt_look_log(self->stream, self->look, axis, label, range, base, panels_along(self, axis));
 }
 
@@ -262,6 +272,9 @@ jlt_exit jlt_plot_draw(jlt_plot *self)
         code = jlt_command_fail(JLT_EXIT_IO, "--plot: gnuplot could not draw '%s' (what it says is above)", common->plot);
     else if (st != JLT_OK) code = jlt_command_fail(jlt_command_exit(st), "--plot: %s", jlt_status_text(st));
     else if (code == JLT_EXIT_DONE) code = jlt_command_write(common->plot, picture, size);
+    for (int y = 0; y < 2 && code == JLT_EXIT_DONE; y++)
+        if (self->apart[y] && !self->met[y])
+            fprintf(stderr, "jellett: warning: --plot: the picture is empty, as nothing lies within --%crange\n", "xy"[y]);
     if (code != JLT_EXIT_DONE && !jlt_command_is_standard_output(common->output))
         fprintf(stderr, "jellett: the table is saved in %s\n", common->output);
     jlt_command_discard(&whole);

@@ -24,6 +24,7 @@ typedef struct {
     double letters;         /* in the longest label of a tick on a y axis */
     jlt_command_output script, title;
     bool valued;            /* the caption ends with NAME=VALUE */
+    bool met[2], apart[2];  /* by axis: whether some ranges of data meet --xrange and --yrange, and some do not */
 } jlt_plot;
 
 /** Open a script; jlt_plot_draw closes it. Errors: NOMEM. */

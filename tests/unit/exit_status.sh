@@ -57,7 +57,10 @@ for command in check prove cost show discover; do
     expect 2 ttc $command
     expect 2 ttc $command --no-such-option "$scratch/good.tt"
 done
-for command in prove cost show discover; do expect 5 into_full ttc $command "$scratch/good.tt"; done
+for command in prove cost show discover; do
+    expect 5 into_full ttc $command "$scratch/good.tt"
+    grep -q "No space left on device" "$scratch/err" || fail "ttc $command to a full device: $(cat "$scratch/err")"
+done
 expect 5 into_full ttc prove --json "$scratch/good.tt"
 expect 1 ttc prove "$scratch/refuted.tt"
 expect 1 ttc prove --json "$scratch/refuted.tt"

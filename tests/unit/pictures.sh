@@ -377,6 +377,11 @@ rm -f ./*
 jellett drift --returns 4 --method dop853 --xrange 1e5:1e6 --plot p.svg -o rows.csv 2> err
 [ $? -eq 3 ] && [ -s rows.csv ] && [ ! -e p.svg ] && grep -qF -- '--xrange' err && ! grep -qF 'plot $' err ||
     fail "an empty range: $(cat err)"
+for range in xrange=5:6 yrange=2:6; do
+    jellett measure --set I3=0 --$range --plot p.svg -o rows.csv 2> err
+    [ $? -eq 0 ] && grep -qF -- "nothing lies within --${range%%=*}" err || fail "an empty picture: $(cat err)"
+done
+jellett measure --set I3=0 --xrange 0.9:6 --plot p.svg -o rows.csv 2> err && [ ! -s err ] || fail "a part of a picture: $(cat err)"
 for what in "eigen --sweep gamma3=-0.9:0.9:3" \
     "rod --start gamma3=0.2,v_nu=0.6,omega_tau=0.4,omega_n=0,omega3=0 --sweep v_nu=0.2:2:5"; do
     rm -f ./*

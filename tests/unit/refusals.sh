@@ -50,6 +50,13 @@ refuse 3 "2 of 2 points are outside the model's domain" jellett fates --grid 2x2
 refuse 3 "no coordinate 'x'" jellett section --grid x=0:1:3
 refuse 3 "G = 0" jellett rod --start gamma3=0.2,v_nu=0,omega_tau=0,omega_n=0,omega3=0
 refuse 2 "say where to start" jellett lyapunov lorenz --section z=27
+refuse 2 "say where to start" jellett section lorenz
+for command in section simulate continue "certify cycle" "certify pole"; do
+    refuse 3 "there is no model 'nosuch' built in" jellett $command nosuch
+done
+refuse 2 "unrecognized option '--grdi'; did you mean '--grid'\?" jellett section --grdi=2x2
+refuse 2 "unrecognized option '--verbos_'; did you mean '--verbose'\?" ttc prove --verbos_ lorenz.tt
+refuse 2 "unrecognized option '--nothing'$" jellett section --nothing
 
 # Ranges.
 for range in E E=1 E=1:2:5 E=2:1; do refuse 2 "is no range \(write NAME=LOW:HIGH, LOW below HIGH\)" jellett continue \
