@@ -58,7 +58,7 @@ pair jellett separation --grid 4x4 --returns 5
 pair jellett manifolds --length 0.2 --tol 1e-8
 pair jellett continue --along E=1.9:2.15
 pair jellett transfer --boxes 10x10 --tol 1e-4
-pair jellett eigen --at gamma3=0.3,v_nu=0.7,omega3=1.1 --sweep a3=0:0:1,gamma3=0.3:0.3:1
+pair jellett eigen --at v_nu=0.7,omega3=1.1 --sweep a3=0:0:1,gamma3=0.3:0.3:1
 pair jellett rod --start gamma3=0.2,v_nu=0.6,omega_tau=0.4,omega_n=1,omega3=0 --sweep omega_n=0.2:2:9
 
 # States and parameters may be called as columns of commands are: a second one of a name has another name, the same in both.
@@ -87,7 +87,7 @@ refused() { # COMMAND...
 }
 refused "${report[@]}"
 refused "${report[@]}" --json
-refused "${report[@]}" --sweep gamma3=0.2:0.3:2 --json
+refused jellett eigen --set a3=0 --at v_nu=0.7,omega3=1.1 --sweep gamma3=0.2:0.3:2 --json
 refused jellett measure --set I3=0
 refused jellett measure --set I3=0 --json
 refused "${cycle[@]}"
