@@ -882,7 +882,7 @@ static void root_relation_gradients(const double *restrict x, const double *rest
 }
 
 /* The reduction level, to the table spherical_top_level, SHA-256
- * 80e339b123f34cca2c47ba73c110613efbf19df47efbd8d3c9b581354234107c. */
+ * 5fa0f3f8159ed96ffaf422476001a79c5f28ef178108a7d5ffb7cd0a8be5e04d. */
 static void way0_coordinates(const double *restrict x, const double *restrict params, double *restrict out)
 {
     out[0] = x[0];
@@ -1272,7 +1272,7 @@ static const unsigned char way3_sources[] = { 0, 0, 0, 0, 0, 0 };
 
 static const jlt_way ways[] = {
     { .name = "level", .kind = "reduction", .model = "spherical_top_level", .file = "spherical_top_level.tt",
-      .sha256 = "80e339b123f34cca2c47ba73c110613efbf19df47efbd8d3c9b581354234107c",
+      .sha256 = "5fa0f3f8159ed96ffaf422476001a79c5f28ef178108a7d5ffb7cd0a8be5e04d",
       .time = "regular", .claim = 25,
       .state_count = 5, .param_count = 7, .coordinate_count = 4,
       .is_angle = way0_is_angle,

@@ -185,7 +185,7 @@ const jlt_claim jlt_claims_spherical_top[] = {
     { "leftnull", "precession", "", JLT_PROVED, "", NULL, NULL, NULL, NULL },
     { "equal", "section_energy", "omega_tau = 0, omega_n = (G_level + I3*omega3*b)/(R*I1*s)", JLT_PROVED, "", NULL, NULL, NULL, NULL },
     { "equal", "section_ellipse", "omega_tau = 0, omega_n = (G_level + I3*omega3*b)/(R*I1*s)", JLT_PROVED, "", NULL, NULL, NULL, NULL },
-    { "reduction", "level", "", JLT_PROVED, "", "80e339b123f34cca2c47ba73c110613efbf19df47efbd8d3c9b581354234107c", "spherical_top_level.tt", NULL, NULL },
+    { "reduction", "level", "", JLT_PROVED, "", "5fa0f3f8159ed96ffaf422476001a79c5f28ef178108a7d5ffb7cd0a8be5e04d", "spherical_top_level.tt", NULL, NULL },
     { "reduction", "momentum", "a3 = 0", JLT_PROVED, "", "24a45271f1bb41ba5e244e58a9d3bf86965e07f3e00bac5fa205b37831e8cb33", "spherical_top_balanced.tt", NULL, NULL },
     { "lift", "track", "", JLT_PROVED, "", "625d85d15c100ca2dae29fad59d2270d223eeee8eb0edf5e58d4ac2c69c80735", "spherical_top_track.tt", NULL, NULL },
     { "lift", "full", "", JLT_PROVED, "", "5de9745ff1945082f709f85b1765ec2e95addd9d5431b2def563648618d9e642", "spherical_top_full.tt", NULL, NULL },

@@ -2,13 +2,13 @@
  *
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, system (3.2) and integral (3.3)
  *  Variant:    balanced: a3 = 0
- *  Table:      spherical_top_level, SHA-256 80e339b123f34cca2c47ba73c110613efbf19df47efbd8d3c9b581354234107c
+ *  Table:      spherical_top_level, SHA-256 5fa0f3f8159ed96ffaf422476001a79c5f28ef178108a7d5ffb7cd0a8be5e04d
  *  Command:    ttc generate --effort full --out DIR spherical_top_level.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 5   25    7    1    1    0     15    7   (94)
  *  jacobian            8   45   22    1    1    0     16   21   (464)
- *  rhs_jacobian        11   49   23    1    1    0     17   22   (541)
+ *  rhs_jacobian        11   51   23    1    1    0     17   21   (541)
  *  divergence          3   13    5    1    1    0     12    6   (46)
  *  integral_values     3   12    7    1    1    0      8    6   (50)
  *  integral_gradients  3   27    7    1    1    0     12    9   (123)
@@ -19,14 +19,13 @@
  *    divides by Theta, small only where all of m*K and I1*I3 are
  *    takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes
  *    digits are lost where terms nearly cancel in 2*R^2*I1 - 2*R^2*I3, gamma3*v_tau*(R*I3) + (R*G)*s,
- *      v_tau*s - gamma3*(G/I1), (R*G)*gamma3*K*((1)/K*s^2*Theta/m)*Theta/m*s - v_tau*(R*I3), V = omega_tau*R + v_nu,
- *      a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3),
- *      a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3),
+ *      v_tau*s - gamma3*(G/I1), V = omega_tau*R + v_nu, (R*G)*gamma3*K*((1)/K*s^2*Theta/m)*Theta/m*s - v_tau*(R*I3),
+ *      a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3),
+ *      a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3),
  *      v_tau*gamma3*K*((1)/K*s^2*Theta/m)*Theta/m*s + G/I1, a part of d(d(v_tau)/dt)/d(gamma3),
- *      v_nu - (I1*I3/m)*1/(Theta/m)*V, d(d(v_nu)/dt)/d(v_tau), a part of d(d(v_tau)/dt)/d(v_tau),
- *      a part of d(omega_tau)/dt and of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(v_tau)/dt)/d(gamma3),
- *      a part of d(d(omega_tau)/dt)/d(gamma3), d(d(omega_tau)/dt)/d(gamma3), a part of d(v_tau)/dt,
- *      d(d(v_tau)/dt)/d(omega_tau), d(d(v_tau)/dt)/d(gamma3), d(d(v_tau)/dt)/d(v_nu),
+ *      v_nu - 1/(Theta/m)*(I1*I3/m)*V, d(d(v_tau)/dt)/d(omega_tau), a part of d(d(v_tau)/dt)/d(gamma3),
+ *      d(d(v_tau)/dt)/d(gamma3), d(d(v_nu)/dt)/d(v_tau), a part of d(d(v_tau)/dt)/d(v_tau), a part of d(v_tau)/dt,
+ *      a part of d(omega_tau)/dt, a part of d(d(omega_tau)/dt)/d(gamma3), d(d(omega_tau)/dt)/d(gamma3),
  *      a part of d(d(omega_tau)/dt)/d(v_tau)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
@@ -235,66 +234,66 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t20 = t2*t11; /* 1/K = s^2*Theta/m*1/(Theta/m*s^2*K) */
     const double t21 = t19*t20; /* (gamma3*v_tau*R*I3 + s*R*G)*1/K */
     const double t22 = t13*t21; /* Theta/m*1/(Theta/m*s^2*K)*s*K*(gamma3*v_tau*R*I3 + s*R*G)*1/K */
-    const double t23 = JLT_FMS(t14, p[10], t18); /* gamma3*Theta/m*1/(Theta/m*s^2*K)*s*K*R*G - v_tau*R*I3 */
-    const double t24 = x[0]*p[14]; /* gamma3*(2*R^2*I1 - 2*R^2*I3) */
-    const double t25 = t21*t24; /* (gamma3*v_tau*R*I3 + s*R*G)*1/K*gamma3*(2*R^2*I1 - 2*R^2*I3) */
-    const double t26 = t23 - t25; /* gamma3*Theta/m*1/(Theta/m*s^2*K)*s*K*R*G - v_tau*R*I3 - (gamma3*v_tau*R*I3 + s*R*G)*1/K*gamma3*(2*R^2*I1 - 2*R^2*I3) */
-    const double t27 = t20*t26; /* 1/K*t26 */
-    const double t28 = JLT_FMS(t14, t22, t27); /* gamma3*Theta/m*1/(Theta/m*s^2*K)*s*K*t22 - 1/K*t26 */
-    const double t29 = t13*t28; /* Theta/m*1/(Theta/m*s^2*K)*s*K*(gamma3*Theta/m*1/(Theta/m*s^2*K)*s*K*t22 - 1/K*t26) */
-    const double t30 = x[3]*t29; /* v_tau*t29 */
-    out[4] = t30;
-    const double t31 = p[11]*t20; /* R*I3*1/K */
-    const double t32 = t14*t31; /* gamma3*Theta/m*1/(Theta/m*s^2*K)*s*K*R*I3*1/K */
-    const double t33 = JLT_FMA(x[3], t32, t22); /* v_tau*gamma3*Theta/m*1/(Theta/m*s^2*K)*s*K*R*I3*1/K + t22 */
-    out[7] = t33;
-    const double t34 = t13*t22; /* Theta/m*1/(Theta/m*s^2*K)*s*K*t22 */
-    const double t35 = t22*t34; /* t22*Theta/m*1/(Theta/m*s^2*K)*s*K*t22 */
-    const double t36 = x[0]*t22; /* gamma3*t22 */
-    const double t37 = 2.0*t36; /* 2*gamma3*t22 */
-    const double t38 = JLT_FMA(t14, x[3], p[12]); /* gamma3*Theta/m*1/(Theta/m*s^2*K)*s*K*v_tau + G/I1 */
-    const double t39 = t21*t38; /* (gamma3*v_tau*R*I3 + s*R*G)*1/K*(gamma3*Theta/m*1/(Theta/m*s^2*K)*s*K*v_tau + G/I1) */
-    const double t40 = t3*x[3]; /* s*v_tau */
-    const double t41 = JLT_FNMA(x[0], p[12], t40); /* s*v_tau - gamma3*G/I1 */
-    const double t42 = t20*t41; /* 1/K*(s*v_tau - gamma3*G/I1) */
-    const double t43 = JLT_FNMA(t25, 2.0, t23); /* gamma3*Theta/m*1/(Theta/m*s^2*K)*s*K*R*G - v_tau*R*I3 - (gamma3*v_tau*R*I3 + s*R*G)*1/K*gamma3*(2*R^2*I1 - 2*R^2*I3)*2 */
-    const double t44 = JLT_FMA(t42, t43, t39); /* 1/K*(s*v_tau - gamma3*G/I1)*t43 + t39 */
-    const double t45 = JLT_FMS(t27, t37, t35); /* 1/K*t26*2*gamma3*t22 - t22*Theta/m*1/(Theta/m*s^2*K)*s*K*t22 */
-    const double t46 = JLT_FMA(t31, t44, t45); /* R*I3*1/K*(1/K*(s*v_tau - gamma3*G/I1)*t43 + t39) + 1/K*t26*2*gamma3*t22 - t22*Theta/m*1/(Theta/m*s^2*K)*s*K*t22 */
-    out[8] = t46;
-    const double t47 = x[0]*t20; /* gamma3*1/K */
-    const double t48 = p[15]*t47; /* 2*R*I3*gamma3*1/K */
-    const double t49 = t36*t48; /* gamma3*t22*2*R*I3*gamma3*1/K */
+    const double t23 = t13*t22; /* Theta/m*1/(Theta/m*s^2*K)*s*K*t22 */
+    const double t24 = x[0]*t23; /* gamma3*Theta/m*1/(Theta/m*s^2*K)*s*K*t22 */
+    const double t25 = JLT_FMS(t14, p[10], t18); /* gamma3*Theta/m*1/(Theta/m*s^2*K)*s*K*R*G - v_tau*R*I3 */
+    const double t26 = x[0]*p[14]; /* gamma3*(2*R^2*I1 - 2*R^2*I3) */
+    const double t27 = t21*t26; /* (gamma3*v_tau*R*I3 + s*R*G)*1/K*gamma3*(2*R^2*I1 - 2*R^2*I3) */
+    const double t28 = t25 - t27; /* gamma3*Theta/m*1/(Theta/m*s^2*K)*s*K*R*G - v_tau*R*I3 - (gamma3*v_tau*R*I3 + s*R*G)*1/K*gamma3*(2*R^2*I1 - 2*R^2*I3) */
+    const double t29 = JLT_FNMA(t20, t28, t24); /* gamma3*Theta/m*1/(Theta/m*s^2*K)*s*K*t22 - 1/K*t28 */
+    const double t30 = t13*t29; /* Theta/m*1/(Theta/m*s^2*K)*s*K*(gamma3*Theta/m*1/(Theta/m*s^2*K)*s*K*t22 - 1/K*t28) */
+    const double t31 = x[3]*t30; /* v_tau*t30 */
+    out[4] = t31;
+    const double t32 = p[11]*t20; /* R*I3*1/K */
+    const double t33 = t14*t32; /* gamma3*Theta/m*1/(Theta/m*s^2*K)*s*K*R*I3*1/K */
+    const double t34 = JLT_FMA(x[3], t33, t22); /* v_tau*gamma3*Theta/m*1/(Theta/m*s^2*K)*s*K*R*I3*1/K + t22 */
+    out[7] = t34;
+    const double t35 = t22*t23; /* t22*Theta/m*1/(Theta/m*s^2*K)*s*K*t22 */
+    const double t36 = x[0]*t20; /* gamma3*1/K */
+    const double t37 = t22*t36; /* t22*gamma3*1/K */
+    const double t38 = 2.0*t37; /* 2*t22*gamma3*1/K */
+    const double t39 = JLT_FMA(t14, x[3], p[12]); /* gamma3*Theta/m*1/(Theta/m*s^2*K)*s*K*v_tau + G/I1 */
+    const double t40 = t21*t39; /* (gamma3*v_tau*R*I3 + s*R*G)*1/K*(gamma3*Theta/m*1/(Theta/m*s^2*K)*s*K*v_tau + G/I1) */
+    const double t41 = t3*x[3]; /* s*v_tau */
+    const double t42 = JLT_FNMA(x[0], p[12], t41); /* s*v_tau - gamma3*G/I1 */
+    const double t43 = t20*t42; /* 1/K*(s*v_tau - gamma3*G/I1) */
+    const double t44 = JLT_FNMA(t27, 2.0, t25); /* gamma3*Theta/m*1/(Theta/m*s^2*K)*s*K*R*G - v_tau*R*I3 - (gamma3*v_tau*R*I3 + s*R*G)*1/K*gamma3*(2*R^2*I1 - 2*R^2*I3)*2 */
+    const double t45 = JLT_FMA(t43, t44, t40); /* 1/K*(s*v_tau - gamma3*G/I1)*t44 + t40 */
+    const double t46 = JLT_FMS(t28, t38, t35); /* t28*2*t22*gamma3*1/K - t22*Theta/m*1/(Theta/m*s^2*K)*s*K*t22 */
+    const double t47 = JLT_FMA(t32, t45, t46); /* R*I3*1/K*(1/K*(s*v_tau - gamma3*G/I1)*t44 + t40) + t28*2*t22*gamma3*1/K - t22*Theta/m*1/(Theta/m*s^2*K)*s*K*t22 */
+    out[8] = t47;
+    const double t48 = x[0]*p[15]; /* gamma3*2*R*I3 */
+    const double t49 = t37*t48; /* t22*gamma3*1/K*gamma3*2*R*I3 */
     const double t50 = t3*t21; /* s*(gamma3*v_tau*R*I3 + s*R*G)*1/K */
-    const double t51 = x[0]*t42; /* gamma3*1/K*(s*v_tau - gamma3*G/I1) */
+    const double t51 = t36*t42; /* gamma3*1/K*(s*v_tau - gamma3*G/I1) */
     const double t52 = JLT_FMA(p[11], t51, t50); /* R*I3*gamma3*1/K*(s*v_tau - gamma3*G/I1) + s*(gamma3*v_tau*R*I3 + s*R*G)*1/K */
-    const double t53 = JLT_FMA(t31, t52, t49); /* R*I3*1/K*t52 + gamma3*t22*2*R*I3*gamma3*1/K */
-    const double t54 = -t53; /* -(R*I3*1/K*t52 + gamma3*t22*2*R*I3*gamma3*1/K) */
+    const double t53 = JLT_FMA(t32, t52, t49); /* R*I3*1/K*t52 + t22*gamma3*1/K*gamma3*2*R*I3 */
+    const double t54 = -t53; /* -(R*I3*1/K*t52 + t22*gamma3*1/K*gamma3*2*R*I3) */
     out[11] = t54;
     const double t55 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
     const double t56 = t8*t10; /* 1/(Theta/m) = s^2*K*1/(Theta/m*s^2*K) */
-    const double t57 = t55*t56; /* V*1/(Theta/m) */
-    const double t58 = JLT_FNMA(p[9], t57, x[1]); /* v_nu - I1*I3/m*V*1/(Theta/m) */
-    const double t59 = t56*p[13]; /* 1/(Theta/m)*R^2*I1*I3*(I1 - I3)/m */
-    const double t60 = x[2]*t59; /* omega_tau*1/(Theta/m)*R^2*I1*I3*(I1 - I3)/m */
-    const double t61 = JLT_FMS(t38, t47, t42); /* (gamma3*Theta/m*1/(Theta/m*s^2*K)*s*K*v_tau + G/I1)*gamma3*1/K - 1/K*(s*v_tau - gamma3*G/I1) */
-    const double t62 = t60*t61; /* omega_tau*1/(Theta/m)*R^2*I1*I3*(I1 - I3)/m*t61 */
-    const double t63 = t47*t60; /* gamma3*1/K*omega_tau*1/(Theta/m)*R^2*I1*I3*(I1 - I3)/m */
-    const double t64 = JLT_FMA(t41, t56, t42); /* (s*v_tau - gamma3*G/I1)*1/(Theta/m) + 1/K*(s*v_tau - gamma3*G/I1) */
-    const double t65 = t63*t64; /* gamma3*1/K*omega_tau*1/(Theta/m)*R^2*I1*I3*(I1 - I3)/m*t64 */
-    const double t66 = t22*t56; /* t22*1/(Theta/m) */
-    const double t67 = p[9]*t66; /* I1*I3/m*t22*1/(Theta/m) */
-    const double t68 = JLT_FNMA(t57, t67, t65); /* gamma3*1/K*omega_tau*1/(Theta/m)*R^2*I1*I3*(I1 - I3)/m*t64 - V*1/(Theta/m)*I1*I3/m*t22*1/(Theta/m) */
-    const double t69 = JLT_FNMA(t24, t68, t62); /* omega_tau*1/(Theta/m)*R^2*I1*I3*(I1 - I3)/m*t61 - gamma3*(2*R^2*I1 - 2*R^2*I3)*t68 */
-    const double t70 = JLT_FNMA(t29, t58, t69); /* t69 - t29*(v_nu - I1*I3/m*V*1/(Theta/m)) */
-    out[12] = t70;
-    const double t71 = t67 - t22; /* I1*I3/m*t22*1/(Theta/m) - t22 */
-    out[13] = t71;
-    const double t72 = t66*p[16]; /* t22*1/(Theta/m)*R*I1*I3/m */
-    const double t73 = JLT_FNMA(t51, t59, t72); /* t22*1/(Theta/m)*R*I1*I3/m - gamma3*1/K*(s*v_tau - gamma3*G/I1)*1/(Theta/m)*R^2*I1*I3*(I1 - I3)/m */
-    out[14] = t73;
-    const double t74 = t32*t58; /* gamma3*Theta/m*1/(Theta/m*s^2*K)*s*K*R*I3*1/K*(v_nu - I1*I3/m*V*1/(Theta/m)) */
-    const double t75 = JLT_FMA(t3, t63, t74); /* s*gamma3*1/K*omega_tau*1/(Theta/m)*R^2*I1*I3*(I1 - I3)/m + t74 */
+    const double t57 = p[9]*t55; /* I1*I3/m*V */
+    const double t58 = t56*t57; /* 1/(Theta/m)*I1*I3/m*V */
+    const double t59 = x[1] - t58; /* v_nu - 1/(Theta/m)*I1*I3/m*V */
+    const double t60 = t22*t56; /* t22*1/(Theta/m) */
+    const double t61 = t26*t58; /* gamma3*(2*R^2*I1 - 2*R^2*I3)*1/(Theta/m)*I1*I3/m*V */
+    const double t62 = t60*t61; /* t22*1/(Theta/m)*gamma3*(2*R^2*I1 - 2*R^2*I3)*1/(Theta/m)*I1*I3/m*V */
+    const double t63 = JLT_FMA(t42, t56, t43); /* (s*v_tau - gamma3*G/I1)*1/(Theta/m) + 1/K*(s*v_tau - gamma3*G/I1) */
+    const double t64 = JLT_FMS(t26, t63, t39); /* gamma3*(2*R^2*I1 - 2*R^2*I3)*t63 - (gamma3*Theta/m*1/(Theta/m*s^2*K)*s*K*v_tau + G/I1) */
+    const double t65 = JLT_FMA(t36, t64, t43); /* gamma3*1/K*t64 + 1/K*(s*v_tau - gamma3*G/I1) */
+    const double t66 = t56*p[13]; /* 1/(Theta/m)*R^2*I1*I3*(I1 - I3)/m */
+    const double t67 = x[2]*t66; /* omega_tau*1/(Theta/m)*R^2*I1*I3*(I1 - I3)/m */
+    const double t68 = JLT_FNMA(t65, t67, t62); /* t62 - (gamma3*1/K*t64 + 1/K*(s*v_tau - gamma3*G/I1))*omega_tau*1/(Theta/m)*R^2*I1*I3*(I1 - I3)/m */
+    const double t69 = JLT_FNMA(t30, t59, t68); /* t68 - t30*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
+    out[12] = t69;
+    const double t70 = JLT_FMS(p[9], t60, t22); /* I1*I3/m*t22*1/(Theta/m) - t22 */
+    out[13] = t70;
+    const double t71 = t60*p[16]; /* t22*1/(Theta/m)*R*I1*I3/m */
+    const double t72 = JLT_FNMA(t51, t66, t71); /* t22*1/(Theta/m)*R*I1*I3/m - gamma3*1/K*(s*v_tau - gamma3*G/I1)*1/(Theta/m)*R^2*I1*I3*(I1 - I3)/m */
+    out[14] = t72;
+    const double t73 = t33*t59; /* gamma3*Theta/m*1/(Theta/m*s^2*K)*s*K*R*I3*1/K*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
+    const double t74 = t3*t36; /* s*gamma3*1/K */
+    const double t75 = JLT_FMA(t67, t74, t73); /* omega_tau*1/(Theta/m)*R^2*I1*I3*(I1 - I3)/m*s*gamma3*1/K + t73 */
     const double t76 = -t75; /* -t75 */
     out[15] = t76;
 }
@@ -328,84 +327,86 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t17 = x[3]*p[11]; /* v_tau*R*I3 */
     const double t18 = JLT_FMA(x[0], t17, t16); /* gamma3*v_tau*R*I3 + R*G*s */
     const double t19 = t10*t18; /* 1/K*(gamma3*v_tau*R*I3 + R*G*s) */
-    const double t20 = x[3]*t12; /* v_tau*s */
-    const double t21 = JLT_FNMA(x[0], p[12], t20); /* v_tau*s - gamma3*G/I1 */
-    const double t22 = t14*t19; /* K*1/(K*s^2*Theta/m)*Theta/m*s*1/K*(gamma3*v_tau*R*I3 + R*G*s) */
-    const double t23 = x[3]*t22; /* v_tau*t22 */
-    out[1] = t23;
-    const double t24 = x[0]*t14; /* gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s */
-    const double t25 = JLT_FMS(p[10], t24, t17); /* R*G*gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s - v_tau*R*I3 */
-    const double t26 = x[0]*p[14]; /* gamma3*(2*R^2*I1 - 2*R^2*I3) */
-    const double t27 = t10*t21; /* 1/K*(v_tau*s - gamma3*G/I1) */
-    const double t28 = x[0]*t10; /* gamma3*1/K */
-    const double t29 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t30 = t15*t29; /* 1/(Theta/m)*V */
-    const double t31 = t14*t22; /* K*1/(K*s^2*Theta/m)*Theta/m*s*t22 */
-    const double t32 = t10*t14; /* 1/K*K*1/(K*s^2*Theta/m)*Theta/m*s */
-    const double t33 = p[11]*t10; /* R*I3*1/K */
-    const double t34 = t19*t26; /* 1/K*(gamma3*v_tau*R*I3 + R*G*s)*gamma3*(2*R^2*I1 - 2*R^2*I3) */
-    const double t35 = t19*t33; /* 1/K*(gamma3*v_tau*R*I3 + R*G*s)*R*I3*1/K */
-    const double t36 = p[13]*t15; /* R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
-    const double t37 = t24*t31; /* gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s*K*1/(K*s^2*Theta/m)*Theta/m*s*t22 */
-    const double t38 = t22*t31; /* t22*K*1/(K*s^2*Theta/m)*Theta/m*s*t22 */
-    const double t39 = t25 - t34; /* R*G*gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s - v_tau*R*I3 - 1/K*(gamma3*v_tau*R*I3 + R*G*s)*gamma3*(2*R^2*I1 - 2*R^2*I3) */
-    const double t40 = JLT_FNMA(t32, t39, t37); /* t37 - 1/K*K*1/(K*s^2*Theta/m)*Theta/m*s*t39 */
-    const double t41 = x[3]*t40; /* v_tau*(t37 - 1/K*K*1/(K*s^2*Theta/m)*Theta/m*s*t39) */
-    out[8] = t41;
-    const double t42 = JLT_FMA(x[3], t24, p[12]); /* v_tau*gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s + G/I1 */
-    const double t43 = p[17]*t28; /* R^2*I3^2*gamma3*1/K */
-    const double t44 = t27*t43; /* 1/K*(v_tau*s - gamma3*G/I1)*R^2*I3^2*gamma3*1/K */
-    const double t45 = JLT_FMA(t12, t35, t44); /* s*1/K*(gamma3*v_tau*R*I3 + R*G*s)*R*I3*1/K + 1/K*(v_tau*s - gamma3*G/I1)*R^2*I3^2*gamma3*1/K */
-    const double t46 = x[2]*t12; /* omega_tau*s */
-    out[0] = t46;
-    const double t47 = JLT_FMA(t15, t21, t27); /* 1/(Theta/m)*(v_tau*s - gamma3*G/I1) + 1/K*(v_tau*s - gamma3*G/I1) */
-    const double t48 = t15*t22; /* 1/(Theta/m)*t22 */
-    const double t49 = JLT_FMS(t26, t47, t42); /* gamma3*(2*R^2*I1 - 2*R^2*I3)*t47 - (v_tau*gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s + G/I1) */
-    const double t50 = t26*t30; /* gamma3*(2*R^2*I1 - 2*R^2*I3)*1/(Theta/m)*V */
-    const double t51 = JLT_FNMA(p[9], t30, x[1]); /* v_nu - I1*I3/m*1/(Theta/m)*V */
-    const double t52 = t40*t51; /* (t37 - 1/K*K*1/(K*s^2*Theta/m)*Theta/m*s*t39)*(v_nu - I1*I3/m*1/(Theta/m)*V) */
-    const double t53 = t27*t33; /* 1/K*(v_tau*s - gamma3*G/I1)*R*I3*1/K */
-    const double t54 = t24*t33; /* gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s*R*I3*1/K */
-    const double t55 = JLT_FMS(t25, t53, t38); /* (R*G*gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s - v_tau*R*I3)*1/K*(v_tau*s - gamma3*G/I1)*R*I3*1/K - t22*K*1/(K*s^2*Theta/m)*Theta/m*s*t22 */
-    const double t56 = JLT_FMA(t35, t42, t55); /* 1/K*(gamma3*v_tau*R*I3 + R*G*s)*R*I3*1/K*(v_tau*gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s + G/I1) + t55 */
-    const double t57 = x[2]*t24; /* omega_tau*gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s */
-    const double t58 = -t57; /* -omega_tau*gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s */
-    out[4] = t58;
-    const double t59 = JLT_FMA(x[3], t54, t22); /* v_tau*gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s*R*I3*1/K + t22 */
-    out[11] = t59;
-    const double t60 = t51*t54; /* (v_nu - I1*I3/m*1/(Theta/m)*V)*gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s*R*I3*1/K */
-    const double t61 = t22*t51; /* t22*(v_nu - I1*I3/m*1/(Theta/m)*V) */
-    const double t62 = t22*t28; /* t22*gamma3*1/K */
-    const double t63 = t28*t36; /* gamma3*1/K*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
-    const double t64 = JLT_FMA(t46, t63, t60); /* omega_tau*s*gamma3*1/K*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) + t60 */
-    const double t65 = -t64; /* -t64 */
-    out[19] = t65;
-    const double t66 = t53 + t62; /* 1/K*(v_tau*s - gamma3*G/I1)*R*I3*1/K + t22*gamma3*1/K */
-    const double t67 = t21*t63; /* (v_tau*s - gamma3*G/I1)*gamma3*1/K*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
-    const double t68 = t49*t63; /* t49*gamma3*1/K*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
-    const double t69 = JLT_FMA(t27, t36, t68); /* 1/K*(v_tau*s - gamma3*G/I1)*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) + t49*gamma3*1/K*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
-    const double t70 = t25*t62; /* (R*G*gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s - v_tau*R*I3)*t22*gamma3*1/K */
-    const double t71 = JLT_FNMA(t34, t66, t70); /* t70 - 1/K*(gamma3*v_tau*R*I3 + R*G*s)*gamma3*(2*R^2*I1 - 2*R^2*I3)*(1/K*(v_tau*s - gamma3*G/I1)*R*I3*1/K + t22*gamma3*1/K) */
-    const double t72 = JLT_FMA(2.0, t71, t56); /* 2*t71 + t56 */
-    out[12] = t72;
-    const double t73 = t18*t66; /* (gamma3*v_tau*R*I3 + R*G*s)*(1/K*(v_tau*s - gamma3*G/I1)*R*I3*1/K + t22*gamma3*1/K) */
+    const double t20 = t15*t18; /* 1/(Theta/m)*(gamma3*v_tau*R*I3 + R*G*s) */
+    const double t21 = t14*t20; /* K*1/(K*s^2*Theta/m)*Theta/m*s*1/(Theta/m)*(gamma3*v_tau*R*I3 + R*G*s) */
+    const double t22 = -t21; /* -t21 */
+    out[17] = t22;
+    const double t23 = x[3]*t12; /* v_tau*s */
+    const double t24 = JLT_FNMA(x[0], p[12], t23); /* v_tau*s - gamma3*G/I1 */
+    const double t25 = t14*t19; /* K*1/(K*s^2*Theta/m)*Theta/m*s*1/K*(gamma3*v_tau*R*I3 + R*G*s) */
+    const double t26 = x[3]*t25; /* v_tau*t25 */
+    out[1] = t26;
+    const double t27 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t28 = p[9]*t27; /* I1*I3/m*V */
+    const double t29 = t15*t28; /* 1/(Theta/m)*I1*I3/m*V */
+    const double t30 = x[0]*t14; /* gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s */
+    const double t31 = JLT_FMS(p[10], t30, t17); /* R*G*gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s - v_tau*R*I3 */
+    const double t32 = x[0]*p[14]; /* gamma3*(2*R^2*I1 - 2*R^2*I3) */
+    const double t33 = t14*t25; /* K*1/(K*s^2*Theta/m)*Theta/m*s*t25 */
+    const double t34 = t10*t14; /* 1/K*K*1/(K*s^2*Theta/m)*Theta/m*s */
+    const double t35 = t19*t32; /* 1/K*(gamma3*v_tau*R*I3 + R*G*s)*gamma3*(2*R^2*I1 - 2*R^2*I3) */
+    const double t36 = t10*t24; /* 1/K*(v_tau*s - gamma3*G/I1) */
+    const double t37 = p[11]*t10; /* R*I3*1/K */
+    const double t38 = x[0]*t10; /* gamma3*1/K */
+    const double t39 = p[13]*t15; /* R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
+    const double t40 = t30*t33; /* gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s*K*1/(K*s^2*Theta/m)*Theta/m*s*t25 */
+    const double t41 = t31 - t35; /* R*G*gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s - v_tau*R*I3 - 1/K*(gamma3*v_tau*R*I3 + R*G*s)*gamma3*(2*R^2*I1 - 2*R^2*I3) */
+    const double t42 = JLT_FNMA(t34, t41, t40); /* t40 - 1/K*K*1/(K*s^2*Theta/m)*Theta/m*s*t41 */
+    const double t43 = JLT_FNMA(2.0, t35, t31); /* R*G*gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s - v_tau*R*I3 - 2*1/K*(gamma3*v_tau*R*I3 + R*G*s)*gamma3*(2*R^2*I1 - 2*R^2*I3) */
+    const double t44 = x[3]*t42; /* v_tau*(t40 - 1/K*K*1/(K*s^2*Theta/m)*Theta/m*s*t41) */
+    out[8] = t44;
+    const double t45 = JLT_FMA(x[3], t30, p[12]); /* v_tau*gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s + G/I1 */
+    const double t46 = p[17]*t36; /* R^2*I3^2*1/K*(v_tau*s - gamma3*G/I1) */
+    const double t47 = t38*t46; /* gamma3*1/K*R^2*I3^2*1/K*(v_tau*s - gamma3*G/I1) */
+    const double t48 = JLT_FMA(t15, t24, t36); /* 1/(Theta/m)*(v_tau*s - gamma3*G/I1) + 1/K*(v_tau*s - gamma3*G/I1) */
+    const double t49 = JLT_FMS(t32, t48, t45); /* gamma3*(2*R^2*I1 - 2*R^2*I3)*t48 - (v_tau*gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s + G/I1) */
+    const double t50 = t15*t25; /* 1/(Theta/m)*t25 */
+    const double t51 = t29*t32; /* 1/(Theta/m)*I1*I3/m*V*gamma3*(2*R^2*I1 - 2*R^2*I3) */
+    const double t52 = x[1] - t29; /* v_nu - 1/(Theta/m)*I1*I3/m*V */
+    const double t53 = t42*t52; /* (t40 - 1/K*K*1/(K*s^2*Theta/m)*Theta/m*s*t41)*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
+    const double t54 = JLT_FMS(t50, t51, t53); /* 1/(Theta/m)*t25*1/(Theta/m)*I1*I3/m*V*gamma3*(2*R^2*I1 - 2*R^2*I3) - t53 */
+    const double t55 = t19*t37; /* 1/K*(gamma3*v_tau*R*I3 + R*G*s)*R*I3*1/K */
+    const double t56 = t45*t55; /* (v_tau*gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s + G/I1)*1/K*(gamma3*v_tau*R*I3 + R*G*s)*R*I3*1/K */
+    const double t57 = JLT_FMA(t12, t55, t47); /* s*1/K*(gamma3*v_tau*R*I3 + R*G*s)*R*I3*1/K + gamma3*1/K*R^2*I3^2*1/K*(v_tau*s - gamma3*G/I1) */
+    const double t58 = x[2]*t12; /* omega_tau*s */
+    out[0] = t58;
+    const double t59 = t24*t55; /* (v_tau*s - gamma3*G/I1)*1/K*(gamma3*v_tau*R*I3 + R*G*s)*R*I3*1/K */
+    const double t60 = t38*t39; /* gamma3*1/K*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
+    const double t61 = t24*t60; /* (v_tau*s - gamma3*G/I1)*gamma3*1/K*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
+    const double t62 = JLT_FMS(p[16], t50, t61); /* R*I1*I3/m*1/(Theta/m)*t25 - t61 */
+    out[18] = t62;
+    const double t63 = t49*t60; /* t49*gamma3*1/K*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
+    const double t64 = JLT_FMA(t36, t39, t63); /* 1/K*(v_tau*s - gamma3*G/I1)*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) + t49*gamma3*1/K*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
+    const double t65 = JLT_FNMA(x[2], t64, t54); /* t54 - omega_tau*t64 */
+    out[16] = t65;
+    const double t66 = t36*t37; /* 1/K*(v_tau*s - gamma3*G/I1)*R*I3*1/K */
+    const double t67 = JLT_FMA(t43, t66, t56); /* t43*1/K*(v_tau*s - gamma3*G/I1)*R*I3*1/K + t56 */
+    const double t68 = t30*t37; /* gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s*R*I3*1/K */
+    const double t69 = x[2]*t30; /* omega_tau*gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s */
+    const double t70 = -t69; /* -omega_tau*gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s */
+    out[4] = t70;
+    const double t71 = JLT_FMA(x[3], t68, t25); /* v_tau*gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s*R*I3*1/K + t25 */
+    out[11] = t71;
+    const double t72 = t52*t68; /* (v_nu - 1/(Theta/m)*I1*I3/m*V)*gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s*R*I3*1/K */
+    const double t73 = JLT_FMA(t58, t60, t72); /* omega_tau*s*gamma3*1/K*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) + t72 */
     const double t74 = -t73; /* -t73 */
-    out[2] = t74;
-    const double t75 = JLT_FMA(x[2], t67, t61); /* omega_tau*t67 + t22*(v_nu - I1*I3/m*1/(Theta/m)*V) */
-    const double t76 = -t75; /* -(omega_tau*t67 + t22*(v_nu - I1*I3/m*1/(Theta/m)*V)) */
-    out[3] = t76;
-    const double t77 = JLT_FMS(p[16], t48, t67); /* R*I1*I3/m*1/(Theta/m)*t22 - t67 */
-    out[18] = t77;
-    const double t78 = p[9]*t48; /* I1*I3/m*1/(Theta/m)*t22 */
-    const double t79 = JLT_FMS(t50, t78, t52); /* gamma3*(2*R^2*I1 - 2*R^2*I3)*1/(Theta/m)*V*I1*I3/m*1/(Theta/m)*t22 - t52 */
-    const double t80 = JLT_FNMA(x[2], t69, t79); /* t79 - omega_tau*t69 */
-    out[16] = t80;
-    const double t81 = t78 - t22; /* I1*I3/m*1/(Theta/m)*t22 - t22 */
-    out[17] = t81;
-    const double t82 = x[0]*p[15]; /* gamma3*2*R*I3 */
-    const double t83 = JLT_FMA(t62, t82, t45); /* t22*gamma3*1/K*gamma3*2*R*I3 + t45 */
-    const double t84 = -t83; /* -(t22*gamma3*1/K*gamma3*2*R*I3 + t45) */
-    out[15] = t84;
+    out[19] = t74;
+    const double t75 = t25*t52; /* t25*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
+    const double t76 = JLT_FMA(x[2], t61, t75); /* omega_tau*t61 + t25*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
+    const double t77 = -t76; /* -(omega_tau*t61 + t25*(v_nu - 1/(Theta/m)*I1*I3/m*V)) */
+    out[3] = t77;
+    const double t78 = x[0]*t25; /* gamma3*t25 */
+    const double t79 = JLT_FMA(t19, t78, t59); /* 1/K*(gamma3*v_tau*R*I3 + R*G*s)*gamma3*t25 + t59 */
+    const double t80 = -t79; /* -(1/K*(gamma3*v_tau*R*I3 + R*G*s)*gamma3*t25 + t59) */
+    out[2] = t80;
+    const double t81 = 2.0*t38; /* 2*gamma3*1/K */
+    const double t82 = JLT_FNMA(t41, t81, t33); /* K*1/(K*s^2*Theta/m)*Theta/m*s*t25 - t41*2*gamma3*1/K */
+    const double t83 = JLT_FNMA(t25, t82, t67); /* t43*1/K*(v_tau*s - gamma3*G/I1)*R*I3*1/K + t56 - t25*(K*1/(K*s^2*Theta/m)*Theta/m*s*t25 - t41*2*gamma3*1/K) */
+    out[12] = t83;
+    const double t84 = p[15]*t38; /* 2*R*I3*gamma3*1/K */
+    const double t85 = JLT_FMA(t78, t84, t57); /* gamma3*t25*2*R*I3*gamma3*1/K + t57 */
+    const double t86 = -t85; /* -(gamma3*t25*2*R*I3*gamma3*1/K + t57) */
+    out[15] = t86;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -852,7 +853,7 @@ const jlt_descriptor jlt_kernels_spherical_top_level_balanced = {
     .elimination = "",
     .title = "Spherical top with one nonholonomic constraint, on a level of Jellett's integral",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, system (3.2) and integral (3.3)",
-    .sha256 = "80e339b123f34cca2c47ba73c110613efbf19df47efbd8d3c9b581354234107c",
+    .sha256 = "5fa0f3f8159ed96ffaf422476001a79c5f28ef178108a7d5ffb7cd0a8be5e04d",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top_level, .family = jlt_family_spherical_top_level, .claims = jlt_claims_spherical_top_level,
     .scales = 1,
@@ -864,9 +865,9 @@ const jlt_descriptor jlt_kernels_spherical_top_level_balanced = {
     .rhs = { rhs, 4, { 5, 25, 7, 1, 1, 0, 15, 7 }, { 16, 71, 0, 6, 1, 0, 12, 9 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in v_tau*s - gamma3*(G/I1), v_tau*gamma3*(R*I3) + (R*G)*s, V = omega_tau*R + v_nu, v_nu - 1/(Theta/m)*(I1*I3/m)*V, a part of d(omega_tau)/dt, a part of d(v_tau)/dt" },
     .jacobian = { jacobian, 16, { 8, 45, 22, 1, 1, 0, 16, 21 }, { 72, 350, 0, 41, 1, 0, 20, 11 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in gamma3*v_tau*(R*I3) + s*(R*G), gamma3*Theta/m*((1)/Theta/m*s^2*K)*s*K*(R*G) - v_tau*(R*I3), 2*R^2*I1 - 2*R^2*I3, a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), d(d(v_nu)/dt)/d(v_tau), gamma3*Theta/m*((1)/Theta/m*s^2*K)*s*K*v_tau + G/I1, s*v_tau - gamma3*(G/I1), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(v_tau), a part of d(d(omega_tau)/dt)/d(v_tau), V = omega_tau*R + v_nu, v_nu - (I1*I3/m)*V*1/(Theta/m), a part of d(d(v_tau)/dt)/d(gamma3), a part of d(d(v_tau)/dt)/d(gamma3), d(d(v_tau)/dt)/d(gamma3), d(d(v_tau)/dt)/d(v_nu), d(d(v_tau)/dt)/d(omega_tau), a part of d(d(v_tau)/dt)/d(v_tau)" },
-    .rhs_jacobian = { rhs_jacobian, 20, { 11, 49, 23, 1, 1, 0, 17, 22 }, { 84, 409, 0, 47, 1, 0, 20, 11 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in 2*R^2*I1 - 2*R^2*I3, gamma3*v_tau*(R*I3) + (R*G)*s, v_tau*s - gamma3*(G/I1), (R*G)*gamma3*K*((1)/K*s^2*Theta/m)*Theta/m*s - v_tau*(R*I3), V = omega_tau*R + v_nu, a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), v_tau*gamma3*K*((1)/K*s^2*Theta/m)*Theta/m*s + G/I1, a part of d(d(v_tau)/dt)/d(gamma3), v_nu - (I1*I3/m)*1/(Theta/m)*V, d(d(v_nu)/dt)/d(v_tau), a part of d(d(v_tau)/dt)/d(v_tau), a part of d(omega_tau)/dt and of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(v_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), d(d(omega_tau)/dt)/d(gamma3), a part of d(v_tau)/dt, d(d(v_tau)/dt)/d(omega_tau), d(d(v_tau)/dt)/d(gamma3), d(d(v_tau)/dt)/d(v_nu), a part of d(d(omega_tau)/dt)/d(v_tau)" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in gamma3*v_tau*(R*I3) + s*(R*G), gamma3*Theta/m*((1)/Theta/m*s^2*K)*s*K*(R*G) - v_tau*(R*I3), 2*R^2*I1 - 2*R^2*I3, a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), d(d(v_nu)/dt)/d(v_tau), gamma3*Theta/m*((1)/Theta/m*s^2*K)*s*K*v_tau + G/I1, s*v_tau - gamma3*(G/I1), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(v_tau), a part of d(d(omega_tau)/dt)/d(v_tau), V = omega_tau*R + v_nu, v_nu - 1/(Theta/m)*(I1*I3/m)*V, a part of d(d(v_tau)/dt)/d(gamma3), a part of d(d(v_tau)/dt)/d(gamma3), d(d(v_tau)/dt)/d(gamma3), d(d(v_tau)/dt)/d(v_nu), d(d(v_tau)/dt)/d(omega_tau), a part of d(d(v_tau)/dt)/d(v_tau)" },
+    .rhs_jacobian = { rhs_jacobian, 20, { 11, 51, 23, 1, 1, 0, 17, 21 }, { 84, 409, 0, 47, 1, 0, 20, 11 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in 2*R^2*I1 - 2*R^2*I3, gamma3*v_tau*(R*I3) + (R*G)*s, v_tau*s - gamma3*(G/I1), V = omega_tau*R + v_nu, (R*G)*gamma3*K*((1)/K*s^2*Theta/m)*Theta/m*s - v_tau*(R*I3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), v_tau*gamma3*K*((1)/K*s^2*Theta/m)*Theta/m*s + G/I1, a part of d(d(v_tau)/dt)/d(gamma3), v_nu - 1/(Theta/m)*(I1*I3/m)*V, d(d(v_tau)/dt)/d(omega_tau), a part of d(d(v_tau)/dt)/d(gamma3), d(d(v_tau)/dt)/d(gamma3), d(d(v_nu)/dt)/d(v_tau), a part of d(d(v_tau)/dt)/d(v_tau), a part of d(v_tau)/dt, a part of d(omega_tau)/dt, a part of d(d(omega_tau)/dt)/d(gamma3), d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(v_tau)" },
     .divergence = { divergence, 1, { 3, 13, 5, 1, 1, 0, 12, 6 }, { 9, 32, 0, 4, 1, 0, 12, 8 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in a part of the divergence, V = R*omega_tau + v_nu, a part of the divergence" },
     .integral_values = { integral_values, 2, { 3, 12, 7, 1, 1, 0, 8, 6 }, { 10, 36, 0, 3, 1, 0, 14, 7 },

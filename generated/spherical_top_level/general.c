@@ -1,16 +1,16 @@
 /* Spherical top with one nonholonomic constraint, on a level of Jellett's integral
  *
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, system (3.2) and integral (3.3)
- *  Table:      spherical_top_level, SHA-256 80e339b123f34cca2c47ba73c110613efbf19df47efbd8d3c9b581354234107c
+ *  Table:      spherical_top_level, SHA-256 5fa0f3f8159ed96ffaf422476001a79c5f28ef178108a7d5ffb7cd0a8be5e04d
  *  Command:    ttc generate --effort full --out DIR spherical_top_level.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 5   31   12    1    1    0     16   11   (110)
- *  jacobian            9   58   34    1    1    0     18   27   (567)
- *  rhs_jacobian        13   61   33    1    1    0     18   31   (653)
- *  divergence          3   20   10    1    1    0     14    9   (60)
+ *  rhs                 5   31   12    1    1    0     17   10   (110)
+ *  jacobian            11   60   32    1    1    0     18   27   (567)
+ *  rhs_jacobian        10   58   34    1    1    0     18   27   (653)
+ *  divergence          3   20   10    1    1    0     12    9   (60)
  *  integral_values     4    6    6    1    0    0      8    5   (40)
- *  integral_gradients  5   11    6    1    0    0      8    7   (59)
+ *  integral_gradients  6   11    5    1    0    0     10    5   (59)
  *  observe_values      2   20   10    1    1    0     12   10   (66)
  *  valid_values        2   20   10    1    1    0     12   10   (66)
  *
@@ -20,20 +20,19 @@
  *    divides by Theta, small only where all of m*K and I1*I3 are
  *    takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes
  *    digits are lost where terms nearly cancel in b/R = gamma3 + a3/R, b/R*v_tau*(R*I3) + (R*G)*s,
- *      gamma3*(R*(I1 - I3)) - (I3*a3), v_tau*s - (G/I1)*b/R, e = gamma3*a3 + R,
- *      d(K)/d(gamma3) = (2*R^2*I3)*b/R - gamma3*(2*R^2*I1), V = omega_tau*e + v_nu,
- *      (R*G)*gamma3*K*Theta/m*((1)/s^2*D/I1*K*Theta/m)*D/I1*s - v_tau*(R*I3), a part of d(d(omega_tau)/dt)/d(gamma3),
- *      v_nu - (I1*I3/m)*1/(Theta/m)*V,
- *      a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3),
- *      a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3),
+ *      v_tau*s - (G/I1)*b/R, gamma3*(R*(I1 - I3)) - (I3*a3), e = gamma3*a3 + R,
+ *      (R*G)*gamma3*K*Theta/m*((1)/Theta/m*K*s^2*D/I1)*D/I1*s - v_tau*(R*I3),
+ *      d(K)/d(gamma3) = (2*R^2*I3)*b/R - gamma3*(2*R^2*I1),
  *      a part of d(omega_tau)/dt and of d(d(omega_tau)/dt)/d(gamma3),
- *      a part of d(omega_tau)/dt and of d(d(omega_tau)/dt)/d(gamma3), d(omega_tau)/dt,
- *      a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(v_tau),
- *      a part of d(d(omega_tau)/dt)/d(v_tau), a part of d(v_tau)/dt, d(d(v_nu)/dt)/d(v_tau),
- *      a part of d(d(v_tau)/dt)/d(v_tau), a part of d(d(omega_tau)/dt)/d(gamma3),
- *      v_tau*gamma3*K*Theta/m*((1)/s^2*D/I1*K*Theta/m)*D/I1*s + G/I1, d(d(omega_tau)/dt)/d(gamma3),
- *      a part of d(d(v_tau)/dt)/d(gamma3), d(d(v_tau)/dt)/d(omega_tau), a part of d(d(v_tau)/dt)/d(gamma3),
- *      d(d(v_tau)/dt)/d(gamma3)
+ *      a part of d(d(omega_tau)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(v_tau), V = omega_tau*e + v_nu,
+ *      d(d(v_nu)/dt)/d(v_tau), v_nu - V*(I1*I3/m)*1/(Theta/m), d(d(v_tau)/dt)/d(omega_tau),
+ *      a part of d(d(v_tau)/dt)/d(gamma3), d(d(v_tau)/dt)/d(v_nu),
+ *      a part of d(v_tau)/dt and of d(d(v_tau)/dt)/d(gamma3), d(omega_tau)/dt,
+ *      gamma3*v_tau*K*Theta/m*((1)/Theta/m*K*s^2*D/I1)*D/I1*s + G/I1, a part of d(d(v_tau)/dt)/d(gamma3),
+ *      a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(v_tau)/dt)/d(gamma3),
+ *      a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3),
+ *      a part of d(d(omega_tau)/dt)/d(v_tau), d(d(v_tau)/dt)/d(gamma3), a part of d(d(v_tau)/dt)/d(v_tau),
+ *      d(d(v_nu)/dt)/d(gamma3), d(d(omega_tau)/dt)/d(gamma3)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -64,7 +63,7 @@ static void prepare(const double *restrict params, double *restrict out)
     out[6] = params[6];
     const double t0 = params[5]*params[5]; /* a3*a3 */
     const double t1 = params[0]*t0; /* m*a3*a3 */
-    out[29] = t1;
+    out[28] = t1;
     const double t2 = t1/params[3]; /* m*a3*a3/I1 */
     out[7] = t2;
     const double t3 = params[1]*params[6]; /* R*G */
@@ -84,7 +83,7 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t11 = params[0]*params[2]; /* m*g */
     out[35] = t11;
     const double t12 = params[5]*t11; /* a3*m*g */
-    out[31] = t12;
+    out[30] = t12;
     const double t13 = t12/params[3]; /* a3*m*g/I1 */
     out[14] = t13;
     const double t14 = params[6]/params[3]; /* G/I1 */
@@ -103,52 +102,50 @@ static void prepare(const double *restrict params, double *restrict out)
     out[19] = t22;
     const double t23 = params[4]*t21; /* I3*R*R*2 */
     out[20] = t23;
-    const double t24 = params[0]*params[0]; /* m*m */
-    const double t25 = 2.0*t24; /* 2*m*m */
-    const double t26 = params[3]*params[3]; /* I1*I1 */
-    const double t27 = t0*t0; /* a3*a3*a3*a3 */
-    const double t28 = t25*t27; /* 2*m*m*a3*a3*a3*a3 */
-    const double t29 = t28/t26; /* 2*m*m*a3*a3*a3*a3/(I1*I1) */
-    out[21] = t29;
-    const double t30 = params[2]*t25; /* g*2*m*m */
-    const double t31 = params[5]*t0; /* a3*a3*a3 */
-    const double t32 = t30*t31; /* g*2*m*m*a3*a3*a3 */
-    const double t33 = t32/t26; /* g*2*m*m*a3*a3*a3/(I1*I1) */
-    out[22] = t33;
-    const double t34 = params[0]*2.0; /* m*2 */
-    const double t35 = t0*t34; /* a3*a3*m*2 */
+    const double t24 = params[0]*2.0; /* m*2 */
+    const double t25 = params[2]*t24; /* g*m*2 */
+    const double t26 = params[5]*t25; /* a3*g*m*2 */
+    const double t27 = t26/params[3]; /* a3*g*m*2/I1 */
+    out[21] = t27;
+    const double t28 = t0*t24; /* a3*a3*m*2 */
+    out[25] = t28;
+    const double t29 = t28/params[3]; /* a3*a3*m*2/I1 */
+    out[22] = t29;
+    const double t30 = params[5]*t9; /* a3*I1*I3 */
+    const double t31 = t30/params[0]; /* a3*I1*I3/m */
+    out[23] = t31;
+    const double t32 = params[4]*t7; /* I3*I1*R*R */
+    const double t33 = t18*t32; /* (I1 - I3)*I3*I1*R*R */
+    const double t34 = t33/params[0]; /* (I1 - I3)*I3*I1*R*R/m */
+    out[24] = t34;
+    const double t35 = params[4]/t7; /* I3/(I1*R*R) */
     out[26] = t35;
-    const double t36 = t35/params[3]; /* a3*a3*m*2/I1 */
-    out[23] = t36;
-    const double t37 = params[5]*t9; /* a3*I1*I3 */
-    const double t38 = t37/params[0]; /* a3*I1*I3/m */
-    out[24] = t38;
-    const double t39 = params[4]*t7; /* I3*I1*R*R */
-    const double t40 = t18*t39; /* (I1 - I3)*I3*I1*R*R */
-    const double t41 = t40/params[0]; /* (I1 - I3)*I3*I1*R*R/m */
-    out[25] = t41;
-    const double t42 = params[4]/t7; /* I3/(I1*R*R) */
-    out[27] = t42;
-    const double t43 = params[0]*t6; /* m*R*R */
-    const double t44 = params[4]/t43; /* I3/(m*R*R) */
-    out[28] = t44;
-    const double t45 = params[1]*t6; /* R*R*R */
-    const double t46 = params[0]*t45; /* m*R*R*R */
-    const double t47 = params[3]*t46; /* I1*m*R*R*R */
-    const double t48 = params[4]/t47; /* I3/(I1*m*R*R*R) */
-    out[30] = t48;
-    const double t49 = params[0]/2.0; /* m/2 */
-    out[32] = t49;
-    const double t50 = params[4]/params[3]; /* I3/I1 */
-    out[33] = t50;
-    const double t51 = params[3]*t43; /* I1*m*R*R */
-    const double t52 = params[6]*params[6]; /* G*G */
-    const double t53 = t52/t51; /* G*G/(I1*m*R*R) */
-    out[34] = t53;
-    const double t54 = params[0]*params[5]; /* m*a3 */
-    out[36] = t54;
-    const double t55 = params[6]/t15; /* G/(I1*R) */
-    out[37] = t55;
+    const double t36 = params[0]*t6; /* m*R*R */
+    const double t37 = params[4]/t36; /* I3/(m*R*R) */
+    out[27] = t37;
+    const double t38 = params[1]*t6; /* R*R*R */
+    const double t39 = params[0]*t38; /* m*R*R*R */
+    const double t40 = params[3]*t39; /* I1*m*R*R*R */
+    const double t41 = params[4]/t40; /* I3/(I1*m*R*R*R) */
+    out[29] = t41;
+    const double t42 = params[0]/2.0; /* m/2 */
+    out[31] = t42;
+    const double t43 = params[4]/params[3]; /* I3/I1 */
+    out[32] = t43;
+    const double t44 = params[3]*t36; /* I1*m*R*R */
+    const double t45 = params[6]*params[6]; /* G*G */
+    const double t46 = t45/t44; /* G*G/(I1*m*R*R) */
+    out[33] = t46;
+    const double t47 = t45/t7; /* G*G/(I1*R*R) */
+    out[34] = t47;
+    const double t48 = params[0]*params[5]; /* m*a3 */
+    out[36] = t48;
+    const double t49 = params[2]/params[3]; /* g/I1 */
+    out[37] = t49;
+    const double t50 = params[5]/params[3]; /* a3/I1 */
+    out[38] = t50;
+    const double t51 = params[6]/t15; /* G/(I1*R) */
+    out[39] = t51;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -181,30 +178,30 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t25 = t19*t24; /* Theta/m*K*1/(K*Theta/m*s^2*D/I1)*D/I1*s*1/K*(b/R*v_tau*R*I3 + R*G*s) */
     const double t26 = x[3]*t25; /* v_tau*t25 */
     out[1] = t26;
-    const double t27 = JLT_FMA(x[0], p[5], p[1]); /* e = gamma3*a3 + R */
-    const double t28 = JLT_FMA(x[2], t27, x[1]); /* V = omega_tau*e + v_nu */
-    const double t29 = p[13]*t28; /* I1*I3/m*V */
-    const double t30 = JLT_FNMA(t16, t29, x[1]); /* v_nu - 1/(Theta/m)*I1*I3/m*V */
-    const double t31 = t25*t30; /* t25*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
-    const double t32 = x[0]*t25; /* gamma3*t25 */
-    const double t33 = x[2]*p[7]; /* omega_tau*m*a3^2/I1 */
-    const double t34 = x[0]*t33; /* gamma3*omega_tau*m*a3^2/I1 */
-    const double t35 = x[3]*t17; /* v_tau*s */
-    const double t36 = JLT_FNMA(p[15], t3, t35); /* v_tau*s - G/I1*b/R */
-    const double t37 = t14*t36; /* 1/K*(v_tau*s - G/I1*b/R) */
-    const double t38 = JLT_FMA(p[9], t37, t32); /* R*I3*1/K*(v_tau*s - G/I1*b/R) + gamma3*t25 */
-    const double t39 = x[2]*t17; /* omega_tau*s */
-    out[0] = t39;
-    const double t40 = t34*t39; /* gamma3*omega_tau*m*a3^2/I1*omega_tau*s */
-    const double t41 = JLT_FNMA(p[14], t17, t40); /* gamma3*omega_tau*m*a3^2/I1*omega_tau*s - m*g*a3/I1*s */
-    const double t42 = JLT_FNMA(t24, t38, t41); /* gamma3*omega_tau*m*a3^2/I1*omega_tau*s - m*g*a3/I1*s - 1/K*(b/R*v_tau*R*I3 + R*G*s)*(R*I3*1/K*(v_tau*s - G/I1*b/R) + gamma3*t25) */
-    const double t43 = t20*t42; /* s^2*Theta/m*K*1/(K*Theta/m*s^2*D/I1)*t42 */
-    out[2] = t43;
+    const double t27 = x[2]*t17; /* omega_tau*s */
+    out[0] = t27;
+    const double t28 = x[2]*p[7]; /* omega_tau*m*a3^2/I1 */
+    const double t29 = t27*t28; /* omega_tau*s*omega_tau*m*a3^2/I1 */
+    const double t30 = JLT_FNMA(t24, t25, t29); /* omega_tau*s*omega_tau*m*a3^2/I1 - 1/K*(b/R*v_tau*R*I3 + R*G*s)*t25 */
+    const double t31 = x[0]*t30; /* gamma3*t30 */
+    const double t32 = p[9]*t24; /* R*I3*1/K*(b/R*v_tau*R*I3 + R*G*s) */
+    const double t33 = JLT_FNMA(p[14], t17, t31); /* gamma3*t30 - m*g*a3/I1*s */
+    const double t34 = x[3]*t17; /* v_tau*s */
+    const double t35 = JLT_FNMA(p[15], t3, t34); /* v_tau*s - G/I1*b/R */
+    const double t36 = t14*t35; /* 1/K*(v_tau*s - G/I1*b/R) */
+    const double t37 = JLT_FNMA(t32, t36, t33); /* gamma3*t30 - m*g*a3/I1*s - R*I3*1/K*(b/R*v_tau*R*I3 + R*G*s)*1/K*(v_tau*s - G/I1*b/R) */
+    const double t38 = t20*t37; /* s^2*Theta/m*K*1/(K*Theta/m*s^2*D/I1)*t37 */
+    out[2] = t38;
+    const double t39 = JLT_FMA(x[0], p[5], p[1]); /* e = gamma3*a3 + R */
+    const double t40 = JLT_FMA(x[2], t39, x[1]); /* V = omega_tau*e + v_nu */
+    const double t41 = p[13]*t40; /* I1*I3/m*V */
+    const double t42 = JLT_FNMA(t16, t41, x[1]); /* v_nu - 1/(Theta/m)*I1*I3/m*V */
+    const double t43 = t25*t42; /* t25*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
     const double t44 = JLT_FMS(x[0], p[17], p[18]); /* gamma3*R*(I1 - I3) - I3*a3 */
     const double t45 = x[2]*p[16]; /* omega_tau*R*I1*I3/m */
     const double t46 = t44*t45; /* (gamma3*R*(I1 - I3) - I3*a3)*omega_tau*R*I1*I3/m */
     const double t47 = t16*t46; /* 1/(Theta/m)*(gamma3*R*(I1 - I3) - I3*a3)*omega_tau*R*I1*I3/m */
-    const double t48 = JLT_FMA(t37, t47, t31); /* 1/K*(v_tau*s - G/I1*b/R)*1/(Theta/m)*(gamma3*R*(I1 - I3) - I3*a3)*omega_tau*R*I1*I3/m + t25*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
+    const double t48 = JLT_FMA(t36, t47, t43); /* 1/K*(v_tau*s - G/I1*b/R)*1/(Theta/m)*(gamma3*R*(I1 - I3) - I3*a3)*omega_tau*R*I1*I3/m + t25*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
     const double t49 = -t48; /* -t48 */
     out[3] = t49;
 }
@@ -220,116 +217,118 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
     const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
     const double t3 = x[0] + p[10]; /* b/R = gamma3 + a3/R */
-    const double t4 = JLT_FMA(p[7], t2, 1.0); /* D/I1 = m*a3^2/I1*s^2 + 1 */
-    const double t5 = p[11]*t2; /* R^2*I1*s^2 */
-    const double t6 = p[12]*t3; /* R^2*I3*b/R */
-    const double t7 = JLT_FMA(t3, t6, t5); /* K = b/R*R^2*I3*b/R + R^2*I1*s^2 */
-    const double t8 = t2*t4; /* s^2*D/I1 */
-    const double t9 = p[13] + t7; /* Theta/m = I1*I3/m + K */
-    const double t10 = t7*t8; /* K*s^2*D/I1 */
-    const double t11 = t9*t10; /* Theta/m*K*s^2*D/I1 */
-    const double t12 = 1.0/t11; /* 1/(Theta/m*K*s^2*D/I1) */
-    const double t13 = t9*t12; /* Theta/m*1/(Theta/m*K*s^2*D/I1) */
-    const double t14 = t10*t12; /* 1/(Theta/m) = K*s^2*D/I1*1/(Theta/m*K*s^2*D/I1) */
-    const double t15 = t7*t13; /* K*Theta/m*1/(Theta/m*K*s^2*D/I1) */
-    const double t16 = t8*t13; /* 1/K = s^2*D/I1*Theta/m*1/(Theta/m*K*s^2*D/I1) */
+    const double t4 = p[11]*t2; /* R^2*I1*s^2 */
+    const double t5 = p[12]*t3; /* R^2*I3*b/R */
+    const double t6 = JLT_FMA(t3, t5, t4); /* K = b/R*R^2*I3*b/R + R^2*I1*s^2 */
+    const double t7 = p[13] + t6; /* Theta/m = I1*I3/m + K */
+    const double t8 = JLT_FMA(p[7], t2, 1.0); /* D/I1 = m*a3^2/I1*s^2 + 1 */
+    const double t9 = t2*t7; /* s^2*Theta/m */
+    const double t10 = t6*t8; /* K*D/I1 */
+    const double t11 = t9*t10; /* s^2*Theta/m*K*D/I1 */
+    const double t12 = 1.0/t11; /* 1/(s^2*Theta/m*K*D/I1) */
+    const double t13 = t10*t12; /* K*D/I1*1/(s^2*Theta/m*K*D/I1) */
+    const double t14 = t9*t12; /* s^2*Theta/m*1/(s^2*Theta/m*K*D/I1) */
+    const double t15 = t8*t14; /* 1/K = D/I1*s^2*Theta/m*1/(s^2*Theta/m*K*D/I1) */
+    const double t16 = t6*t14; /* 1/(D/I1) = K*s^2*Theta/m*1/(s^2*Theta/m*K*D/I1) */
     const double t17 = sqrt(t2); /* s = sqrt(s^2) */
     out[2] = t17;
-    const double t18 = t4*t17; /* D/I1*s */
-    const double t19 = t15*t18; /* K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s */
-    const double t20 = t2*t15; /* 1/(D/I1) = s^2*K*Theta/m*1/(Theta/m*K*s^2*D/I1) */
-    const double t21 = x[0]*p[19]; /* gamma3*2*R^2*I1 */
-    const double t22 = JLT_FMS(p[20], t3, t21); /* d(K)/d(gamma3) = 2*R^2*I3*b/R - gamma3*2*R^2*I1 */
-    const double t23 = p[8]*t17; /* R*G*s */
-    const double t24 = x[3]*p[9]; /* v_tau*R*I3 */
-    const double t25 = JLT_FMA(t3, t24, t23); /* b/R*v_tau*R*I3 + R*G*s */
-    const double t26 = t16*t25; /* 1/K*(b/R*v_tau*R*I3 + R*G*s) */
-    const double t27 = t16*t22; /* 1/K*d(K)/d(gamma3) */
-    const double t28 = JLT_FMS(x[0], p[17], p[18]); /* gamma3*R*(I1 - I3) - I3*a3 */
-    const double t29 = p[16]*t28; /* R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
-    const double t30 = x[0]*t19; /* gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s */
-    const double t31 = JLT_FMS(p[8], t30, t24); /* R*G*gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s - v_tau*R*I3 */
-    const double t32 = t16*t31; /* 1/K*t31 */
-    const double t33 = x[3]*t17; /* v_tau*s */
-    const double t34 = JLT_FNMA(p[15], t3, t33); /* v_tau*s - G/I1*b/R */
-    const double t35 = JLT_FMA(t14, t22, t27); /* 1/(Theta/m)*d(K)/d(gamma3) + 1/K*d(K)/d(gamma3) */
-    const double t36 = JLT_FNMA(t29, t35, p[25]); /* R^2*I1*I3*(I1 - I3)/m - R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3)*(1/(Theta/m)*d(K)/d(gamma3) + 1/K*d(K)/d(gamma3)) */
-    const double t37 = t34*t36; /* (v_tau*s - G/I1*b/R)*t36 */
-    const double t38 = t19*t26; /* K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s*1/K*(b/R*v_tau*R*I3 + R*G*s) */
-    const double t39 = x[0]*t20; /* gamma3*1/(D/I1) */
-    const double t40 = t17*t20; /* s*1/(D/I1) */
-    const double t41 = x[2]*t17; /* omega_tau*s */
-    const double t42 = p[9]*t16; /* R*I3*1/K */
-    const double t43 = t3*t42; /* b/R*R*I3*1/K */
-    const double t44 = p[22]*t40; /* 2*m^2*g*a3^3/I1^2*s*1/(D/I1) */
-    const double t45 = JLT_FMS(p[14], t19, t44); /* m*g*a3/I1*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s - 2*m^2*g*a3^3/I1^2*s*1/(D/I1) */
-    const double t46 = 2.0*t38; /* 2*t38 */
-    const double t47 = JLT_FMS(p[7], t39, t27); /* m*a3^2/I1*gamma3*1/(D/I1) - 1/K*d(K)/d(gamma3) */
-    const double t48 = t26*t47; /* 1/K*(b/R*v_tau*R*I3 + R*G*s)*(m*a3^2/I1*gamma3*1/(D/I1) - 1/K*d(K)/d(gamma3)) */
-    const double t49 = t26*t42; /* 1/K*(b/R*v_tau*R*I3 + R*G*s)*R*I3*1/K */
-    const double t50 = t34*t42; /* (v_tau*s - G/I1*b/R)*R*I3*1/K */
-    const double t51 = JLT_FMA(x[3], t30, p[15]); /* v_tau*gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s + G/I1 */
-    const double t52 = JLT_FNMA(t29, t51, t37); /* (v_tau*s - G/I1*b/R)*t36 - R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3)*(v_tau*gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s + G/I1) */
-    const double t53 = t14*t29; /* 1/(Theta/m)*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
-    const double t54 = t16*t53; /* 1/K*1/(Theta/m)*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
-    const double t55 = JLT_FMA(x[0], p[5], p[1]); /* e = gamma3*a3 + R */
-    const double t56 = JLT_FMS(t30, t38, t32); /* gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s*t38 - 1/K*t31 */
-    const double t57 = t19*t56; /* K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s*(gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s*t38 - 1/K*t31) */
-    const double t58 = JLT_FNMA(t27, t38, t57); /* t57 - 1/K*d(K)/d(gamma3)*t38 */
-    const double t59 = x[3]*t58; /* v_tau*(t57 - 1/K*d(K)/d(gamma3)*t38) */
-    out[4] = t59;
-    const double t60 = x[2]*p[7]; /* omega_tau*m*a3^2/I1 */
-    const double t61 = x[2]*t60; /* omega_tau*omega_tau*m*a3^2/I1 */
-    const double t62 = t39*t41; /* gamma3*1/(D/I1)*omega_tau*s */
-    const double t63 = p[23]*t62; /* 2*m*a3^2/I1*gamma3*1/(D/I1)*omega_tau*s */
-    out[10] = t63;
-    const double t64 = x[2]*p[21]; /* omega_tau*2*m^2*a3^4/I1^2 */
-    const double t65 = JLT_FMA(t62, t64, t45); /* gamma3*1/(D/I1)*omega_tau*s*omega_tau*2*m^2*a3^4/I1^2 + t45 */
-    const double t66 = t19*t38; /* K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s*t38 */
-    const double t67 = t19*t43; /* K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s*b/R*R*I3*1/K */
-    const double t68 = t38*t66; /* t38*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s*t38 */
-    const double t69 = JLT_FMS(t49, t51, t68); /* 1/K*(b/R*v_tau*R*I3 + R*G*s)*R*I3*1/K*(v_tau*gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s + G/I1) - t38*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s*t38 */
-    const double t70 = JLT_FMA(x[3], t67, t38); /* v_tau*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s*b/R*R*I3*1/K + t38 */
-    out[7] = t70;
-    const double t71 = t39*t46; /* gamma3*1/(D/I1)*2*t38 */
-    const double t72 = JLT_FMA(t20, t50, t71); /* 1/(D/I1)*(v_tau*s - G/I1*b/R)*R*I3*1/K + gamma3*1/(D/I1)*2*t38 */
-    const double t73 = t43*t72; /* b/R*R*I3*1/K*t72 */
-    const double t74 = JLT_FMA(t40, t49, t73); /* s*1/(D/I1)*1/K*(b/R*v_tau*R*I3 + R*G*s)*R*I3*1/K + b/R*R*I3*1/K*t72 */
-    const double t75 = -t74; /* -t74 */
-    out[11] = t75;
-    const double t76 = JLT_FMS(t30, t39, t40); /* gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s*gamma3*1/(D/I1) - s*1/(D/I1) */
-    const double t77 = t61*t76; /* omega_tau*omega_tau*m*a3^2/I1*t76 */
-    const double t78 = x[2]*t30; /* omega_tau*gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s */
-    const double t79 = -t78; /* -omega_tau*gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s */
-    out[0] = t79;
-    const double t80 = JLT_FMA(x[2], t55, x[1]); /* V = omega_tau*e + v_nu */
-    const double t81 = t22*t80; /* d(K)/d(gamma3)*V */
-    const double t82 = p[13]*t14; /* I1*I3/m*1/(Theta/m) */
-    const double t83 = JLT_FNMA(t80, t82, x[1]); /* v_nu - V*I1*I3/m*1/(Theta/m) */
-    const double t84 = t38*t82; /* t38*I1*I3/m*1/(Theta/m) */
-    const double t85 = t67*t83; /* K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s*b/R*R*I3*1/K*(v_nu - V*I1*I3/m*1/(Theta/m)) */
-    const double t86 = t58*t83; /* (t57 - 1/K*d(K)/d(gamma3)*t38)*(v_nu - V*I1*I3/m*1/(Theta/m)) */
-    const double t87 = JLT_FMA(t41, t54, t85); /* omega_tau*s*1/K*1/(Theta/m)*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) + t85 */
-    const double t88 = -t87; /* -t87 */
-    out[15] = t88;
-    const double t89 = t55*t84; /* e*t38*I1*I3/m*1/(Theta/m) */
-    const double t90 = JLT_FNMA(t34, t54, t89); /* e*t38*I1*I3/m*1/(Theta/m) - (v_tau*s - G/I1*b/R)*1/K*1/(Theta/m)*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
-    out[14] = t90;
-    const double t91 = t84 - t38; /* t38*I1*I3/m*1/(Theta/m) - t38 */
-    out[13] = t91;
-    const double t92 = p[24]*t38; /* I1*I3*a3/m*t38 */
-    const double t93 = JLT_FNMA(t16, t52, t92); /* I1*I3*a3/m*t38 - 1/K*t52 */
-    const double t94 = x[2]*t93; /* omega_tau*(I1*I3*a3/m*t38 - 1/K*t52) */
-    const double t95 = JLT_FNMA(t81, t84, t94); /* omega_tau*(I1*I3*a3/m*t38 - 1/K*t52) - d(K)/d(gamma3)*V*t38*I1*I3/m*1/(Theta/m) */
-    const double t96 = JLT_FMS(t14, t95, t86); /* 1/(Theta/m)*t95 - t86 */
-    out[12] = t96;
-    const double t97 = t32 - t48; /* 1/K*t31 - t48 */
-    const double t98 = JLT_FMA(t46, t97, t65); /* 2*t38*(1/K*t31 - t48) + gamma3*1/(D/I1)*omega_tau*s*omega_tau*2*m^2*a3^4/I1^2 + t45 */
-    const double t99 = JLT_FMS(t39, t98, t77); /* gamma3*1/(D/I1)*t98 - omega_tau*omega_tau*m*a3^2/I1*t76 */
-    const double t100 = JLT_FNMA(2.0, t48, t32); /* 1/K*t31 - 2*t48 */
-    const double t101 = JLT_FMA(t50, t100, t69); /* (v_tau*s - G/I1*b/R)*R*I3*1/K*(1/K*t31 - 2*t48) + t69 */
-    const double t102 = JLT_FMA(t20, t101, t99); /* 1/(D/I1)*((v_tau*s - G/I1*b/R)*R*I3*1/K*(1/K*t31 - 2*t48) + t69) + gamma3*1/(D/I1)*t98 - omega_tau*omega_tau*m*a3^2/I1*t76 */
-    out[8] = t102;
+    const double t18 = t7*t17; /* Theta/m*s */
+    const double t19 = t13*t18; /* K*D/I1*1/(s^2*Theta/m*K*D/I1)*Theta/m*s */
+    const double t20 = t2*t13; /* 1/(Theta/m) = s^2*K*D/I1*1/(s^2*Theta/m*K*D/I1) */
+    const double t21 = p[8]*t17; /* R*G*s */
+    const double t22 = p[9]*t3; /* R*I3*b/R */
+    const double t23 = JLT_FMA(x[3], t22, t21); /* v_tau*R*I3*b/R + R*G*s */
+    const double t24 = JLT_FMS(x[0], p[17], p[18]); /* gamma3*R*(I1 - I3) - I3*a3 */
+    const double t25 = p[16]*t24; /* R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
+    const double t26 = x[0]*t19; /* gamma3*K*D/I1*1/(s^2*Theta/m*K*D/I1)*Theta/m*s */
+    const double t27 = t15*t19; /* 1/K*K*D/I1*1/(s^2*Theta/m*K*D/I1)*Theta/m*s */
+    const double t28 = x[2]*t17; /* omega_tau*s */
+    const double t29 = x[3]*t17; /* v_tau*s */
+    const double t30 = JLT_FNMA(p[15], t3, t29); /* v_tau*s - G/I1*b/R */
+    const double t31 = x[0]*p[19]; /* gamma3*2*R^2*I1 */
+    const double t32 = JLT_FMS(p[20], t3, t31); /* d(K)/d(gamma3) = 2*R^2*I3*b/R - gamma3*2*R^2*I1 */
+    const double t33 = t15*t23; /* 1/K*(v_tau*R*I3*b/R + R*G*s) */
+    const double t34 = p[8]*t26; /* R*G*gamma3*K*D/I1*1/(s^2*Theta/m*K*D/I1)*Theta/m*s */
+    const double t35 = JLT_FNMA(x[3], p[9], t34); /* R*G*gamma3*K*D/I1*1/(s^2*Theta/m*K*D/I1)*Theta/m*s - v_tau*R*I3 */
+    const double t36 = t23*t27; /* (v_tau*R*I3*b/R + R*G*s)*1/K*K*D/I1*1/(s^2*Theta/m*K*D/I1)*Theta/m*s */
+    const double t37 = t19*t23; /* K*D/I1*1/(s^2*Theta/m*K*D/I1)*Theta/m*s*(v_tau*R*I3*b/R + R*G*s) */
+    const double t38 = x[0]*t16; /* gamma3*1/(D/I1) */
+    const double t39 = p[22]*t28; /* 2*m*a3^2/I1*omega_tau*s */
+    const double t40 = t38*t39; /* gamma3*1/(D/I1)*2*m*a3^2/I1*omega_tau*s */
+    out[10] = t40;
+    const double t41 = p[9]*t16; /* R*I3*1/(D/I1) */
+    const double t42 = JLT_FMA(x[0], p[5], p[1]); /* e = gamma3*a3 + R */
+    const double t43 = t15*t25; /* 1/K*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
+    const double t44 = JLT_FMA(t20, t25, t43); /* 1/(Theta/m)*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) + 1/K*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
+    const double t45 = JLT_FNMA(t32, t44, p[24]); /* R^2*I1*I3*(I1 - I3)/m - d(K)/d(gamma3)*t44 */
+    const double t46 = x[2]*t26; /* omega_tau*gamma3*K*D/I1*1/(s^2*Theta/m*K*D/I1)*Theta/m*s */
+    const double t47 = t40 - t46; /* gamma3*1/(D/I1)*2*m*a3^2/I1*omega_tau*s - omega_tau*gamma3*K*D/I1*1/(s^2*Theta/m*K*D/I1)*Theta/m*s */
+    const double t48 = -t46; /* -omega_tau*gamma3*K*D/I1*1/(s^2*Theta/m*K*D/I1)*Theta/m*s */
+    out[0] = t48;
+    const double t49 = x[2]*t47; /* omega_tau*t47 */
+    const double t50 = t15*t30; /* 1/K*(v_tau*s - G/I1*b/R) */
+    const double t51 = t36*t38; /* t36*gamma3*1/(D/I1) */
+    const double t52 = 2.0*t33; /* 2*1/K*(v_tau*R*I3*b/R + R*G*s) */
+    const double t53 = t16*t36; /* 1/(D/I1)*t36 */
+    const double t54 = t36*t53; /* t36*1/(D/I1)*t36 */
+    const double t55 = t16*t17; /* 1/(D/I1)*s */
+    const double t56 = JLT_FNMA(p[14], t38, t54); /* t36*1/(D/I1)*t36 - m*g*a3/I1*gamma3*1/(D/I1) */
+    const double t57 = t19*t56; /* K*D/I1*1/(s^2*Theta/m*K*D/I1)*Theta/m*s*(t36*1/(D/I1)*t36 - m*g*a3/I1*gamma3*1/(D/I1)) */
+    const double t58 = JLT_FMA(x[3], t26, p[15]); /* v_tau*gamma3*K*D/I1*1/(s^2*Theta/m*K*D/I1)*Theta/m*s + G/I1 */
+    const double t59 = t33*t41; /* 1/K*(v_tau*R*I3*b/R + R*G*s)*R*I3*1/(D/I1) */
+    const double t60 = t41*t50; /* R*I3*1/(D/I1)*1/K*(v_tau*s - G/I1*b/R) */
+    const double t61 = JLT_FMA(t32, t33, t35); /* d(K)/d(gamma3)*1/K*(v_tau*R*I3*b/R + R*G*s) + t35 */
+    const double t62 = JLT_FMA(t32, t52, t35); /* d(K)/d(gamma3)*2*1/K*(v_tau*R*I3*b/R + R*G*s) + t35 */
+    const double t63 = t17*t59; /* s*1/K*(v_tau*R*I3*b/R + R*G*s)*R*I3*1/(D/I1) */
+    const double t64 = t58*t59; /* (v_tau*gamma3*K*D/I1*1/(s^2*Theta/m*K*D/I1)*Theta/m*s + G/I1)*1/K*(v_tau*R*I3*b/R + R*G*s)*R*I3*1/(D/I1) */
+    const double t65 = JLT_FMA(t60, t62, t64); /* R*I3*1/(D/I1)*1/K*(v_tau*s - G/I1*b/R)*(d(K)/d(gamma3)*2*1/K*(v_tau*R*I3*b/R + R*G*s) + t35) + t64 */
+    const double t66 = JLT_FMS(t26, t37, t61); /* gamma3*K*D/I1*1/(s^2*Theta/m*K*D/I1)*Theta/m*s*t37 - (d(K)/d(gamma3)*1/K*(v_tau*R*I3*b/R + R*G*s) + t35) */
+    const double t67 = t20*t37; /* 1/(Theta/m)*t37 */
+    const double t68 = -t67; /* -1/(Theta/m)*t37 */
+    out[13] = t68;
+    const double t69 = JLT_FMA(x[2], t42, x[1]); /* V = omega_tau*e + v_nu */
+    const double t70 = t32*t69; /* d(K)/d(gamma3)*V */
+    const double t71 = p[13]*t20; /* I1*I3/m*1/(Theta/m) */
+    const double t72 = JLT_FNMA(t69, t71, x[1]); /* v_nu - V*I1*I3/m*1/(Theta/m) */
+    const double t73 = t27*t72; /* 1/K*K*D/I1*1/(s^2*Theta/m*K*D/I1)*Theta/m*s*(v_nu - V*I1*I3/m*1/(Theta/m)) */
+    const double t74 = t36*t71; /* t36*I1*I3/m*1/(Theta/m) */
+    const double t75 = x[3]*t27; /* v_tau*1/K*K*D/I1*1/(s^2*Theta/m*K*D/I1)*Theta/m*s */
+    const double t76 = t42*t74; /* e*t36*I1*I3/m*1/(Theta/m) */
+    const double t77 = t66*t75; /* t66*v_tau*1/K*K*D/I1*1/(s^2*Theta/m*K*D/I1)*Theta/m*s */
+    out[4] = t77;
+    const double t78 = JLT_FMA(t22, t75, t36); /* R*I3*b/R*v_tau*1/K*K*D/I1*1/(s^2*Theta/m*K*D/I1)*Theta/m*s + t36 */
+    out[7] = t78;
+    const double t79 = p[23]*t36; /* I1*I3*a3/m*t36 */
+    const double t80 = JLT_FMA(t43, t58, t79); /* 1/K*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3)*(v_tau*gamma3*K*D/I1*1/(s^2*Theta/m*K*D/I1)*Theta/m*s + G/I1) + I1*I3*a3/m*t36 */
+    const double t81 = JLT_FNMA(t45, t50, t80); /* t80 - (R^2*I1*I3*(I1 - I3)/m - d(K)/d(gamma3)*t44)*1/K*(v_tau*s - G/I1*b/R) */
+    const double t82 = x[2]*t81; /* omega_tau*t81 */
+    const double t83 = JLT_FNMA(t70, t74, t82); /* omega_tau*t81 - d(K)/d(gamma3)*V*t36*I1*I3/m*1/(Theta/m) */
+    const double t84 = t20*t43; /* 1/(Theta/m)*1/K*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
+    const double t85 = JLT_FNMA(t30, t84, t76); /* e*t36*I1*I3/m*1/(Theta/m) - (v_tau*s - G/I1*b/R)*1/(Theta/m)*1/K*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
+    out[14] = t85;
+    const double t86 = t66*t73; /* t66*t73 */
+    const double t87 = JLT_FMS(t20, t83, t86); /* 1/(Theta/m)*(omega_tau*t81 - d(K)/d(gamma3)*V*t36*I1*I3/m*1/(Theta/m)) - t66*t73 */
+    out[12] = t87;
+    const double t88 = t22*t73; /* R*I3*b/R*t73 */
+    const double t89 = JLT_FMA(t28, t84, t88); /* omega_tau*s*1/(Theta/m)*1/K*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) + R*I3*b/R*t73 */
+    const double t90 = -t89; /* -t89 */
+    out[15] = t90;
+    const double t91 = x[2]*x[2]; /* omega_tau*omega_tau */
+    const double t92 = JLT_FNMA(p[21], t38, t91); /* omega_tau*omega_tau - 2*m*g*a3/I1*gamma3*1/(D/I1) */
+    const double t93 = t55*t92; /* 1/(D/I1)*s*(omega_tau*omega_tau - 2*m*g*a3/I1*gamma3*1/(D/I1)) */
+    const double t94 = 2.0*t51; /* 2*t36*gamma3*1/(D/I1) */
+    const double t95 = JLT_FMA(t61, t94, t65); /* (d(K)/d(gamma3)*1/K*(v_tau*R*I3*b/R + R*G*s) + t35)*2*t36*gamma3*1/(D/I1) + t65 */
+    const double t96 = JLT_FMS(t15, t95, t57); /* 1/K*t95 - t57 */
+    const double t97 = t51 + t60; /* t36*gamma3*1/(D/I1) + R*I3*1/(D/I1)*1/K*(v_tau*s - G/I1*b/R) */
+    const double t98 = JLT_FNMA(t52, t97, t49); /* omega_tau*t47 - 2*1/K*(v_tau*R*I3*b/R + R*G*s)*(t36*gamma3*1/(D/I1) + R*I3*1/(D/I1)*1/K*(v_tau*s - G/I1*b/R)) */
+    const double t99 = JLT_FMA(t38, t98, t93); /* gamma3*1/(D/I1)*t98 + t93 */
+    const double t100 = JLT_FMA(p[7], t99, t96); /* m*a3^2/I1*(gamma3*1/(D/I1)*t98 + t93) + 1/K*t95 - t57 */
+    out[8] = t100;
+    const double t101 = t60 + t94; /* R*I3*1/(D/I1)*1/K*(v_tau*s - G/I1*b/R) + 2*t36*gamma3*1/(D/I1) */
+    const double t102 = JLT_FMA(t22, t101, t63); /* R*I3*b/R*t101 + s*1/K*(v_tau*R*I3*b/R + R*G*s)*R*I3*1/(D/I1) */
+    const double t103 = t15*t102; /* 1/K*(R*I3*b/R*t101 + s*1/K*(v_tau*R*I3*b/R + R*G*s)*R*I3*1/(D/I1)) */
+    const double t104 = -t103; /* -t103 */
+    out[11] = t104;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -343,126 +342,121 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
     const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(1 + gamma3) */
     const double t3 = x[0] + p[10]; /* b/R = gamma3 + a3/R */
-    const double t4 = p[11]*t2; /* R^2*I1*s^2 */
-    const double t5 = p[12]*t3; /* R^2*I3*b/R */
-    const double t6 = JLT_FMA(t3, t5, t4); /* K = b/R*R^2*I3*b/R + R^2*I1*s^2 */
-    const double t7 = p[13] + t6; /* Theta/m = I1*I3/m + K */
-    const double t8 = JLT_FMA(p[7], t2, 1.0); /* D/I1 = m*a3^2/I1*s^2 + 1 */
-    const double t9 = t2*t8; /* s^2*D/I1 */
-    const double t10 = t6*t7; /* K*Theta/m */
-    const double t11 = t9*t10; /* s^2*D/I1*K*Theta/m */
-    const double t12 = 1.0/t11; /* 1/(s^2*D/I1*K*Theta/m) */
-    const double t13 = t9*t12; /* s^2*D/I1*1/(s^2*D/I1*K*Theta/m) */
-    const double t14 = t10*t12; /* K*Theta/m*1/(s^2*D/I1*K*Theta/m) */
-    const double t15 = t7*t13; /* 1/K = Theta/m*s^2*D/I1*1/(s^2*D/I1*K*Theta/m) */
-    const double t16 = t6*t13; /* 1/(Theta/m) = K*s^2*D/I1*1/(s^2*D/I1*K*Theta/m) */
+    const double t4 = JLT_FMA(p[7], t2, 1.0); /* D/I1 = m*a3^2/I1*s^2 + 1 */
+    const double t5 = p[11]*t2; /* R^2*I1*s^2 */
+    const double t6 = p[12]*t3; /* R^2*I3*b/R */
+    const double t7 = JLT_FMA(t3, t6, t5); /* K = b/R*R^2*I3*b/R + R^2*I1*s^2 */
+    const double t8 = t2*t4; /* s^2*D/I1 */
+    const double t9 = p[13] + t7; /* Theta/m = I1*I3/m + K */
+    const double t10 = t7*t8; /* K*s^2*D/I1 */
+    const double t11 = t9*t10; /* Theta/m*K*s^2*D/I1 */
+    const double t12 = 1.0/t11; /* 1/(Theta/m*K*s^2*D/I1) */
+    const double t13 = t9*t12; /* Theta/m*1/(Theta/m*K*s^2*D/I1) */
+    const double t14 = t10*t12; /* 1/(Theta/m) = K*s^2*D/I1*1/(Theta/m*K*s^2*D/I1) */
+    const double t15 = t8*t13; /* 1/K = s^2*D/I1*Theta/m*1/(Theta/m*K*s^2*D/I1) */
+    const double t16 = t7*t13; /* K*Theta/m*1/(Theta/m*K*s^2*D/I1) */
     const double t17 = sqrt(t2); /* s = sqrt(s^2) */
     out[6] = t17;
-    const double t18 = t8*t17; /* D/I1*s */
-    const double t19 = t14*t18; /* K*Theta/m*1/(s^2*D/I1*K*Theta/m)*D/I1*s */
-    const double t20 = t2*t14; /* 1/(D/I1) = s^2*K*Theta/m*1/(s^2*D/I1*K*Theta/m) */
+    const double t18 = t4*t17; /* D/I1*s */
+    const double t19 = t16*t18; /* K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s */
+    const double t20 = t2*t16; /* 1/(D/I1) = s^2*K*Theta/m*1/(Theta/m*K*s^2*D/I1) */
     const double t21 = p[8]*t17; /* R*G*s */
     const double t22 = x[3]*p[9]; /* v_tau*R*I3 */
     const double t23 = JLT_FMA(t3, t22, t21); /* b/R*v_tau*R*I3 + R*G*s */
-    const double t24 = JLT_FMS(x[0], p[17], p[18]); /* gamma3*R*(I1 - I3) - I3*a3 */
-    const double t25 = p[16]*t24; /* R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
-    const double t26 = t13*t25; /* s^2*D/I1*1/(s^2*D/I1*K*Theta/m)*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
-    const double t27 = t15*t23; /* 1/K*(b/R*v_tau*R*I3 + R*G*s) */
-    const double t28 = t16*t23; /* 1/(Theta/m)*(b/R*v_tau*R*I3 + R*G*s) */
-    const double t29 = t19*t28; /* K*Theta/m*1/(s^2*D/I1*K*Theta/m)*D/I1*s*1/(Theta/m)*(b/R*v_tau*R*I3 + R*G*s) */
-    const double t30 = -t29; /* -t29 */
-    out[17] = t30;
-    const double t31 = x[3]*t17; /* v_tau*s */
-    const double t32 = JLT_FNMA(p[15], t3, t31); /* v_tau*s - G/I1*b/R */
-    const double t33 = JLT_FMA(x[0], p[5], p[1]); /* e = gamma3*a3 + R */
-    const double t34 = x[0]*p[19]; /* gamma3*2*R^2*I1 */
-    const double t35 = JLT_FMS(p[20], t3, t34); /* d(K)/d(gamma3) = 2*R^2*I3*b/R - gamma3*2*R^2*I1 */
-    const double t36 = x[2]*t17; /* omega_tau*s */
-    out[0] = t36;
-    const double t37 = t19*t27; /* K*Theta/m*1/(s^2*D/I1*K*Theta/m)*D/I1*s*1/K*(b/R*v_tau*R*I3 + R*G*s) */
-    const double t38 = x[3]*t37; /* v_tau*t37 */
-    out[1] = t38;
-    const double t39 = x[0]*t20; /* gamma3*1/(D/I1) */
-    const double t40 = x[2]*p[7]; /* omega_tau*m*a3^2/I1 */
-    const double t41 = p[9]*t15; /* R*I3*1/K */
-    const double t42 = t3*t41; /* b/R*R*I3*1/K */
-    const double t43 = t20*t41; /* 1/(D/I1)*R*I3*1/K */
-    const double t44 = JLT_FMA(x[2], t33, x[1]); /* V = omega_tau*e + v_nu */
-    const double t45 = t16*t44; /* 1/(Theta/m)*V */
-    const double t46 = x[0]*t19; /* gamma3*K*Theta/m*1/(s^2*D/I1*K*Theta/m)*D/I1*s */
-    const double t47 = JLT_FMS(p[8], t46, t22); /* R*G*gamma3*K*Theta/m*1/(s^2*D/I1*K*Theta/m)*D/I1*s - v_tau*R*I3 */
-    const double t48 = t36*t40; /* omega_tau*s*omega_tau*m*a3^2/I1 */
-    const double t49 = t37*t39; /* t37*gamma3*1/(D/I1) */
-    const double t50 = t26*t32; /* t26*(v_tau*s - G/I1*b/R) */
-    const double t51 = t27*t35; /* 1/K*(b/R*v_tau*R*I3 + R*G*s)*d(K)/d(gamma3) */
-    const double t52 = t19*t37; /* K*Theta/m*1/(s^2*D/I1*K*Theta/m)*D/I1*s*t37 */
-    const double t53 = JLT_FMS(t37, t52, t48); /* t37*K*Theta/m*1/(s^2*D/I1*K*Theta/m)*D/I1*s*t37 - omega_tau*s*omega_tau*m*a3^2/I1 */
-    const double t54 = t39*t48; /* gamma3*1/(D/I1)*omega_tau*s*omega_tau*m*a3^2/I1 */
-    const double t55 = t20*t53; /* 1/(D/I1)*t53 */
-    const double t56 = t17*t20; /* s*1/(D/I1) */
-    const double t57 = t32*t43; /* (v_tau*s - G/I1*b/R)*1/(D/I1)*R*I3*1/K */
-    const double t58 = p[25]*t32; /* R^2*I1*I3*(I1 - I3)/m*(v_tau*s - G/I1*b/R) */
-    const double t59 = t13*t58; /* s^2*D/I1*1/(s^2*D/I1*K*Theta/m)*R^2*I1*I3*(I1 - I3)/m*(v_tau*s - G/I1*b/R) */
-    const double t60 = t27*t43; /* 1/K*(b/R*v_tau*R*I3 + R*G*s)*1/(D/I1)*R*I3*1/K */
-    const double t61 = JLT_FNMA(p[13], t45, x[1]); /* v_nu - I1*I3/m*1/(Theta/m)*V */
-    const double t62 = x[2]*t50; /* omega_tau*t26*(v_tau*s - G/I1*b/R) */
-    const double t63 = t37*t46; /* t37*gamma3*K*Theta/m*1/(s^2*D/I1*K*Theta/m)*D/I1*s */
-    const double t64 = t47 + t51; /* t47 + 1/K*(b/R*v_tau*R*I3 + R*G*s)*d(K)/d(gamma3) */
-    const double t65 = JLT_FMA(2.0, t51, t47); /* 2*1/K*(b/R*v_tau*R*I3 + R*G*s)*d(K)/d(gamma3) + t47 */
-    const double t66 = JLT_FNMA(t15, t64, t63); /* t37*gamma3*K*Theta/m*1/(s^2*D/I1*K*Theta/m)*D/I1*s - 1/K*(t47 + 1/K*(b/R*v_tau*R*I3 + R*G*s)*d(K)/d(gamma3)) */
-    const double t67 = p[14]*t19; /* m*g*a3/I1*K*Theta/m*1/(s^2*D/I1*K*Theta/m)*D/I1*s */
-    const double t68 = JLT_FNMA(p[22], t56, t67); /* m*g*a3/I1*K*Theta/m*1/(s^2*D/I1*K*Theta/m)*D/I1*s - 2*m^2*g*a3^3/I1^2*s*1/(D/I1) */
-    const double t69 = 2.0*t49; /* 2*t37*gamma3*1/(D/I1) */
-    const double t70 = t49 + t57; /* t37*gamma3*1/(D/I1) + (v_tau*s - G/I1*b/R)*1/(D/I1)*R*I3*1/K */
-    const double t71 = JLT_FNMA(t27, t70, t54); /* gamma3*1/(D/I1)*omega_tau*s*omega_tau*m*a3^2/I1 - 1/K*(b/R*v_tau*R*I3 + R*G*s)*(t37*gamma3*1/(D/I1) + (v_tau*s - G/I1*b/R)*1/(D/I1)*R*I3*1/K) */
-    const double t72 = JLT_FNMA(p[14], t56, t71); /* t71 - m*g*a3/I1*s*1/(D/I1) */
-    out[2] = t72;
-    const double t73 = t64*t69; /* (t47 + 1/K*(b/R*v_tau*R*I3 + R*G*s)*d(K)/d(gamma3))*2*t37*gamma3*1/(D/I1) */
-    const double t74 = JLT_FMA(t57, t65, t73); /* (v_tau*s - G/I1*b/R)*1/(D/I1)*R*I3*1/K*(2*1/K*(b/R*v_tau*R*I3 + R*G*s)*d(K)/d(gamma3) + t47) + t73 */
-    const double t75 = t57 + t69; /* (v_tau*s - G/I1*b/R)*1/(D/I1)*R*I3*1/K + 2*t37*gamma3*1/(D/I1) */
-    const double t76 = t42*t75; /* b/R*R*I3*1/K*t75 */
-    const double t77 = JLT_FMA(t17, t60, t76); /* s*1/K*(b/R*v_tau*R*I3 + R*G*s)*1/(D/I1)*R*I3*1/K + b/R*R*I3*1/K*t75 */
-    const double t78 = -t77; /* -t77 */
-    out[15] = t78;
-    const double t79 = t15 + t16; /* 1/K + 1/(Theta/m) */
-    const double t80 = t16*t37; /* 1/(Theta/m)*t37 */
-    const double t81 = t62*t79; /* omega_tau*t26*(v_tau*s - G/I1*b/R)*(1/K + 1/(Theta/m)) */
-    const double t82 = JLT_FMA(t37, t61, t62); /* t37*(v_nu - I1*I3/m*1/(Theta/m)*V) + omega_tau*t26*(v_tau*s - G/I1*b/R) */
-    const double t83 = -t82; /* -t82 */
-    out[3] = t83;
-    const double t84 = t19*t61; /* K*Theta/m*1/(s^2*D/I1*K*Theta/m)*D/I1*s*(v_nu - I1*I3/m*1/(Theta/m)*V) */
-    const double t85 = x[3]*t19; /* v_tau*K*Theta/m*1/(s^2*D/I1*K*Theta/m)*D/I1*s */
-    const double t86 = JLT_FMA(t42, t85, t37); /* b/R*R*I3*1/K*v_tau*K*Theta/m*1/(s^2*D/I1*K*Theta/m)*D/I1*s + t37 */
-    out[11] = t86;
-    const double t87 = t66*t85; /* t66*v_tau*K*Theta/m*1/(s^2*D/I1*K*Theta/m)*D/I1*s */
-    out[8] = t87;
-    const double t88 = t66*t84; /* t66*t84 */
-    const double t89 = t42*t84; /* b/R*R*I3*1/K*t84 */
-    const double t90 = JLT_FMA(t26, t36, t89); /* t26*omega_tau*s + b/R*R*I3*1/K*t84 */
-    const double t91 = -t90; /* -(t26*omega_tau*s + b/R*R*I3*1/K*t84) */
-    out[19] = t91;
-    const double t92 = p[23]*t36; /* 2*m*a3^2/I1*omega_tau*s */
-    const double t93 = t39*t92; /* gamma3*1/(D/I1)*2*m*a3^2/I1*omega_tau*s */
-    out[14] = t93;
-    const double t94 = x[2]*t46; /* omega_tau*gamma3*K*Theta/m*1/(s^2*D/I1*K*Theta/m)*D/I1*s */
-    const double t95 = JLT_FNMA(t40, t94, t68); /* t68 - omega_tau*m*a3^2/I1*omega_tau*gamma3*K*Theta/m*1/(s^2*D/I1*K*Theta/m)*D/I1*s */
-    const double t96 = JLT_FMA(p[23], t71, t95); /* 2*m*a3^2/I1*t71 + t95 */
-    const double t97 = -t94; /* -omega_tau*gamma3*K*Theta/m*1/(s^2*D/I1*K*Theta/m)*D/I1*s */
-    out[4] = t97;
-    const double t98 = JLT_FMA(x[3], t46, p[15]); /* v_tau*gamma3*K*Theta/m*1/(s^2*D/I1*K*Theta/m)*D/I1*s + G/I1 */
-    const double t99 = JLT_FMS(t60, t98, t55); /* 1/K*(b/R*v_tau*R*I3 + R*G*s)*1/(D/I1)*R*I3*1/K*(v_tau*gamma3*K*Theta/m*1/(s^2*D/I1*K*Theta/m)*D/I1*s + G/I1) - 1/(D/I1)*t53 */
-    const double t100 = JLT_FNMA(t26, t98, t59); /* t59 - t26*(v_tau*gamma3*K*Theta/m*1/(s^2*D/I1*K*Theta/m)*D/I1*s + G/I1) */
-    const double t101 = JLT_FMA(t15, t74, t99); /* 1/K*t74 + t99 */
-    const double t102 = JLT_FMA(t39, t96, t101); /* gamma3*1/(D/I1)*(2*m*a3^2/I1*t71 + t95) + 1/K*t74 + t99 */
-    out[12] = t102;
-    const double t103 = JLT_FNMA(p[24], t80, t100); /* t100 - I1*I3*a3/m*1/(Theta/m)*t37 */
-    const double t104 = p[13]*t80; /* I1*I3/m*1/(Theta/m)*t37 */
-    const double t105 = JLT_FMS(t33, t104, t50); /* e*I1*I3/m*1/(Theta/m)*t37 - t26*(v_tau*s - G/I1*b/R) */
-    out[18] = t105;
-    const double t106 = JLT_FNMA(t45, t104, t81); /* omega_tau*t26*(v_tau*s - G/I1*b/R)*(1/K + 1/(Theta/m)) - 1/(Theta/m)*V*I1*I3/m*1/(Theta/m)*t37 */
-    const double t107 = JLT_FMS(t35, t106, t88); /* d(K)/d(gamma3)*t106 - t66*t84 */
-    const double t108 = JLT_FNMA(x[2], t103, t107); /* d(K)/d(gamma3)*t106 - t66*t84 - omega_tau*(t100 - I1*I3*a3/m*1/(Theta/m)*t37) */
-    out[16] = t108;
+    const double t24 = t15*t23; /* 1/K*(b/R*v_tau*R*I3 + R*G*s) */
+    const double t25 = x[3]*t17; /* v_tau*s */
+    const double t26 = JLT_FNMA(p[15], t3, t25); /* v_tau*s - G/I1*b/R */
+    const double t27 = JLT_FMS(x[0], p[17], p[18]); /* gamma3*R*(I1 - I3) - I3*a3 */
+    const double t28 = p[16]*t27; /* R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
+    const double t29 = t15*t28; /* 1/K*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
+    const double t30 = p[9]*t15; /* R*I3*1/K */
+    const double t31 = t19*t24; /* K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s*1/K*(b/R*v_tau*R*I3 + R*G*s) */
+    const double t32 = x[0]*t20; /* gamma3*1/(D/I1) */
+    const double t33 = t26*t30; /* (v_tau*s - G/I1*b/R)*R*I3*1/K */
+    const double t34 = t20*t33; /* 1/(D/I1)*(v_tau*s - G/I1*b/R)*R*I3*1/K */
+    const double t35 = t31*t32; /* t31*gamma3*1/(D/I1) */
+    const double t36 = JLT_FMA(x[0], p[5], p[1]); /* e = gamma3*a3 + R */
+    const double t37 = t14*t29; /* 1/(Theta/m)*1/K*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
+    const double t38 = x[0]*t19; /* gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s */
+    const double t39 = JLT_FMS(p[8], t38, t22); /* R*G*gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s - v_tau*R*I3 */
+    const double t40 = t15*t39; /* 1/K*t39 */
+    const double t41 = x[0]*p[19]; /* gamma3*2*R^2*I1 */
+    const double t42 = JLT_FMS(p[20], t3, t41); /* d(K)/d(gamma3) = 2*R^2*I3*b/R - gamma3*2*R^2*I1 */
+    const double t43 = t3*t30; /* b/R*R*I3*1/K */
+    const double t44 = t24*t30; /* 1/K*(b/R*v_tau*R*I3 + R*G*s)*R*I3*1/K */
+    const double t45 = x[2]*t17; /* omega_tau*s */
+    out[0] = t45;
+    const double t46 = t17*t20; /* s*1/(D/I1) */
+    const double t47 = x[2]*p[7]; /* omega_tau*m*a3^2/I1 */
+    const double t48 = t34 + t35; /* 1/(D/I1)*(v_tau*s - G/I1*b/R)*R*I3*1/K + t31*gamma3*1/(D/I1) */
+    const double t49 = t24*t48; /* 1/K*(b/R*v_tau*R*I3 + R*G*s)*(1/(D/I1)*(v_tau*s - G/I1*b/R)*R*I3*1/K + t31*gamma3*1/(D/I1)) */
+    const double t50 = JLT_FMA(2.0, t35, t34); /* 2*t31*gamma3*1/(D/I1) + 1/(D/I1)*(v_tau*s - G/I1*b/R)*R*I3*1/K */
+    const double t51 = JLT_FMA(x[2], t36, x[1]); /* V = omega_tau*e + v_nu */
+    const double t52 = p[13]*t14; /* I1*I3/m*1/(Theta/m) */
+    const double t53 = t26*t37; /* (v_tau*s - G/I1*b/R)*1/(Theta/m)*1/K*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
+    const double t54 = p[24]*t26; /* R^2*I1*I3*(I1 - I3)/m*(v_tau*s - G/I1*b/R) */
+    const double t55 = x[3]*t19; /* v_tau*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s */
+    const double t56 = JLT_FMA(t43, t55, t31); /* b/R*R*I3*1/K*v_tau*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s + t31 */
+    out[11] = t56;
+    const double t57 = p[23]*t31; /* I1*I3*a3/m*t31 */
+    const double t58 = JLT_FNMA(t15, t54, t57); /* I1*I3*a3/m*t31 - 1/K*R^2*I1*I3*(I1 - I3)/m*(v_tau*s - G/I1*b/R) */
+    const double t59 = t15*t42; /* 1/K*d(K)/d(gamma3) */
+    const double t60 = t45*t47; /* omega_tau*s*omega_tau*m*a3^2/I1 */
+    const double t61 = JLT_FNMA(t51, t52, x[1]); /* v_nu - V*I1*I3/m*1/(Theta/m) */
+    const double t62 = t31*t52; /* t31*I1*I3/m*1/(Theta/m) */
+    const double t63 = JLT_FMS(t36, t62, t53); /* e*t31*I1*I3/m*1/(Theta/m) - t53 */
+    out[18] = t63;
+    const double t64 = x[2]*t53; /* omega_tau*t53 */
+    const double t65 = JLT_FMS(t51, t62, t64); /* V*t31*I1*I3/m*1/(Theta/m) - omega_tau*t53 */
+    const double t66 = t62 - t31; /* t31*I1*I3/m*1/(Theta/m) - t31 */
+    out[17] = t66;
+    const double t67 = JLT_FMA(t31, t61, t64); /* t31*(v_nu - V*I1*I3/m*1/(Theta/m)) + omega_tau*t53 */
+    const double t68 = t19*t61; /* K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s*(v_nu - V*I1*I3/m*1/(Theta/m)) */
+    const double t69 = -t67; /* -(t31*(v_nu - V*I1*I3/m*1/(Theta/m)) + omega_tau*t53) */
+    out[3] = t69;
+    const double t70 = t59*t67; /* 1/K*d(K)/d(gamma3)*(t31*(v_nu - V*I1*I3/m*1/(Theta/m)) + omega_tau*t53) */
+    const double t71 = t19*t31; /* K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s*t31 */
+    const double t72 = JLT_FNMA(t31, t71, t60); /* omega_tau*s*omega_tau*m*a3^2/I1 - t31*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s*t31 */
+    const double t73 = JLT_FMS(t32, t60, t49); /* gamma3*1/(D/I1)*omega_tau*s*omega_tau*m*a3^2/I1 - t49 */
+    const double t74 = p[14]*t19; /* m*g*a3/I1*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s */
+    const double t75 = JLT_FNMA(p[14], t46, t73); /* gamma3*1/(D/I1)*omega_tau*s*omega_tau*m*a3^2/I1 - t49 - m*g*a3/I1*s*1/(D/I1) */
+    out[2] = t75;
+    const double t76 = JLT_FMA(x[0], t55, p[15]); /* gamma3*v_tau*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s + G/I1 */
+    const double t77 = JLT_FMA(t29, t76, t58); /* 1/K*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3)*(gamma3*v_tau*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s + G/I1) + t58 */
+    const double t78 = JLT_FMA(t44, t76, t72); /* 1/K*(b/R*v_tau*R*I3 + R*G*s)*R*I3*1/K*(gamma3*v_tau*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s + G/I1) + t72 */
+    const double t79 = x[2]*t77; /* omega_tau*t77 */
+    const double t80 = JLT_FMS(t42, t65, t79); /* d(K)/d(gamma3)*(V*t31*I1*I3/m*1/(Theta/m) - omega_tau*t53) - omega_tau*t77 */
+    const double t81 = x[2]*t38; /* omega_tau*gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s */
+    const double t82 = JLT_FNMA(t47, t81, t74); /* m*g*a3/I1*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s - omega_tau*m*a3^2/I1*omega_tau*gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s */
+    const double t83 = JLT_FMA(p[22], t75, t82); /* 2*m*a3^2/I1*t75 + t82 */
+    const double t84 = -t81; /* -omega_tau*gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s */
+    out[4] = t84;
+    const double t85 = JLT_FMS(t31, t38, t40); /* t31*gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s - 1/K*t39 */
+    const double t86 = t40*t50; /* 1/K*t39*t50 */
+    const double t87 = x[3]*t31; /* v_tau*t31 */
+    out[1] = t87;
+    const double t88 = t43*t50; /* b/R*R*I3*1/K*t50 */
+    const double t89 = JLT_FMA(t44, t46, t88); /* 1/K*(b/R*v_tau*R*I3 + R*G*s)*R*I3*1/K*s*1/(D/I1) + b/R*R*I3*1/K*t50 */
+    const double t90 = -t89; /* -t89 */
+    out[15] = t90;
+    const double t91 = t43*t68; /* b/R*R*I3*1/K*t68 */
+    const double t92 = JLT_FNMA(t68, t85, t70); /* t70 - t68*(t31*gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s - 1/K*t39) */
+    const double t93 = JLT_FNMA(t14, t80, t92); /* t92 - 1/(Theta/m)*t80 */
+    out[16] = t93;
+    const double t94 = JLT_FMA(t37, t45, t91); /* 1/(Theta/m)*1/K*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3)*omega_tau*s + b/R*R*I3*1/K*t68 */
+    const double t95 = -t94; /* -t94 */
+    out[19] = t95;
+    const double t96 = t59*t87; /* 1/K*d(K)/d(gamma3)*v_tau*t31 */
+    const double t97 = JLT_FMS(t55, t85, t96); /* v_tau*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s*(t31*gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s - 1/K*t39) - 1/K*d(K)/d(gamma3)*v_tau*t31 */
+    out[8] = t97;
+    const double t98 = 2.0*t59; /* 2*1/K*d(K)/d(gamma3) */
+    const double t99 = JLT_FMA(t49, t98, t86); /* t49*2*1/K*d(K)/d(gamma3) + 1/K*t39*t50 */
+    const double t100 = JLT_FMA(t20, t78, t99); /* 1/(D/I1)*t78 + t49*2*1/K*d(K)/d(gamma3) + 1/K*t39*t50 */
+    const double t101 = JLT_FMA(t32, t83, t100); /* gamma3*1/(D/I1)*(2*m*a3^2/I1*t75 + t82) + 1/(D/I1)*t78 + t49*2*1/K*d(K)/d(gamma3) + 1/K*t39*t50 */
+    out[12] = t101;
+    const double t102 = p[22]*t45; /* 2*m*a3^2/I1*omega_tau*s */
+    const double t103 = t32*t102; /* gamma3*1/(D/I1)*2*m*a3^2/I1*omega_tau*s */
+    out[14] = t103;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -471,12 +465,12 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
     const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
     const double t3 = JLT_FMA(x[0], p[1], p[5]); /* b = gamma3*R + a3 */
-    const double t4 = p[27]*t3; /* I3/(R^2*I1)*b */
+    const double t4 = p[26]*t3; /* I3/(R^2*I1)*b */
     const double t5 = JLT_FMA(t3, t4, t2); /* K/(R^2*I1) = b*I3/(R^2*I1)*b + s^2 */
-    const double t6 = JLT_FMA(p[29], t2, p[3]); /* D = m*a3^2*s^2 + I1 */
-    const double t7 = p[28] + t5; /* Theta/(m*R^2*I1) = I3/(m*R^2) + K/(R^2*I1) */
+    const double t6 = JLT_FMA(p[28], t2, p[3]); /* D = m*a3^2*s^2 + I1 */
+    const double t7 = p[27] + t5; /* Theta/(m*R^2*I1) = I3/(m*R^2) + K/(R^2*I1) */
     const double t8 = t5*t6; /* K/(R^2*I1)*D */
-    const double t9 = p[26]*t5; /* 2*m*a3^2*K/(R^2*I1) */
+    const double t9 = p[25]*t5; /* 2*m*a3^2*K/(R^2*I1) */
     const double t10 = t7*t8; /* Theta/(m*R^2*I1)*K/(R^2*I1)*D */
     const double t11 = t2*t10; /* s^2*Theta/(m*R^2*I1)*K/(R^2*I1)*D */
     const double t12 = 1.0/t11; /* 1/(s^2*Theta/(m*R^2*I1)*K/(R^2*I1)*D) */
@@ -489,19 +483,19 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t19 = t4*t13; /* I3/(R^2*I1)*b*1/s^2 */
     const double t20 = t6*t15; /* D*s */
     const double t21 = t16*t20; /* 1/(D*(K/(R^2*I1)))*D*s */
-    const double t22 = x[0]*t15; /* gamma3*s */
-    const double t23 = t18*t22; /* (2*m*a3^2*K/(R^2*I1)*1/(D*(K/(R^2*I1))) - 1/s^2)*gamma3*s */
-    const double t24 = t19*t21; /* I3/(R^2*I1)*b*1/s^2*1/(D*(K/(R^2*I1)))*D*s */
-    const double t25 = JLT_FMS(x[0], p[17], p[18]); /* gamma3*R*(I1 - I3) - I3*a3 */
-    const double t26 = p[30]*t25; /* I3/(m*R^3*I1)*(gamma3*R*(I1 - I3) - I3*a3) */
-    const double t27 = t17*t26; /* 1/(Theta/(m*R^2*I1))*I3/(m*R^3*I1)*(gamma3*R*(I1 - I3) - I3*a3) */
-    const double t28 = JLT_FNMA(t21, t27, t23); /* (2*m*a3^2*K/(R^2*I1)*1/(D*(K/(R^2*I1))) - 1/s^2)*gamma3*s - 1/(D*(K/(R^2*I1)))*D*s*t27 */
-    const double t29 = x[2]*t28; /* omega_tau*t28 */
-    const double t30 = JLT_FMA(x[0], p[5], p[1]); /* e = gamma3*a3 + R */
-    const double t31 = JLT_FMA(x[2], t30, x[1]); /* V = omega_tau*e + v_nu */
-    const double t32 = p[28]*t31; /* I3/(m*R^2)*V */
-    const double t33 = JLT_FNMA(t17, t32, x[1]); /* v_nu - 1/(Theta/(m*R^2*I1))*I3/(m*R^2)*V */
-    const double t34 = JLT_FNMA(t24, t33, t29); /* omega_tau*t28 - I3/(R^2*I1)*b*1/s^2*1/(D*(K/(R^2*I1)))*D*s*(v_nu - 1/(Theta/(m*R^2*I1))*I3/(m*R^2)*V) */
+    const double t22 = JLT_FMA(x[0], p[5], p[1]); /* e = gamma3*a3 + R */
+    const double t23 = JLT_FMA(x[2], t22, x[1]); /* V = omega_tau*e + v_nu */
+    const double t24 = p[27]*t23; /* I3/(m*R^2)*V */
+    const double t25 = JLT_FNMA(t17, t24, x[1]); /* v_nu - 1/(Theta/(m*R^2*I1))*I3/(m*R^2)*V */
+    const double t26 = JLT_FMS(x[0], p[17], p[18]); /* gamma3*R*(I1 - I3) - I3*a3 */
+    const double t27 = x[2]*p[29]; /* omega_tau*I3/(m*R^3*I1) */
+    const double t28 = t26*t27; /* (gamma3*R*(I1 - I3) - I3*a3)*omega_tau*I3/(m*R^3*I1) */
+    const double t29 = t17*t28; /* 1/(Theta/(m*R^2*I1))*(gamma3*R*(I1 - I3) - I3*a3)*omega_tau*I3/(m*R^3*I1) */
+    const double t30 = JLT_FMA(t19, t25, t29); /* I3/(R^2*I1)*b*1/s^2*(v_nu - 1/(Theta/(m*R^2*I1))*I3/(m*R^2)*V) + t29 */
+    const double t31 = x[0]*x[2]; /* gamma3*omega_tau */
+    const double t32 = t15*t31; /* s*gamma3*omega_tau */
+    const double t33 = t18*t32; /* (2*m*a3^2*K/(R^2*I1)*1/(D*(K/(R^2*I1))) - 1/s^2)*s*gamma3*omega_tau */
+    const double t34 = JLT_FNMA(t21, t30, t33); /* t33 - 1/(D*(K/(R^2*I1)))*D*s*t30 */
     out[0] = t34;
 }
 
@@ -511,19 +505,19 @@ static void integral_values(const double *restrict x, const double *restrict p, 
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
     const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
     const double t3 = x[0] + p[10]; /* b/R = gamma3 + a3/R */
-    const double t4 = p[33]*t3; /* I3/I1*b/R */
+    const double t4 = p[32]*t3; /* I3/I1*b/R */
     const double t5 = JLT_FMA(t3, t4, t2); /* K/(R^2*I1) = b/R*I3/I1*b/R + (1 - gamma3)*(gamma3 + 1) */
-    const double t6 = JLT_FMA(p[29], t2, p[3]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
-    const double t7 = p[28] + t5; /* Theta/(m*R^2*I1) = I3/(m*R^2) + K/(R^2*I1) */
+    const double t6 = JLT_FMA(p[28], t2, p[3]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
+    const double t7 = p[27] + t5; /* Theta/(m*R^2*I1) = I3/(m*R^2) + K/(R^2*I1) */
     const double t8 = x[3]*x[3]; /* v_tau*v_tau */
-    const double t9 = JLT_FMA(t7, t8, p[34]); /* Theta/(m*R^2*I1)*v_tau*v_tau + G^2/(m*R^2*I1) */
+    const double t9 = JLT_FMA(t7, t8, p[33]); /* Theta/(m*R^2*I1)*v_tau*v_tau + G^2/(m*R^2*I1) */
     const double t10 = t9/t5; /* (Theta/(m*R^2*I1)*v_tau*v_tau + G^2/(m*R^2*I1))/(K/(R^2*I1)) */
     const double t11 = JLT_FMA(x[1], x[1], t10); /* v_nu*v_nu + (Theta/(m*R^2*I1)*v_tau*v_tau + G^2/(m*R^2*I1))/(K/(R^2*I1)) */
     const double t12 = (1.0 / 2.0)*x[2]; /* 1/2*omega_tau */
     const double t13 = x[2]*t12; /* omega_tau*1/2*omega_tau */
-    const double t14 = p[31]*x[0]; /* m*g*a3*gamma3 */
+    const double t14 = p[30]*x[0]; /* m*g*a3*gamma3 */
     const double t15 = JLT_FMA(t6, t13, t14); /* D*omega_tau*1/2*omega_tau + m*g*a3*gamma3 */
-    const double t16 = JLT_FMA(p[32], t11, t15); /* 1/2*m*t11 + D*omega_tau*1/2*omega_tau + m*g*a3*gamma3 */
+    const double t16 = JLT_FMA(p[31], t11, t15); /* 1/2*m*t11 + D*omega_tau*1/2*omega_tau + m*g*a3*gamma3 */
     out[0] = t16;
 }
 
@@ -531,30 +525,30 @@ static void integral_gradients(const double *restrict x, const double *restrict 
 {
     const double t0 = p[0]*x[1]; /* m*v_nu */
     out[1] = t0;
-    const double t1 = x[0] + p[10]; /* b/R = gamma3 + a3/R */
-    const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t3 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t4 = t2*t3; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t5 = p[33]*t1; /* I3/I1*b/R */
-    const double t6 = JLT_FMA(t1, t5, t4); /* K/(R^2*I1) = b/R*I3/I1*b/R + (1 - gamma3)*(gamma3 + 1) */
+    const double t1 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t2 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t3 = t1*t2; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t4 = x[0] + p[10]; /* b/R = gamma3 + a3/R */
+    const double t5 = p[32]*t4; /* I3/I1*b/R */
+    const double t6 = JLT_FMA(t4, t5, t3); /* K/(R^2*I1) = b/R*I3/I1*b/R + (1 - gamma3)*(gamma3 + 1) */
     const double t7 = t5 - x[0]; /* d(K)/d(gamma3)/(2*R^2*I1) = I3/I1*b/R - gamma3 */
-    const double t8 = JLT_FMA(p[29], t4, p[3]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
+    const double t8 = JLT_FMA(p[28], t3, p[3]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
     const double t9 = x[2]*t8; /* omega_tau*D */
     out[2] = t9;
-    const double t10 = p[28] + t6; /* Theta/(m*R^2*I1) = I3/(m*R^2) + K/(R^2*I1) */
+    const double t10 = p[27] + t6; /* Theta/(m*R^2*I1) = I3/(m*R^2) + K/(R^2*I1) */
     const double t11 = 1.0/t6; /* 1/(K/(R^2*I1)) */
-    const double t12 = x[3]*t10; /* v_tau*Theta/(m*R^2*I1) */
-    const double t13 = p[29]*x[0]; /* m*a3^2*gamma3 */
-    const double t14 = x[2]*x[2]; /* omega_tau*omega_tau */
-    const double t15 = JLT_FNMA(t13, t14, p[31]); /* m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau */
-    const double t16 = p[34]*t11; /* G^2/(m*R^2*I1)*1/(K/(R^2*I1)) */
-    const double t17 = JLT_FNMA(t11, t12, x[3]); /* v_tau - 1/(K/(R^2*I1))*v_tau*Theta/(m*R^2*I1) */
-    const double t18 = JLT_FNMA(x[3], t17, t16); /* G^2/(m*R^2*I1)*1/(K/(R^2*I1)) - v_tau*(v_tau - 1/(K/(R^2*I1))*v_tau*Theta/(m*R^2*I1)) */
-    const double t19 = p[0]*t11; /* m*1/(K/(R^2*I1)) */
-    const double t20 = t12*t19; /* v_tau*Theta/(m*R^2*I1)*m*1/(K/(R^2*I1)) */
-    out[3] = t20;
-    const double t21 = t7*t19; /* d(K)/d(gamma3)/(2*R^2*I1)*m*1/(K/(R^2*I1)) */
-    const double t22 = JLT_FNMA(t18, t21, t15); /* m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau - t18*d(K)/d(gamma3)/(2*R^2*I1)*m*1/(K/(R^2*I1)) */
+    const double t12 = t7*t11; /* d(K)/d(gamma3)/(2*R^2*I1)*1/(K/(R^2*I1)) */
+    const double t13 = x[3]*p[0]; /* v_tau*m */
+    const double t14 = t10*t13; /* Theta/(m*R^2*I1)*v_tau*m */
+    const double t15 = t11*t14; /* 1/(K/(R^2*I1))*Theta/(m*R^2*I1)*v_tau*m */
+    out[3] = t15;
+    const double t16 = t15 - t13; /* 1/(K/(R^2*I1))*Theta/(m*R^2*I1)*v_tau*m - v_tau*m */
+    const double t17 = x[3]*t16; /* v_tau*(1/(K/(R^2*I1))*Theta/(m*R^2*I1)*v_tau*m - v_tau*m) */
+    const double t18 = JLT_FMA(p[34], t11, t17); /* G^2/(R^2*I1)*1/(K/(R^2*I1)) + v_tau*(1/(K/(R^2*I1))*Theta/(m*R^2*I1)*v_tau*m - v_tau*m) */
+    const double t19 = p[28]*x[0]; /* m*a3^2*gamma3 */
+    const double t20 = x[2]*x[2]; /* omega_tau*omega_tau */
+    const double t21 = JLT_FNMA(t19, t20, p[30]); /* m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau */
+    const double t22 = JLT_FNMA(t12, t18, t21); /* m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau - d(K)/d(gamma3)/(2*R^2*I1)*1/(K/(R^2*I1))*t18 */
     out[0] = t22;
 }
 
@@ -585,15 +579,15 @@ static void observe_values(const double *restrict x, const double *restrict p, d
     const double t22 = t15*t21; /* 1/(K*s^2*D/I1)*K*s*gamma3*D/I1*(v_tau*I3*b + R*G*s) */
     const double t23 = t12*t20; /* 1/K*(v_tau*I3*b + R*G*s) */
     const double t24 = t12*t23; /* 1/K*1/K*(v_tau*I3*b + R*G*s) */
-    const double t25 = p[7]*t18; /* m*a3^2/I1*omega_tau*gamma3*omega_tau */
-    const double t26 = t13*t25; /* s*m*a3^2/I1*omega_tau*gamma3*omega_tau */
-    const double t27 = JLT_FNMA(p[14], t13, t26); /* s*m*a3^2/I1*omega_tau*gamma3*omega_tau - m*g*a3/I1*s */
+    const double t25 = JLT_FNMA(p[38], t18, p[37]); /* g/I1 - a3/I1*omega_tau*gamma3*omega_tau */
+    const double t26 = p[36]*t25; /* m*a3*(g/I1 - a3/I1*omega_tau*gamma3*omega_tau) */
+    const double t27 = t13*t26; /* s*m*a3*(g/I1 - a3/I1*omega_tau*gamma3*omega_tau) */
     const double t28 = x[3]*t13; /* v_tau*s */
-    const double t29 = JLT_FNMA(p[37], t3, t28); /* v_tau*s - G/(R*I1)*b */
+    const double t29 = JLT_FNMA(p[39], t3, t28); /* v_tau*s - G/(R*I1)*b */
     const double t30 = JLT_FMA(p[9], t29, t22); /* R*I3*(v_tau*s - G/(R*I1)*b) + 1/(K*s^2*D/I1)*K*s*gamma3*D/I1*(v_tau*I3*b + R*G*s) */
-    const double t31 = JLT_FNMA(t24, t30, t27); /* s*m*a3^2/I1*omega_tau*gamma3*omega_tau - m*g*a3/I1*s - 1/K*1/K*(v_tau*I3*b + R*G*s)*t30 */
-    const double t32 = JLT_FNMA(t16, t31, t18); /* omega_tau*gamma3*omega_tau - s^2*1/(K*s^2*D/I1)*K*s*t31 */
-    const double t33 = JLT_FNMA(p[36], t32, p[35]); /* contact_force = m*g - m*a3*(omega_tau*gamma3*omega_tau - s^2*1/(K*s^2*D/I1)*K*s*t31) */
+    const double t31 = JLT_FMA(t24, t30, t27); /* 1/K*1/K*(v_tau*I3*b + R*G*s)*t30 + s*m*a3*(g/I1 - a3/I1*omega_tau*gamma3*omega_tau) */
+    const double t32 = JLT_FMA(t16, t31, t18); /* s^2*1/(K*s^2*D/I1)*K*s*t31 + omega_tau*gamma3*omega_tau */
+    const double t33 = JLT_FNMA(p[36], t32, p[35]); /* contact_force = m*g - m*a3*(s^2*1/(K*s^2*D/I1)*K*s*t31 + omega_tau*gamma3*omega_tau) */
     out[0] = t33;
 }
 
@@ -624,15 +618,15 @@ static void valid_values(const double *restrict x, const double *restrict p, dou
     const double t22 = t15*t21; /* 1/(K*s^2*D/I1)*K*s*gamma3*D/I1*(v_tau*I3*b + R*G*s) */
     const double t23 = t12*t20; /* 1/K*(v_tau*I3*b + R*G*s) */
     const double t24 = t12*t23; /* 1/K*1/K*(v_tau*I3*b + R*G*s) */
-    const double t25 = p[7]*t18; /* m*a3^2/I1*omega_tau*gamma3*omega_tau */
-    const double t26 = t13*t25; /* s*m*a3^2/I1*omega_tau*gamma3*omega_tau */
-    const double t27 = JLT_FNMA(p[14], t13, t26); /* s*m*a3^2/I1*omega_tau*gamma3*omega_tau - m*g*a3/I1*s */
+    const double t25 = JLT_FNMA(p[38], t18, p[37]); /* g/I1 - a3/I1*omega_tau*gamma3*omega_tau */
+    const double t26 = p[36]*t25; /* m*a3*(g/I1 - a3/I1*omega_tau*gamma3*omega_tau) */
+    const double t27 = t13*t26; /* s*m*a3*(g/I1 - a3/I1*omega_tau*gamma3*omega_tau) */
     const double t28 = x[3]*t13; /* v_tau*s */
-    const double t29 = JLT_FNMA(p[37], t3, t28); /* v_tau*s - G/(R*I1)*b */
+    const double t29 = JLT_FNMA(p[39], t3, t28); /* v_tau*s - G/(R*I1)*b */
     const double t30 = JLT_FMA(p[9], t29, t22); /* R*I3*(v_tau*s - G/(R*I1)*b) + 1/(K*s^2*D/I1)*K*s*gamma3*D/I1*(v_tau*I3*b + R*G*s) */
-    const double t31 = JLT_FNMA(t24, t30, t27); /* s*m*a3^2/I1*omega_tau*gamma3*omega_tau - m*g*a3/I1*s - 1/K*1/K*(v_tau*I3*b + R*G*s)*t30 */
-    const double t32 = JLT_FNMA(t16, t31, t18); /* omega_tau*gamma3*omega_tau - s^2*1/(K*s^2*D/I1)*K*s*t31 */
-    const double t33 = JLT_FNMA(p[36], t32, p[35]); /* contact_force = m*g - m*a3*(omega_tau*gamma3*omega_tau - s^2*1/(K*s^2*D/I1)*K*s*t31) */
+    const double t31 = JLT_FMA(t24, t30, t27); /* 1/K*1/K*(v_tau*I3*b + R*G*s)*t30 + s*m*a3*(g/I1 - a3/I1*omega_tau*gamma3*omega_tau) */
+    const double t32 = JLT_FMA(t16, t31, t18); /* s^2*1/(K*s^2*D/I1)*K*s*t31 + omega_tau*gamma3*omega_tau */
+    const double t33 = JLT_FNMA(p[36], t32, p[35]); /* contact_force = m*g - m*a3*(s^2*1/(K*s^2*D/I1)*K*s*t31 + omega_tau*gamma3*omega_tau) */
     out[0] = t33;
 }
 
@@ -723,33 +717,33 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t42[k] = jlt_jet_product(t38, t41, k);
         t43[k] = jlt_jet_product(t37, t42, k);
         t44[k] = jlt_jet_product(x3, t43, k);
-        t45[k] = x0[k]*p[5] + (k == 0 ? p[1] : 0);
-        t46[k] = jlt_jet_product(x2, t45, k) + x1[k];
-        t47[k] = p[13]*t46[k];
-        t48[k] = x1[k] - jlt_jet_product(t34, t47, k);
-        t49[k] = jlt_jet_product(t43, t48, k);
-        t50[k] = jlt_jet_product(x0, t43, k);
-        t51[k] = x2[k]*p[7];
-        t52[k] = jlt_jet_product(x0, t51, k);
-        t53[k] = jlt_jet_product(x3, t26, k);
-        t54[k] = t53[k] - p[15]*t22[k];
-        t55[k] = jlt_jet_product(t38, t54, k);
-        t56[k] = p[9]*t55[k] + t50[k];
-        t57[k] = jlt_jet_product(x2, t26, k);
-        t58[k] = jlt_jet_product(t52, t57, k);
-        t59[k] = t58[k] - p[14]*t26[k];
-        t60[k] = t59[k] - jlt_jet_product(t42, t56, k);
-        t61[k] = jlt_jet_product(t36, t60, k);
+        t45[k] = jlt_jet_product(x2, t26, k);
+        t46[k] = x2[k]*p[7];
+        t47[k] = jlt_jet_product(t45, t46, k);
+        t48[k] = t47[k] - jlt_jet_product(t42, t43, k);
+        t49[k] = jlt_jet_product(x0, t48, k);
+        t50[k] = p[9]*t42[k];
+        t51[k] = t49[k] - p[14]*t26[k];
+        t52[k] = jlt_jet_product(x3, t26, k);
+        t53[k] = t52[k] - p[15]*t22[k];
+        t54[k] = jlt_jet_product(t38, t53, k);
+        t55[k] = t51[k] - jlt_jet_product(t50, t54, k);
+        t56[k] = jlt_jet_product(t36, t55, k);
+        t57[k] = x0[k]*p[5] + (k == 0 ? p[1] : 0);
+        t58[k] = jlt_jet_product(x2, t57, k) + x1[k];
+        t59[k] = p[13]*t58[k];
+        t60[k] = x1[k] - jlt_jet_product(t34, t59, k);
+        t61[k] = jlt_jet_product(t43, t60, k);
         t62[k] = x0[k]*p[17] - (k == 0 ? p[18] : 0);
         t63[k] = x2[k]*p[16];
         t64[k] = jlt_jet_product(t62, t63, k);
         t65[k] = jlt_jet_product(t34, t64, k);
-        t66[k] = jlt_jet_product(t55, t65, k) + t49[k];
+        t66[k] = jlt_jet_product(t54, t65, k) + t61[k];
         t67[k] = -t66[k];
         double *restrict next = coefficients + (k + 1)*4;
-        next[0] = x0[k + 1] = t57[k]/(k + 1);
+        next[0] = x0[k + 1] = t45[k]/(k + 1);
         next[1] = x1[k + 1] = t44[k]/(k + 1);
-        next[2] = x2[k + 1] = t61[k]/(k + 1);
+        next[2] = x2[k + 1] = t56[k]/(k + 1);
         next[3] = x3[k + 1] = t67[k]/(k + 1);
     }
 }
@@ -1322,31 +1316,6 @@ static const jlt_section_chart sections[] = {
       .turn_meaning = "with a low centre of mass" },
 };
 
-static void tier_values(const double *restrict x, const double *restrict params, double *restrict out)
-{
-    const double t0 = params[1]*params[1]; /* R*R */
-    const double t1 = t0*params[3]; /* R*R*I1 */
-    const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t3 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t4 = t2*t3; /* (1 - gamma3)*(1 + gamma3) */
-    const double t5 = sqrt(t4); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t6 = t5*t5; /* s*s */
-    const double t7 = t1*t6; /* R*R*I1*s*s */
-    const double t8 = t7*1048576.0; /* R*R*I1*s*s*1048576 */
-    const double t9 = params[1]*x[0]; /* R*gamma3 */
-    const double t10 = params[5] + t9; /* b = a3 + R*gamma3 */
-    const double t11 = t10*t10; /* b*b */
-    const double t12 = 1048576.0*t11; /* 1048576*b*b */
-    const double t13 = t0 - t12; /* R*R - 1048576*b*b */
-    const double t14 = params[4]*t13; /* I3*(R*R - 1048576*b*b) */
-    const double t15 = t8 - t14; /* R*R*I1*s*s*1048576 - I3*(R*R - 1048576*b*b) */
-    out[0] = t15;
-}
-
-static const jlt_way_condition tier_conditions[] = {
-    { "2^20*I1*R^2*s^2 + I3*(2^20*b^2 - R^2) > 0", 0 },
-};
-
 static const jlt_quantity states[] = {
     { "gamma3", "", "cosine of the angle between the symmetry axis and the vertical", (-1.0), 1.0, JLT_ANY_SIGN, NAN, 0.0 },
     { "v_nu", "m/s", "velocity of the centre of mass along nu", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN, 0.0 },
@@ -1392,34 +1361,34 @@ const jlt_descriptor jlt_kernels_spherical_top_level_general = {
     .elimination = "",
     .title = "Spherical top with one nonholonomic constraint, on a level of Jellett's integral",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, system (3.2) and integral (3.3)",
-    .sha256 = "80e339b123f34cca2c47ba73c110613efbf19df47efbd8d3c9b581354234107c",
+    .sha256 = "5fa0f3f8159ed96ffaf422476001a79c5f28ef178108a7d5ffb7cd0a8be5e04d",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top_level, .family = jlt_family_spherical_top_level, .claims = jlt_claims_spherical_top_level,
     .scales = 1,
-    .state_count = 4, .param_count = 7, .prepared_count = 38,
+    .state_count = 4, .param_count = 7, .prepared_count = 40,
     .states = states,
     .params = params,
     .prepare = prepare,
-    .rhs = { rhs, 4, { 5, 31, 12, 1, 1, 0, 16, 11 }, { 21, 80, 0, 8, 1, 0, 12, 10 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b/R = gamma3 + a3/R, b/R*v_tau*(R*I3) + (R*G)*s, e = gamma3*a3 + R, V = omega_tau*e + v_nu, v_nu - 1/(Theta/m)*(I1*I3/m)*V, v_tau*s - (G/I1)*b/R, a part of d(omega_tau)/dt, a part of d(omega_tau)/dt, gamma3*(R*(I1 - I3)) - (I3*a3), a part of d(v_tau)/dt" },
-    .jacobian = { jacobian, 16, { 9, 58, 34, 1, 1, 0, 18, 27 }, { 91, 425, 0, 50, 1, 0, 21, 13 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b/R = gamma3 + a3/R, d(K)/d(gamma3) = (2*R^2*I3)*b/R - gamma3*(2*R^2*I1), b/R*v_tau*(R*I3) + (R*G)*s, gamma3*(R*(I1 - I3)) - (I3*a3), (R*G)*gamma3*K*Theta/m*((1)/Theta/m*K*s^2*D/I1)*D/I1*s - v_tau*(R*I3), v_tau*s - (G/I1)*b/R, a part of d(d(v_tau)/dt)/d(gamma3), (m*a3^2/I1)*gamma3*1/(D/I1) - 1/K*d(K)/d(gamma3), v_tau*gamma3*K*Theta/m*((1)/Theta/m*K*s^2*D/I1)*D/I1*s + G/I1, a part of d(d(v_tau)/dt)/d(gamma3), e = gamma3*a3 + R, a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), d(d(v_nu)/dt)/d(v_tau), a part of d(d(omega_tau)/dt)/d(v_tau), a part of d(d(omega_tau)/dt)/d(v_tau), a part of d(d(omega_tau)/dt)/d(gamma3), V = omega_tau*e + v_nu, v_nu - V*(I1*I3/m)*1/(Theta/m), a part of d(d(v_tau)/dt)/d(v_tau), d(d(v_tau)/dt)/d(omega_tau), d(d(v_tau)/dt)/d(v_nu), a part of d(d(v_tau)/dt)/d(gamma3), a part of d(d(v_tau)/dt)/d(gamma3), d(d(v_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), d(d(omega_tau)/dt)/d(gamma3)" },
-    .rhs_jacobian = { rhs_jacobian, 20, { 13, 61, 33, 1, 1, 0, 18, 31 }, { 105, 489, 0, 58, 1, 0, 21, 14 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b/R = gamma3 + a3/R, b/R*v_tau*(R*I3) + (R*G)*s, gamma3*(R*(I1 - I3)) - (I3*a3), v_tau*s - (G/I1)*b/R, e = gamma3*a3 + R, d(K)/d(gamma3) = (2*R^2*I3)*b/R - gamma3*(2*R^2*I1), V = omega_tau*e + v_nu, (R*G)*gamma3*K*Theta/m*((1)/s^2*D/I1*K*Theta/m)*D/I1*s - v_tau*(R*I3), a part of d(d(omega_tau)/dt)/d(gamma3), v_nu - (I1*I3/m)*1/(Theta/m)*V, a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), a part of d(omega_tau)/dt and of d(d(omega_tau)/dt)/d(gamma3), a part of d(omega_tau)/dt and of d(d(omega_tau)/dt)/d(gamma3), d(omega_tau)/dt, a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(v_tau), a part of d(d(omega_tau)/dt)/d(v_tau), a part of d(v_tau)/dt, d(d(v_nu)/dt)/d(v_tau), a part of d(d(v_tau)/dt)/d(v_tau), a part of d(d(omega_tau)/dt)/d(gamma3), v_tau*gamma3*K*Theta/m*((1)/s^2*D/I1*K*Theta/m)*D/I1*s + G/I1, d(d(omega_tau)/dt)/d(gamma3), a part of d(d(v_tau)/dt)/d(gamma3), d(d(v_tau)/dt)/d(omega_tau), a part of d(d(v_tau)/dt)/d(gamma3), d(d(v_tau)/dt)/d(gamma3)" },
-    .divergence = { divergence, 1, { 3, 20, 10, 1, 1, 0, 14, 9 }, { 13, 41, 0, 5, 1, 0, 12, 8 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, (2*m*a3^2)*K/(R^2*I1)*1/(D*(K/(R^2*I1))) - 1/s^2, gamma3*(R*(I1 - I3)) - (I3*a3), a part of the divergence, e = gamma3*a3 + R, V = omega_tau*e + v_nu, v_nu - 1/(Theta/(m*R^2*I1))*(I3/(m*R^2))*V, the divergence" },
+    .rhs = { rhs, 4, { 5, 31, 12, 1, 1, 0, 17, 10 }, { 21, 80, 0, 8, 1, 0, 12, 10 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b/R = gamma3 + a3/R, b/R*v_tau*(R*I3) + (R*G)*s, a part of d(omega_tau)/dt, v_tau*s - (G/I1)*b/R, a part of d(omega_tau)/dt, e = gamma3*a3 + R, V = omega_tau*e + v_nu, v_nu - 1/(Theta/m)*(I1*I3/m)*V, gamma3*(R*(I1 - I3)) - (I3*a3), a part of d(v_tau)/dt" },
+    .jacobian = { jacobian, 16, { 11, 60, 32, 1, 1, 0, 18, 27 }, { 91, 425, 0, 50, 1, 0, 21, 13 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b/R = gamma3 + a3/R, v_tau*(R*I3)*b/R + (R*G)*s, gamma3*(R*(I1 - I3)) - (I3*a3), v_tau*s - (G/I1)*b/R, d(K)/d(gamma3) = (2*R^2*I3)*b/R - gamma3*(2*R^2*I1), (R*G)*gamma3*K*D/I1*((1)/s^2*Theta/m*K*D/I1)*Theta/m*s - v_tau*(R*I3), e = gamma3*a3 + R, a part of d(d(v_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), v_tau*gamma3*K*D/I1*((1)/s^2*Theta/m*K*D/I1)*Theta/m*s + G/I1, a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), V = omega_tau*e + v_nu, v_nu - V*(I1*I3/m)*1/(Theta/m), d(d(v_nu)/dt)/d(v_tau), a part of d(d(v_tau)/dt)/d(gamma3), a part of d(d(v_tau)/dt)/d(gamma3), d(d(v_tau)/dt)/d(omega_tau), d(d(v_tau)/dt)/d(gamma3), a part of d(d(v_tau)/dt)/d(v_tau), omega_tau*omega_tau - (2*m*g*a3/I1)*gamma3*1/(D/I1), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(v_tau), a part of d(d(omega_tau)/dt)/d(v_tau)" },
+    .rhs_jacobian = { rhs_jacobian, 20, { 10, 58, 34, 1, 1, 0, 18, 27 }, { 105, 489, 0, 58, 1, 0, 21, 14 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b/R = gamma3 + a3/R, b/R*v_tau*(R*I3) + (R*G)*s, v_tau*s - (G/I1)*b/R, gamma3*(R*(I1 - I3)) - (I3*a3), e = gamma3*a3 + R, (R*G)*gamma3*K*Theta/m*((1)/Theta/m*K*s^2*D/I1)*D/I1*s - v_tau*(R*I3), d(K)/d(gamma3) = (2*R^2*I3)*b/R - gamma3*(2*R^2*I1), a part of d(omega_tau)/dt and of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(v_tau), V = omega_tau*e + v_nu, d(d(v_nu)/dt)/d(v_tau), v_nu - V*(I1*I3/m)*1/(Theta/m), d(d(v_tau)/dt)/d(omega_tau), a part of d(d(v_tau)/dt)/d(gamma3), d(d(v_tau)/dt)/d(v_nu), a part of d(v_tau)/dt and of d(d(v_tau)/dt)/d(gamma3), d(omega_tau)/dt, gamma3*v_tau*K*Theta/m*((1)/Theta/m*K*s^2*D/I1)*D/I1*s + G/I1, a part of d(d(v_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(v_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(v_tau), d(d(v_tau)/dt)/d(gamma3), a part of d(d(v_tau)/dt)/d(v_tau), d(d(v_nu)/dt)/d(gamma3), d(d(omega_tau)/dt)/d(gamma3)" },
+    .divergence = { divergence, 1, { 3, 20, 10, 1, 1, 0, 12, 9 }, { 13, 41, 0, 5, 1, 0, 12, 8 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, (2*m*a3^2)*K/(R^2*I1)*1/(D*(K/(R^2*I1))) - 1/s^2, e = gamma3*a3 + R, V = omega_tau*e + v_nu, v_nu - 1/(Theta/(m*R^2*I1))*(I3/(m*R^2))*V, gamma3*(R*(I1 - I3)) - (I3*a3), a part of the divergence, the divergence" },
     .integral_values = { integral_values, 1, { 4, 6, 6, 1, 0, 0, 8, 5 }, { 9, 28, 0, 2, 1, 0, 13, 6 },
         "divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; digits are lost where terms nearly cancel in b/R = gamma3 + a3/R, E" },
-    .integral_gradients = { integral_gradients, 4, { 5, 11, 6, 1, 0, 0, 8, 7 }, { 10, 44, 0, 4, 1, 0, 15, 10 },
-        "divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; digits are lost where terms nearly cancel in b/R = gamma3 + a3/R, d(K)/d(gamma3)/(2*R^2*I1) = (I3/I1)*b/R - gamma3, v_tau - ((1)/K/(R^2*I1))*v_tau*Theta/(m*R^2*I1), a part of d(E)/d(gamma3), d(E)/d(gamma3)" },
+    .integral_gradients = { integral_gradients, 4, { 6, 11, 5, 1, 0, 0, 10, 5 }, { 10, 44, 0, 4, 1, 0, 15, 10 },
+        "divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; digits are lost where terms nearly cancel in b/R = gamma3 + a3/R, d(K)/d(gamma3)/(2*R^2*I1) = (I3/I1)*b/R - gamma3, ((1)/K/(R^2*I1))*Theta/(m*R^2*I1)*v_tau*m - v_tau*m, a part of d(E)/d(gamma3), d(E)/d(gamma3)" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },
     .time_factor = { .loses_digits = "" },
     .eliminated = { .loses_digits = "" },
     .observe_values = { observe_values, 1, { 2, 20, 10, 1, 1, 0, 12, 10 }, { 12, 49, 0, 4, 1, 0, 16, 13 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, v_tau*I3*b + (R*G)*s, v_tau*s - (G/(R*I1))*b, a part of contact_force, a part of contact_force, a part of contact_force, contact_force" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, v_tau*I3*b + (R*G)*s, g/I1 - (a3/I1)*omega_tau*gamma3*omega_tau, v_tau*s - (G/(R*I1))*b, a part of contact_force, a part of contact_force, a part of contact_force, contact_force" },
     .valid_values = { valid_values, 1, { 2, 20, 10, 1, 1, 0, 12, 10 }, { 12, 49, 0, 4, 1, 0, 16, 13 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, v_tau*I3*b + (R*G)*s, v_tau*s - (G/(R*I1))*b, a part of contact, a part of contact, a part of contact, contact" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, v_tau*I3*b + (R*G)*s, g/I1 - (a3/I1)*omega_tau*gamma3*omega_tau, v_tau*s - (G/(R*I1))*b, a part of contact, a part of contact, a part of contact, contact" },
     .domain_values = { .loses_digits = "" },
     .domain_gradients = { .loses_digits = "" },
     .observe_count = 1, .observes = observes,
@@ -1428,8 +1397,6 @@ const jlt_descriptor jlt_kernels_spherical_top_level_general = {
     .pole_count = 1, .poles = poles,
     .section_count = 1, .sections = sections,
     .tier = "level", .tier_meaning = "four states on a level of G, in coordinates that divide by nothing small",
-    .tier_condition_count = 1, .tier_conditions = tier_conditions,
-    .tier_values = tier_values,
     .integral_count = 1, .measure_count = 0, .equilibria_count = 1,
     .integrals = integrals,
     .equilibria = equilibria,

@@ -2,13 +2,13 @@
  *
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, system (3.2) and integral (3.3)
  *  Time:       regular: dt = (s) dtau; states of their own: s
- *  Table:      spherical_top_level, SHA-256 80e339b123f34cca2c47ba73c110613efbf19df47efbd8d3c9b581354234107c
+ *  Table:      spherical_top_level, SHA-256 5fa0f3f8159ed96ffaf422476001a79c5f28ef178108a7d5ffb7cd0a8be5e04d
  *  Command:    ttc generate --effort full --out DIR spherical_top_level.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 2   27   13    1    0    0     12   11   (111)
- *  jacobian            10   72   35    1    0    0     15   26   (746)
- *  rhs_jacobian        11   72   38    1    0    0     17   28   (836)
+ *  jacobian            12   75   34    1    0    0     18   24   (746)
+ *  rhs_jacobian        10   81   39    1    0    0     16   31   (836)
  *  divergence          2   16    9    1    0    0     11    8   (56)
  *  integral_values     2    6    6    1    0    0      8    5   (37)
  *  integral_gradients  1   13    6    1    0    0      7    6   (75)
@@ -19,18 +19,20 @@
  *  Accuracy
  *    divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are
  *    divides by Theta, small only where all of m*K and I1*I3 are
- *    digits are lost where terms nearly cancel in b/R = a3/R + gamma3, b/R*v_tau*(R*I3) + s*(R*G), e = gamma3*a3 + R,
- *      s*v_tau - (G/I1)*b/R, s*v_tau + s*v_tau - (G/I1)*b/R, V = omega_tau*e + v_nu, gamma3*(R*(I1 - I3)) - (I3*a3),
- *      a part of d(omega_tau)/dtau and of d(d(omega_tau)/dtau)/d(gamma3) and of d(d(omega_tau)/dtau)/d(s),
- *      d(omega_tau)/dtau, v_nu - (I1*I3/m)*1/(Theta/m)*V,
+ *    digits are lost where terms nearly cancel in b/R = a3/R + gamma3, b/R*v_tau*(R*I3) + s*(R*G),
+ *      s*v_tau - b/R*(G/I1), a part of d(omega_tau)/dtau and of d(d(omega_tau)/dtau)/d(s),
+ *      numerator of d(omega_tau)/dt over D, e = gamma3*a3 + R, V = omega_tau*e + v_nu, v_nu - (I1*I3/m)*V*1/(Theta/m),
+ *      gamma3*(R*(I1 - I3)) - (I3*a3),
+ *      a part of d(v_tau)/dtau and of d(d(v_tau)/dtau)/d(gamma3) and of d(d(v_tau)/dtau)/d(s),
+ *      d(d(v_nu)/dtau)/d(gamma3), d(d(v_nu)/dtau)/d(v_tau), d(d(v_nu)/dtau)/d(s),
+ *      a part of d(d(omega_tau)/dtau)/d(gamma3),
  *      a part of d(d(omega_tau)/dtau)/d(gamma3) and of d(d(omega_tau)/dtau)/d(v_tau) and of d(d(omega_tau)/dtau)/d(s),
- *      a part of d(d(omega_tau)/dtau)/d(s), a part of d(v_tau)/dtau and of d(d(v_tau)/dtau)/d(s),
- *      a part of d(d(v_tau)/dtau)/d(gamma3) and of d(d(v_tau)/dtau)/d(s), d(d(v_nu)/dtau)/d(v_tau),
- *      a part of d(d(v_tau)/dtau)/d(v_tau), 1/K*(b/R*v_tau*(R*I3) + s*(R*G)) - (R*I3*G/I1)*s*1/K,
- *      d(d(omega_tau)/dtau)/d(gamma3), d(d(omega_tau)/dtau)/d(s), a part of d(d(omega_tau)/dtau)/d(v_tau),
- *      (I1*I3*a3/m)*omega_tau*1/(Theta/m) + v_nu*(2*R^2*I3)*b/R*1/K, d(d(v_tau)/dtau)/d(gamma3),
- *      d(d(v_tau)/dtau)/d(omega_tau), d(d(v_tau)/dtau)/d(v_nu), d(d(v_nu)/dtau)/d(gamma3), d(d(v_nu)/dtau)/d(s),
- *      d(d(v_tau)/dtau)/d(s)
+ *      d(numerator of d(omega_tau)/dt over D)/d(gamma3), a part of d(d(omega_tau)/dtau)/d(v_tau),
+ *      a part of d(d(omega_tau)/dtau)/d(s), d(numerator of d(omega_tau)/dt over D)/d(s), d(d(omega_tau)/dtau)/d(s),
+ *      a part of d(d(v_tau)/dtau)/d(gamma3) and of d(d(v_tau)/dtau)/d(s), d(numerator of d(v_tau)/dt over K)/d(gamma3),
+ *      d(d(v_tau)/dtau)/d(gamma3), d(numerator of d(v_tau)/dt over K)/d(v_nu),
+ *      d(numerator of d(v_tau)/dt over K)/d(omega_tau), a part of d(d(v_tau)/dtau)/d(v_tau),
+ *      a part of d(d(v_tau)/dtau)/d(s), d(d(v_tau)/dtau)/d(s)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -65,12 +67,12 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t2 = t1*params[3]; /* R*R*I1 */
     out[8] = t2;
     const double t3 = params[3]*params[4]; /* I1*I3 */
-    out[47] = t3;
+    out[53] = t3;
     const double t4 = t3/params[0]; /* I1*I3/m */
     out[9] = t4;
     const double t5 = params[5]*params[5]; /* a3*a3 */
     const double t6 = params[0]*t5; /* m*a3*a3 */
-    out[26] = t6;
+    out[34] = t6;
     const double t7 = t6/params[3]; /* m*a3*a3/I1 */
     out[10] = t7;
     const double t8 = params[1]*params[4]; /* R*I3 */
@@ -79,12 +81,13 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t10 = params[6]/t9; /* G/(R*I1) */
     out[12] = t10;
     const double t11 = params[0]*params[2]; /* m*g */
-    out[48] = t11;
+    out[54] = t11;
     const double t12 = params[5]*t11; /* a3*m*g */
-    out[31] = t12;
+    out[35] = t12;
     const double t13 = t12/params[3]; /* a3*m*g/I1 */
     out[13] = t13;
     const double t14 = params[4]*t9; /* I3*R*I1 */
+    out[37] = t14;
     const double t15 = t14/params[0]; /* I3*R*I1/m */
     out[14] = t15;
     const double t16 = params[3] - params[4]; /* I1 - I3 */
@@ -101,77 +104,87 @@ static void prepare(const double *restrict params, double *restrict out)
     out[19] = t22;
     const double t23 = params[3]*t21; /* I1*R*R*2 */
     out[20] = t23;
-    const double t24 = t1*4.0; /* R*R*4 */
-    const double t25 = params[4]*t24; /* I3*R*R*4 */
+    const double t24 = params[6]*t8; /* G*R*I3 */
+    out[39] = t24;
+    const double t25 = t24/params[3]; /* G*R*I3/I1 */
     out[21] = t25;
-    const double t26 = params[6]/params[3]; /* G/I1 */
-    out[22] = t26;
-    const double t27 = params[6]*t8; /* G*R*I3 */
-    const double t28 = t27/params[3]; /* G*R*I3/I1 */
+    const double t26 = t1*4.0; /* R*R*4 */
+    const double t27 = params[4]*t26; /* I3*R*R*4 */
+    out[22] = t27;
+    const double t28 = params[6]/params[3]; /* G/I1 */
     out[23] = t28;
     const double t29 = params[0]*2.0; /* m*2 */
     const double t30 = t5*t29; /* a3*a3*m*2 */
-    out[38] = t30;
+    out[40] = t30;
     const double t31 = t30/params[3]; /* a3*a3*m*2/I1 */
     out[24] = t31;
-    const double t32 = -t8; /* -R*I3 */
+    const double t32 = params[3]*t26; /* I1*R*R*4 */
     out[25] = t32;
-    const double t33 = 2.0/params[3]; /* 2/I1 */
-    out[27] = t33;
-    const double t34 = params[3]*params[3]; /* I1*I1 */
-    const double t35 = t30/t34; /* a3*a3*m*2/(I1*I1) */
-    out[28] = t35;
-    const double t36 = params[1]*t29; /* R*m*2 */
-    const double t37 = params[4]*t36; /* I3*R*m*2 */
-    const double t38 = t5*t37; /* a3*a3*I3*R*m*2 */
-    const double t39 = t38/params[3]; /* a3*a3*I3*R*m*2/I1 */
-    out[29] = t39;
-    const double t40 = params[3]*t24; /* I1*R*R*4 */
-    out[30] = t40;
-    const double t41 = t3*params[5]; /* I1*I3*a3 */
-    const double t42 = t41/params[0]; /* I1*I3*a3/m */
-    out[32] = t42;
-    const double t43 = params[4]*params[4]; /* I3*I3 */
-    const double t44 = t23*t43; /* I1*R*R*2*I3*I3 */
-    const double t45 = t44/params[0]; /* I1*R*R*2*I3*I3/m */
-    out[33] = t45;
+    const double t33 = params[3]*params[3]; /* I1*I1 */
+    const double t34 = t21*t33; /* R*R*2*I1*I1 */
+    const double t35 = t12/t34; /* a3*m*g/(R*R*2*I1*I1) */
+    out[26] = t35;
+    const double t36 = t6/t34; /* m*a3*a3/(R*R*2*I1*I1) */
+    out[27] = t36;
+    const double t37 = params[1]*t1; /* R*R*R */
+    const double t38 = 2.0*t37; /* 2*R*R*R */
+    const double t39 = params[3]*t38; /* I1*2*R*R*R */
+    const double t40 = params[4]*params[4]; /* I3*I3 */
+    const double t41 = t39*t40; /* I1*2*R*R*R*I3*I3 */
+    const double t42 = t41/params[0]; /* I1*2*R*R*R*I3*I3/m */
+    out[28] = t42;
+    const double t43 = 1.0/params[1]; /* 1/R */
+    out[29] = t43;
+    const double t44 = t3*params[5]; /* I1*I3*a3 */
+    const double t45 = t44/params[0]; /* I1*I3*a3/m */
+    out[30] = t45;
     const double t46 = t2*params[4]; /* R*R*I1*I3 */
     const double t47 = t16*t46; /* (I1 - I3)*R*R*I1*I3 */
     const double t48 = t47/params[0]; /* (I1 - I3)*R*R*I1*I3/m */
-    out[34] = t48;
-    const double t49 = t27/params[0]; /* G*R*I3/m */
-    out[35] = t49;
-    const double t50 = params[2]*t29; /* g*m*2 */
-    const double t51 = params[5]*t50; /* a3*g*m*2 */
-    const double t52 = t51/params[3]; /* a3*g*m*2/I1 */
-    out[36] = t52;
-    const double t53 = t21*t34; /* R*R*2*I1*I1 */
-    const double t54 = params[4]*t53; /* I3*R*R*2*I1*I1 */
-    const double t55 = t54/params[0]; /* I3*R*R*2*I1*I1/m */
-    out[37] = t55;
-    const double t56 = params[4]/params[3]; /* I3/I1 */
-    out[39] = t56;
-    const double t57 = t1*params[0]; /* R*R*m */
-    const double t58 = params[4]/t57; /* I3/(R*R*m) */
-    out[40] = t58;
-    const double t59 = params[1]*t1; /* R*R*R */
-    const double t60 = params[0]*t59; /* m*R*R*R */
-    const double t61 = params[3]*t60; /* I1*m*R*R*R */
-    const double t62 = params[4]/t61; /* I3/(I1*m*R*R*R) */
-    out[41] = t62;
-    const double t63 = params[4]/t9; /* I3/(R*I1) */
-    out[42] = t63;
-    const double t64 = t43/t61; /* I3*I3/(I1*m*R*R*R) */
-    out[43] = t64;
-    const double t65 = params[0]/2.0; /* m/2 */
-    out[44] = t65;
-    const double t66 = params[3]*t57; /* I1*R*R*m */
-    const double t67 = params[6]*params[6]; /* G*G */
-    out[46] = t67;
-    const double t68 = t67/t66; /* G*G/(I1*R*R*m) */
-    out[45] = t68;
-    const double t69 = params[0]*params[5]; /* m*a3 */
+    out[31] = t48;
+    const double t49 = t24/params[0]; /* G*R*I3/m */
+    out[32] = t49;
+    const double t50 = t33*t38; /* I1*I1*2*R*R*R */
+    const double t51 = params[4]*t50; /* I3*I1*I1*2*R*R*R */
+    const double t52 = t51/params[0]; /* I3*I1*I1*2*R*R*R/m */
+    out[33] = t52;
+    const double t53 = params[4]*t32; /* I3*I1*R*R*4 */
+    out[36] = t53;
+    const double t54 = 4.0*t37; /* 4*R*R*R */
+    const double t55 = params[3]*t54; /* I1*4*R*R*R */
+    const double t56 = t40*t55; /* I3*I3*I1*4*R*R*R */
+    out[38] = t56;
+    const double t57 = -t14; /* -I3*R*I1 */
+    out[41] = t57;
+    const double t58 = params[2]*t29; /* g*m*2 */
+    const double t59 = params[5]*t58; /* a3*g*m*2 */
+    out[42] = t59;
+    const double t60 = params[6]*t9; /* G*R*I1 */
+    out[43] = t60;
+    const double t61 = t26*t33; /* R*R*4*I1*I1 */
+    out[44] = t61;
+    const double t62 = params[4]/params[3]; /* I3/I1 */
+    out[45] = t62;
+    const double t63 = t1*params[0]; /* R*R*m */
+    const double t64 = params[4]/t63; /* I3/(R*R*m) */
+    out[46] = t64;
+    const double t65 = params[0]*t37; /* m*R*R*R */
+    const double t66 = params[3]*t65; /* I1*m*R*R*R */
+    const double t67 = params[4]/t66; /* I3/(I1*m*R*R*R) */
+    out[47] = t67;
+    const double t68 = params[4]/t9; /* I3/(R*I1) */
+    out[48] = t68;
+    const double t69 = t40/t66; /* I3*I3/(I1*m*R*R*R) */
     out[49] = t69;
+    const double t70 = params[0]/2.0; /* m/2 */
+    out[50] = t70;
+    const double t71 = params[3]*t63; /* I1*R*R*m */
+    const double t72 = params[6]*params[6]; /* G*G */
+    out[52] = t72;
+    const double t73 = t72/t71; /* G*G/(I1*R*R*m) */
+    out[51] = t73;
+    const double t74 = params[0]*params[5]; /* m*a3 */
+    out[55] = t74;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -238,143 +251,201 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[23] = 0.0;
     const double t0 = x[4]*x[4]; /* s*s */
     out[2] = t0;
-    const double t1 = p[18] + x[0]; /* b/R = a3/R + gamma3 */
-    const double t2 = p[8]*t0; /* R^2*I1*s*s */
-    const double t3 = p[17]*t1; /* R^2*I3*b/R */
-    const double t4 = JLT_FMA(t1, t3, t2); /* K = b/R*R^2*I3*b/R + R^2*I1*s*s */
-    const double t5 = JLT_FMA(p[10], t0, 1.0); /* D/I1 = m*a3^2/I1*s*s + 1 */
-    const double t6 = p[28]*t0; /* 2*m*a3^2/I1^2*s*s */
-    const double t7 = p[9] + t4; /* Theta/m = I1*I3/m + K */
-    const double t8 = t4*t5; /* K*D/I1 */
-    const double t9 = t7*t8; /* Theta/m*K*D/I1 */
-    const double t10 = 1.0/t9; /* 1/(Theta/m*K*D/I1) */
-    const double t11 = t7*t10; /* 1/(K*(D/I1)) = Theta/m*1/(Theta/m*K*D/I1) */
-    const double t12 = t8*t10; /* 1/(Theta/m) = K*D/I1*1/(Theta/m*K*D/I1) */
-    const double t13 = t5*t11; /* 1/K = D/I1*1/(K*(D/I1)) */
-    const double t14 = t4*t11; /* 1/(D/I1) = K*1/(K*(D/I1)) */
-    const double t15 = JLT_FNMA(t6, t14, p[27]); /* 2/I1 - 2*m*a3^2/I1^2*s*s*1/(D/I1) */
-    const double t16 = x[3]*p[11]; /* v_tau*R*I3 */
-    const double t17 = x[4]*p[7]; /* s*R*G */
-    const double t18 = JLT_FMA(t1, t16, t17); /* b/R*v_tau*R*I3 + s*R*G */
-    const double t19 = x[4]*x[3]; /* s*v_tau */
-    const double t20 = JLT_FMA(x[0], p[5], p[1]); /* e = gamma3*a3 + R */
-    const double t21 = x[4]*x[2]; /* s*omega_tau */
-    const double t22 = 2.0*t21; /* 2*s*omega_tau */
-    out[4] = t22;
-    const double t23 = -t21; /* -s*omega_tau */
-    out[20] = t23;
-    const double t24 = x[4]*t13; /* s*1/K */
-    const double t25 = JLT_FNMA(p[22], t1, t19); /* s*v_tau - G/I1*b/R */
-    const double t26 = t19 + t25; /* s*v_tau + s*v_tau - G/I1*b/R */
-    const double t27 = t1*t13; /* b/R*1/K */
-    const double t28 = t13*t26; /* 1/K*(s*v_tau + s*v_tau - G/I1*b/R) */
-    const double t29 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t30 = -t29; /* -omega_tau*gamma3 */
-    out[24] = t30;
-    const double t31 = p[26]*t29; /* m*a3^2*omega_tau*gamma3 */
-    const double t32 = x[4]*t14; /* s*1/(D/I1) */
-    const double t33 = JLT_FMA(x[2], t20, x[1]); /* V = omega_tau*e + v_nu */
-    const double t34 = p[9]*t12; /* I1*I3/m*1/(Theta/m) */
-    const double t35 = JLT_FMS(x[0], p[15], p[16]); /* gamma3*R*(I1 - I3) - I3*a3 */
-    const double t36 = t13*t16; /* 1/K*v_tau*R*I3 */
-    const double t37 = t13*t18; /* 1/K*(b/R*v_tau*R*I3 + s*R*G) */
-    const double t38 = JLT_FMA(t16, t27, t37); /* v_tau*R*I3*b/R*1/K + 1/K*(b/R*v_tau*R*I3 + s*R*G) */
-    out[8] = t38;
-    const double t39 = t18*t33; /* (b/R*v_tau*R*I3 + s*R*G)*V */
-    const double t40 = JLT_FNMA(t33, t34, x[1]); /* v_nu - V*I1*I3/m*1/(Theta/m) */
-    const double t41 = t14*t21; /* 1/(D/I1)*s*omega_tau */
-    const double t42 = t31*t41; /* m*a3^2*omega_tau*gamma3*1/(D/I1)*s*omega_tau */
-    const double t43 = t15*t42; /* (2/I1 - 2*m*a3^2/I1^2*s*s*1/(D/I1))*m*a3^2*omega_tau*gamma3*1/(D/I1)*s*omega_tau */
-    const double t44 = t24*t25; /* s*1/K*(s*v_tau - G/I1*b/R) */
-    const double t45 = p[1]*t25; /* R*(s*v_tau - G/I1*b/R) */
-    const double t46 = p[29]*t32; /* 2*m*R*I3*a3^2/I1*s*1/(D/I1) */
-    const double t47 = t44*t46; /* s*1/K*(s*v_tau - G/I1*b/R)*2*m*R*I3*a3^2/I1*s*1/(D/I1) */
-    const double t48 = JLT_FNMA(p[11], t28, t47); /* s*1/K*(s*v_tau - G/I1*b/R)*2*m*R*I3*a3^2/I1*s*1/(D/I1) - R*I3*1/K*(s*v_tau + s*v_tau - G/I1*b/R) */
-    const double t49 = p[31]*t32; /* m*g*a3*s*1/(D/I1) */
-    const double t50 = JLT_FNMA(t15, t49, t43); /* t43 - (2/I1 - 2*m*a3^2/I1^2*s*s*1/(D/I1))*m*g*a3*s*1/(D/I1) */
-    const double t51 = p[14]*t28; /* R*I1*I3/m*1/K*(s*v_tau + s*v_tau - G/I1*b/R) */
-    const double t52 = x[2]*t12; /* omega_tau*1/(Theta/m) */
-    const double t53 = t21*t35; /* s*omega_tau*(gamma3*R*(I1 - I3) - I3*a3) */
-    const double t54 = JLT_FNMA(t45, t53, t39); /* (b/R*v_tau*R*I3 + s*R*G)*V - R*(s*v_tau - G/I1*b/R)*s*omega_tau*(gamma3*R*(I1 - I3) - I3*a3) */
-    const double t55 = p[10]*t21; /* m*a3^2/I1*s*omega_tau */
-    const double t56 = t41*t55; /* 1/(D/I1)*s*omega_tau*m*a3^2/I1*s*omega_tau */
-    const double t57 = x[0]*t37; /* gamma3*1/K*(b/R*v_tau*R*I3 + s*R*G) */
-    const double t58 = p[11]*t44; /* R*I3*s*1/K*(s*v_tau - G/I1*b/R) */
-    const double t59 = x[4]*x[0]; /* s*gamma3 */
-    const double t60 = -t59; /* -s*gamma3 */
-    out[22] = t60;
-    const double t61 = p[24]*t59; /* 2*m*a3^2/I1*s*gamma3 */
-    const double t62 = t41*t61; /* 1/(D/I1)*s*omega_tau*2*m*a3^2/I1*s*gamma3 */
-    out[12] = t62;
-    const double t63 = t36*t40; /* 1/K*v_tau*R*I3*(v_nu - V*I1*I3/m*1/(Theta/m)) */
-    const double t64 = t12 + t13; /* 1/(Theta/m) + 1/K */
-    const double t65 = t54*t64; /* t54*(1/(Theta/m) + 1/K) */
-    const double t66 = p[7]*t13; /* R*G*1/K */
-    const double t67 = p[33]*t12; /* 2*R^2*I1*I3^2/m*1/(Theta/m) */
-    const double t68 = t27*t67; /* b/R*1/K*2*R^2*I1*I3^2/m*1/(Theta/m) */
-    const double t69 = p[14]*t12; /* R*I1*I3/m*1/(Theta/m) */
-    const double t70 = t53*t69; /* s*omega_tau*(gamma3*R*(I1 - I3) - I3*a3)*R*I1*I3/m*1/(Theta/m) */
-    const double t71 = t35*t69; /* (gamma3*R*(I1 - I3) - I3*a3)*R*I1*I3/m*1/(Theta/m) */
-    const double t72 = t35*t52; /* (gamma3*R*(I1 - I3) - I3*a3)*omega_tau*1/(Theta/m) */
-    const double t73 = t51*t72; /* R*I1*I3/m*1/K*(s*v_tau + s*v_tau - G/I1*b/R)*(gamma3*R*(I1 - I3) - I3*a3)*omega_tau*1/(Theta/m) */
-    const double t74 = p[35]*t24; /* R*I3*G/m*s*1/K */
-    const double t75 = JLT_FMS(t72, t74, t63); /* (gamma3*R*(I1 - I3) - I3*a3)*omega_tau*1/(Theta/m)*R*I3*G/m*s*1/K - 1/K*v_tau*R*I3*(v_nu - V*I1*I3/m*1/(Theta/m)) */
-    const double t76 = JLT_FNMA(t65, t68, t75); /* t75 - t54*(1/(Theta/m) + 1/K)*b/R*1/K*2*R^2*I1*I3^2/m*1/(Theta/m) */
-    const double t77 = p[19]*t27; /* 2*R^2*I3*b/R*1/K */
-    const double t78 = t14*t37; /* 1/(D/I1)*1/K*(b/R*v_tau*R*I3 + s*R*G) */
-    const double t79 = JLT_FMA(t61, t78, t48); /* 2*m*a3^2/I1*s*gamma3*1/(D/I1)*1/K*(b/R*v_tau*R*I3 + s*R*G) + t48 */
-    const double t80 = JLT_FMA(2.0, t57, t58); /* 2*gamma3*1/K*(b/R*v_tau*R*I3 + s*R*G) + R*I3*s*1/K*(s*v_tau - G/I1*b/R) */
-    const double t81 = t57 + t58; /* gamma3*1/K*(b/R*v_tau*R*I3 + s*R*G) + R*I3*s*1/K*(s*v_tau - G/I1*b/R) */
-    const double t82 = t14*t80; /* 1/(D/I1)*t80 */
-    const double t83 = JLT_FNMA(t36, t82, t56); /* 1/(D/I1)*s*omega_tau*m*a3^2/I1*s*omega_tau - 1/K*v_tau*R*I3*1/(D/I1)*t80 */
-    const double t84 = JLT_FNMA(t37, t77, t36); /* 1/K*v_tau*R*I3 - 1/K*(b/R*v_tau*R*I3 + s*R*G)*2*R^2*I3*b/R*1/K */
-    const double t85 = x[3]*t84; /* v_tau*t84 */
-    out[5] = t85;
-    const double t86 = x[1]*t77; /* v_nu*2*R^2*I3*b/R*1/K */
-    const double t87 = JLT_FNMA(t66, t82, t50); /* t43 - (2/I1 - 2*m*a3^2/I1^2*s*s*1/(D/I1))*m*g*a3*s*1/(D/I1) - R*G*1/K*1/(D/I1)*t80 */
-    const double t88 = JLT_FMA(p[32], t52, t86); /* I1*I3*a3/m*omega_tau*1/(Theta/m) + v_nu*2*R^2*I3*b/R*1/K */
-    const double t89 = p[34]*t52; /* R^2*I1*I3*(I1 - I3)/m*omega_tau*1/(Theta/m) */
-    const double t90 = JLT_FNMA(t44, t89, t76); /* t76 - s*1/K*(s*v_tau - G/I1*b/R)*R^2*I1*I3*(I1 - I3)/m*omega_tau*1/(Theta/m) */
-    const double t91 = JLT_FMA(t37, t88, t90); /* 1/K*(b/R*v_tau*R*I3 + s*R*G)*(I1*I3*a3/m*omega_tau*1/(Theta/m) + v_nu*2*R^2*I3*b/R*1/K) + t90 */
-    out[15] = t91;
-    const double t92 = x[4]*t24; /* s*s*1/K */
-    const double t93 = t78*t92; /* 1/(D/I1)*1/K*(b/R*v_tau*R*I3 + s*R*G)*s*s*1/K */
-    const double t94 = JLT_FMA(t27, t82, t93); /* b/R*1/K*1/(D/I1)*t80 + 1/(D/I1)*1/K*(b/R*v_tau*R*I3 + s*R*G)*s*s*1/K */
-    const double t95 = p[25]*t94; /* (-R*I3)*t94 */
-    out[13] = t95;
-    const double t96 = p[11]*t27; /* R*I3*b/R*1/K */
-    const double t97 = p[21]*t27; /* 4*R^2*I3*b/R*1/K */
-    const double t98 = t40*t96; /* (v_nu - V*I1*I3/m*1/(Theta/m))*R*I3*b/R*1/K */
-    const double t99 = JLT_FMA(t24, t70, t98); /* s*1/K*t70 + (v_nu - V*I1*I3/m*1/(Theta/m))*R*I3*b/R*1/K */
-    const double t100 = -t99; /* -(s*1/K*t70 + (v_nu - V*I1*I3/m*1/(Theta/m))*R*I3*b/R*1/K) */
-    out[18] = t100;
-    const double t101 = x[1]*t37; /* v_nu*1/K*(b/R*v_tau*R*I3 + s*R*G) */
-    const double t102 = JLT_FNMA(t34, t65, t101); /* v_nu*1/K*(b/R*v_tau*R*I3 + s*R*G) - I1*I3/m*1/(Theta/m)*t54*(1/(Theta/m) + 1/K) */
-    const double t103 = t34*t37; /* I1*I3/m*1/(Theta/m)*1/K*(b/R*v_tau*R*I3 + s*R*G) */
-    const double t104 = t20*t103; /* e*I1*I3/m*1/(Theta/m)*1/K*(b/R*v_tau*R*I3 + s*R*G) */
-    const double t105 = JLT_FNMA(t44, t71, t104); /* e*I1*I3/m*1/(Theta/m)*1/K*(b/R*v_tau*R*I3 + s*R*G) - s*1/K*(s*v_tau - G/I1*b/R)*(gamma3*R*(I1 - I3) - I3*a3)*R*I1*I3/m*1/(Theta/m) */
-    out[17] = t105;
-    const double t106 = t103 - t37; /* I1*I3/m*1/(Theta/m)*1/K*(b/R*v_tau*R*I3 + s*R*G) - 1/K*(b/R*v_tau*R*I3 + s*R*G) */
-    out[16] = t106;
-    const double t107 = p[20]*t24; /* 2*R^2*I1*s*1/K */
-    const double t108 = JLT_FMS(t102, t107, t73); /* t102*2*R^2*I1*s*1/K - t73 */
-    const double t109 = JLT_FNMA(t40, t66, t108); /* t102*2*R^2*I1*s*1/K - t73 - (v_nu - V*I1*I3/m*1/(Theta/m))*R*G*1/K */
-    out[19] = t109;
-    const double t110 = JLT_FNMA(t37, t107, t66); /* R*G*1/K - 1/K*(b/R*v_tau*R*I3 + s*R*G)*2*R^2*I1*s*1/K */
-    const double t111 = x[3]*t110; /* v_tau*(R*G*1/K - 1/K*(b/R*v_tau*R*I3 + s*R*G)*2*R^2*I1*s*1/K) */
-    out[9] = t111;
-    const double t112 = JLT_FMS(p[23], t24, t37); /* R*I3*G/I1*s*1/K - 1/K*(b/R*v_tau*R*I3 + s*R*G) */
-    const double t113 = JLT_FMA(t81, t97, t112); /* t81*4*R^2*I3*b/R*1/K + R*I3*G/I1*s*1/K - 1/K*(b/R*v_tau*R*I3 + s*R*G) */
-    const double t114 = JLT_FMA(t78, t113, t83); /* 1/(D/I1)*1/K*(b/R*v_tau*R*I3 + s*R*G)*t113 + t83 */
-    out[10] = t114;
-    const double t115 = p[30]*t24; /* 4*R^2*I1*s*1/K */
-    const double t116 = JLT_FMA(t81, t115, t79); /* t81*4*R^2*I1*s*1/K + t79 */
-    const double t117 = JLT_FMA(t78, t116, t87); /* 1/(D/I1)*1/K*(b/R*v_tau*R*I3 + s*R*G)*(t81*4*R^2*I1*s*1/K + t79) + t87 */
-    out[14] = t117;
+    const double t1 = x[4]*x[2]; /* s*omega_tau */
+    const double t2 = 2.0*t1; /* 2*s*omega_tau */
+    out[4] = t2;
+    const double t3 = p[11]*x[3]; /* R*I3*v_tau */
+    const double t4 = t0*p[8]; /* s*s*R^2*I1 */
+    const double t5 = p[18] + x[0]; /* b/R = a3/R + gamma3 */
+    const double t6 = p[17]*t5; /* R^2*I3*b/R */
+    const double t7 = JLT_FMA(t5, t6, t4); /* K = b/R*R^2*I3*b/R + s*s*R^2*I1 */
+    const double t8 = t7 + p[9]; /* Theta/m = K + I1*I3/m */
+    const double t9 = JLT_FMA(t0, p[10], 1.0); /* s*s*m*a3^2/I1 + 1 */
+    const double t10 = t7*t8; /* K*Theta/m */
+    const double t11 = t9*t10; /* (s*s*m*a3^2/I1 + 1)*K*Theta/m */
+    const double t12 = 1.0/t11; /* 1/((s*s*m*a3^2/I1 + 1)*K*Theta/m) */
+    const double t13 = t9*t12; /* 1/(K*(Theta/m)) = (s*s*m*a3^2/I1 + 1)*1/((s*s*m*a3^2/I1 + 1)*K*Theta/m) */
+    const double t14 = t8*t13; /* 1/K = Theta/m*1/(K*(Theta/m)) */
+    const double t15 = x[3]*t14; /* v_tau*1/K */
+    const double t16 = t3*t15; /* R*I3*v_tau*v_tau*1/K */
+    const double t17 = t3*t5; /* R*I3*v_tau*b/R */
+    const double t18 = JLT_FMA(x[4], p[7], t17); /* s*R*G + R*I3*v_tau*b/R */
+    const double t19 = t14*t14; /* 1/K*1/K */
+    const double t20 = t18*t19; /* (s*R*G + R*I3*v_tau*b/R)*1/K*1/K */
+    const double t21 = p[19]*t20; /* 2*R^2*I3*(s*R*G + R*I3*v_tau*b/R)*1/K*1/K */
+    const double t22 = x[3]*t5; /* v_tau*b/R */
+    const double t23 = JLT_FNMA(t21, t22, t16); /* R*I3*v_tau*v_tau*1/K - 2*R^2*I3*(s*R*G + R*I3*v_tau*b/R)*1/K*1/K*v_tau*b/R */
+    out[5] = t23;
+    const double t24 = t17 + t18; /* R*I3*v_tau*b/R + s*R*G + R*I3*v_tau*b/R */
+    const double t25 = t14*t24; /* 1/K*(R*I3*v_tau*b/R + s*R*G + R*I3*v_tau*b/R) */
+    out[8] = t25;
+    const double t26 = t15*p[7]; /* v_tau*1/K*R*G */
+    const double t27 = t20*p[20]; /* (s*R*G + R*I3*v_tau*b/R)*1/K*1/K*2*R^2*I1 */
+    const double t28 = x[4]*x[3]; /* s*v_tau */
+    const double t29 = JLT_FNMA(t27, t28, t26); /* v_tau*1/K*R*G - (s*R*G + R*I3*v_tau*b/R)*1/K*1/K*2*R^2*I1*s*v_tau */
+    out[9] = t29;
+    const double t30 = t10*t12; /* 1/(D/I1) = K*Theta/m*1/((s*s*m*a3^2/I1 + 1)*K*Theta/m) */
+    const double t31 = t0*x[2]; /* s*s*omega_tau */
+    const double t32 = t30*t31; /* 1/(D/I1)*s*s*omega_tau */
+    const double t33 = x[2]*p[10]; /* omega_tau*m*a3^2/I1 */
+    const double t34 = t32*t33; /* 1/(D/I1)*s*s*omega_tau*omega_tau*m*a3^2/I1 */
+    const double t35 = t20*t30; /* (s*R*G + R*I3*v_tau*b/R)*1/K*1/K*1/(D/I1) */
+    const double t36 = x[0]*t18; /* gamma3*(s*R*G + R*I3*v_tau*b/R) */
+    const double t37 = JLT_FNMA(t5, p[23], t28); /* s*v_tau - b/R*G/I1 */
+    const double t38 = x[4]*t37; /* s*(s*v_tau - b/R*G/I1) */
+    const double t39 = p[11]*t38; /* R*I3*s*(s*v_tau - b/R*G/I1) */
+    const double t40 = t36 + t39; /* gamma3*(s*R*G + R*I3*v_tau*b/R) + R*I3*s*(s*v_tau - b/R*G/I1) */
+    const double t41 = t5*p[22]; /* b/R*4*R^2*I3 */
+    const double t42 = t40*t41; /* t40*b/R*4*R^2*I3 */
+    const double t43 = JLT_FMS(x[4], p[21], t18); /* s*R*I3*G/I1 - (s*R*G + R*I3*v_tau*b/R) */
+    const double t44 = JLT_FMA(t14, t42, t43); /* 1/K*t40*b/R*4*R^2*I3 + s*R*I3*G/I1 - (s*R*G + R*I3*v_tau*b/R) */
+    const double t45 = JLT_FMA(2.0, t36, t39); /* 2*gamma3*(s*R*G + R*I3*v_tau*b/R) + R*I3*s*(s*v_tau - b/R*G/I1) */
+    const double t46 = t30*t45; /* 1/(D/I1)*t45 */
+    const double t47 = t19*t46; /* 1/K*1/K*1/(D/I1)*t45 */
+    const double t48 = JLT_FNMA(t3, t47, t34); /* 1/(D/I1)*s*s*omega_tau*omega_tau*m*a3^2/I1 - R*I3*v_tau*1/K*1/K*1/(D/I1)*t45 */
+    const double t49 = JLT_FMA(t35, t44, t48); /* (s*R*G + R*I3*v_tau*b/R)*1/K*1/K*1/(D/I1)*t44 + t48 */
+    out[10] = t49;
+    const double t50 = x[0]*p[24]; /* gamma3*2*m*a3^2/I1 */
+    const double t51 = t32*t50; /* 1/(D/I1)*s*s*omega_tau*gamma3*2*m*a3^2/I1 */
+    out[12] = t51;
+    const double t52 = p[11]*t5; /* R*I3*b/R */
+    const double t53 = p[11]*t35; /* R*I3*(s*R*G + R*I3*v_tau*b/R)*1/K*1/K*1/(D/I1) */
+    const double t54 = t0*t53; /* s*s*R*I3*(s*R*G + R*I3*v_tau*b/R)*1/K*1/K*1/(D/I1) */
+    const double t55 = JLT_FMA(t47, t52, t54); /* 1/K*1/K*1/(D/I1)*t45*R*I3*b/R + s*s*R*I3*(s*R*G + R*I3*v_tau*b/R)*1/K*1/K*1/(D/I1) */
+    const double t56 = -t55; /* -t55 */
+    out[13] = t56;
+    const double t57 = x[2]*t7; /* omega_tau*K */
+    const double t58 = t18*t18; /* (s*R*G + R*I3*v_tau*b/R)*(s*R*G + R*I3*v_tau*b/R) */
+    const double t59 = JLT_FMA(t57, t57, t58); /* omega_tau*K*omega_tau*K + (s*R*G + R*I3*v_tau*b/R)*(s*R*G + R*I3*v_tau*b/R) */
+    const double t60 = t7*p[27]; /* K*1/2*m*a3^2/(R^2*I1^2) */
+    const double t61 = t59*t60; /* t59*K*1/2*m*a3^2/(R^2*I1^2) */
+    const double t62 = JLT_FMA(t9, t58, t61); /* (s*s*m*a3^2/I1 + 1)*(s*R*G + R*I3*v_tau*b/R)*(s*R*G + R*I3*v_tau*b/R) + t59*K*1/2*m*a3^2/(R^2*I1^2) */
+    const double t63 = x[0]*t62; /* gamma3*t62 */
+    const double t64 = t14*t63; /* 1/K*gamma3*t62 */
+    const double t65 = JLT_FNMA(t19, t64, p[26]); /* 1/2*m*g*a3/(R^2*I1^2) - 1/K*1/K*1/K*gamma3*t62 */
+    const double t66 = x[4]*t30; /* s*1/(D/I1) */
+    const double t67 = t30*t66; /* 1/(D/I1)*s*1/(D/I1) */
+    const double t68 = t65*t67; /* (1/2*m*g*a3/(R^2*I1^2) - 1/K*1/K*1/K*gamma3*t62)*1/(D/I1)*s*1/(D/I1) */
+    const double t69 = JLT_FMA(t30, p[27], t14); /* 1/(D/I1)*1/2*m*a3^2/(R^2*I1^2) + 1/K */
+    const double t70 = t37*t69; /* (s*v_tau - b/R*G/I1)*(1/(D/I1)*1/2*m*a3^2/(R^2*I1^2) + 1/K) */
+    const double t71 = JLT_FMS(t54, t70, t68); /* s*s*R*I3*(s*R*G + R*I3*v_tau*b/R)*1/K*1/K*1/(D/I1)*(s*v_tau - b/R*G/I1)*(1/(D/I1)*1/2*m*a3^2/(R^2*I1^2) + 1/K) - t68 */
+    const double t72 = p[25]*t71; /* 4*R^2*I1*t71 */
+    const double t73 = t28 + t37; /* s*v_tau + s*v_tau - b/R*G/I1 */
+    const double t74 = JLT_FNMA(p[7], t47, t72); /* 4*R^2*I1*t71 - R*G*1/K*1/K*1/(D/I1)*t45 */
+    const double t75 = JLT_FNMA(t53, t73, t74); /* 4*R^2*I1*t71 - R*G*1/K*1/K*1/(D/I1)*t45 - R*I3*(s*R*G + R*I3*v_tau*b/R)*1/K*1/K*1/(D/I1)*(s*v_tau + s*v_tau - b/R*G/I1) */
+    out[14] = t75;
+    const double t76 = t14*x[1]; /* 1/K*v_nu */
+    const double t77 = JLT_FMA(x[0], p[5], p[1]); /* e = gamma3*a3 + R */
+    const double t78 = JLT_FMA(x[2], t77, x[1]); /* V = omega_tau*e + v_nu */
+    const double t79 = p[9]*t13; /* I1*I3/m*1/(K*(Theta/m)) */
+    const double t80 = JLT_FNMA(t78, t79, t76); /* 1/K*v_nu - V*I1*I3/m*1/(K*(Theta/m)) */
+    const double t81 = t21*x[1]; /* 2*R^2*I3*(s*R*G + R*I3*v_tau*b/R)*1/K*1/K*v_nu */
+    const double t82 = JLT_FMS(x[0], p[15], p[16]); /* gamma3*R*(I1 - I3) - I3*a3 */
+    const double t83 = t38*t82; /* s*(s*v_tau - b/R*G/I1)*(gamma3*R*(I1 - I3) - I3*a3) */
+    const double t84 = x[2]*t83; /* omega_tau*s*(s*v_tau - b/R*G/I1)*(gamma3*R*(I1 - I3) - I3*a3) */
+    const double t85 = t18*p[29]; /* (s*R*G + R*I3*v_tau*b/R)*1/R */
+    const double t86 = JLT_FNMA(t78, t85, t84); /* t84 - V*(s*R*G + R*I3*v_tau*b/R)*1/R */
+    const double t87 = t7*t13; /* 1/(Theta/m) = K*1/(K*(Theta/m)) */
+    const double t88 = t14 + t87; /* 1/K + 1/(Theta/m) */
+    const double t89 = t13*t86; /* 1/(K*(Theta/m))*(t84 - V*(s*R*G + R*I3*v_tau*b/R)*1/R) */
+    const double t90 = t88*t89; /* (1/K + 1/(Theta/m))*1/(K*(Theta/m))*(t84 - V*(s*R*G + R*I3*v_tau*b/R)*1/R) */
+    const double t91 = JLT_FMA(p[28], t90, t81); /* 2*R^3*I1*I3^2/m*t90 + 2*R^2*I3*(s*R*G + R*I3*v_tau*b/R)*1/K*1/K*v_nu */
+    const double t92 = x[2]*t13; /* omega_tau*1/(K*(Theta/m)) */
+    const double t93 = t18*p[30]; /* (s*R*G + R*I3*v_tau*b/R)*I1*I3*a3/m */
+    const double t94 = t92*t93; /* omega_tau*1/(K*(Theta/m))*(s*R*G + R*I3*v_tau*b/R)*I1*I3*a3/m */
+    const double t95 = t38*p[31]; /* s*(s*v_tau - b/R*G/I1)*R^2*I1*I3*(I1 - I3)/m */
+    const double t96 = t82*t92; /* (gamma3*R*(I1 - I3) - I3*a3)*omega_tau*1/(K*(Theta/m)) */
+    const double t97 = x[4]*p[32]; /* s*R*I3*G/m */
+    const double t98 = JLT_FNMA(t92, t95, t94); /* t94 - omega_tau*1/(K*(Theta/m))*s*(s*v_tau - b/R*G/I1)*R^2*I1*I3*(I1 - I3)/m */
+    const double t99 = JLT_FMA(t96, t97, t98); /* (gamma3*R*(I1 - I3) - I3*a3)*omega_tau*1/(K*(Theta/m))*s*R*I3*G/m + t98 */
+    const double t100 = JLT_FNMA(t3, t80, t99); /* t99 - R*I3*v_tau*(1/K*v_nu - V*I1*I3/m*1/(K*(Theta/m))) */
+    const double t101 = JLT_FMA(t5, t91, t100); /* b/R*t91 + t99 - R*I3*v_tau*(1/K*v_nu - V*I1*I3/m*1/(K*(Theta/m))) */
+    out[15] = t101;
+    const double t102 = t18*t87; /* (s*R*G + R*I3*v_tau*b/R)*1/(Theta/m) */
+    const double t103 = -t102; /* -(s*R*G + R*I3*v_tau*b/R)*1/(Theta/m) */
+    out[16] = t103;
+    const double t104 = t18*t77; /* (s*R*G + R*I3*v_tau*b/R)*e */
+    const double t105 = t79*t104; /* I1*I3/m*1/(K*(Theta/m))*(s*R*G + R*I3*v_tau*b/R)*e */
+    const double t106 = t83*p[14]; /* s*(s*v_tau - b/R*G/I1)*(gamma3*R*(I1 - I3) - I3*a3)*R*I1*I3/m */
+    const double t107 = JLT_FNMA(t13, t106, t105); /* I1*I3/m*1/(K*(Theta/m))*(s*R*G + R*I3*v_tau*b/R)*e - 1/(K*(Theta/m))*t106 */
+    out[17] = t107;
+    const double t108 = t52*t80; /* R*I3*b/R*(1/K*v_nu - V*I1*I3/m*1/(K*(Theta/m))) */
+    const double t109 = t96*p[14]; /* (gamma3*R*(I1 - I3) - I3*a3)*omega_tau*1/(K*(Theta/m))*R*I1*I3/m */
+    const double t110 = JLT_FMA(t0, t109, t108); /* s*s*t109 + R*I3*b/R*(1/K*v_nu - V*I1*I3/m*1/(K*(Theta/m))) */
+    const double t111 = -t110; /* -(s*s*t109 + R*I3*b/R*(1/K*v_nu - V*I1*I3/m*1/(K*(Theta/m)))) */
+    out[18] = t111;
+    const double t112 = t73*t109; /* (s*v_tau + s*v_tau - b/R*G/I1)*t109 */
+    const double t113 = t27*x[1]; /* (s*R*G + R*I3*v_tau*b/R)*1/K*1/K*2*R^2*I1*v_nu */
+    const double t114 = JLT_FMA(t90, p[33], t113); /* t90*2*R^3*I1^2*I3/m + (s*R*G + R*I3*v_tau*b/R)*1/K*1/K*2*R^2*I1*v_nu */
+    const double t115 = JLT_FMS(x[4], t114, t112); /* s*t114 - (s*v_tau + s*v_tau - b/R*G/I1)*t109 */
+    const double t116 = JLT_FNMA(p[7], t80, t115); /* s*t114 - (s*v_tau + s*v_tau - b/R*G/I1)*t109 - R*G*(1/K*v_nu - V*I1*I3/m*1/(K*(Theta/m))) */
+    out[19] = t116;
+    const double t117 = -t1; /* -s*omega_tau */
+    out[20] = t117;
+    const double t118 = x[4]*x[0]; /* s*gamma3 */
+    const double t119 = -t118; /* -s*gamma3 */
+    out[22] = t119;
+    const double t120 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t121 = -t120; /* -omega_tau*gamma3 */
+    out[24] = t121;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
+    const double t0 = x[4]*x[2]; /* s*omega_tau */
+    const double t1 = x[4]*t0; /* s*s*omega_tau */
+    out[0] = t1;
+    const double t2 = x[4]*p[7]; /* s*R*G */
+    const double t3 = p[18] + x[0]; /* b/R = a3/R + gamma3 */
+    const double t4 = x[3]*p[11]; /* v_tau*R*I3 */
+    const double t5 = JLT_FMA(t3, t4, t2); /* b/R*v_tau*R*I3 + s*R*G */
+    const double t6 = x[4]*x[4]; /* s*s */
+    out[7] = t6;
+    const double t7 = JLT_FMA(p[34], t6, p[3]); /* D = m*a3^2*s*s + I1 */
+    const double t8 = t6*p[8]; /* s*s*R^2*I1 */
+    const double t9 = t3*p[17]; /* b/R*R^2*I3 */
+    const double t10 = JLT_FMA(t3, t9, t8); /* K = b/R*b/R*R^2*I3 + s*s*R^2*I1 */
+    const double t11 = t10 + p[9]; /* Theta/m = K + I1*I3/m */
+    const double t12 = t7*t10; /* D*K */
+    const double t13 = t11*t12; /* Theta/m*D*K */
+    const double t14 = 1.0/t13; /* 1/(Theta/m*D*K) */
+    const double t15 = t11*t14; /* 1/(K*D) = Theta/m*1/(Theta/m*D*K) */
+    const double t16 = t7*t15; /* 1/K = D*1/(K*D) */
+    const double t17 = t5*t16; /* (b/R*v_tau*R*I3 + s*R*G)*1/K */
+    const double t18 = x[3]*t17; /* v_tau*(b/R*v_tau*R*I3 + s*R*G)*1/K */
+    out[1] = t18;
+    const double t19 = t0*x[0]; /* s*omega_tau*gamma3 */
+    const double t20 = t0*p[34]; /* s*omega_tau*m*a3^2 */
+    const double t21 = t19*t20; /* s*omega_tau*gamma3*s*omega_tau*m*a3^2 */
+    const double t22 = p[3]*t17; /* I1*(b/R*v_tau*R*I3 + s*R*G)*1/K */
+    const double t23 = x[0]*t17; /* gamma3*(b/R*v_tau*R*I3 + s*R*G)*1/K */
+    const double t24 = x[4]*x[3]; /* s*v_tau */
+    const double t25 = JLT_FNMA(t3, p[23], t24); /* s*v_tau - b/R*G/I1 */
+    const double t26 = x[4]*t16; /* s*1/K */
+    const double t27 = p[11]*t25; /* R*I3*(s*v_tau - b/R*G/I1) */
+    const double t28 = t26*t27; /* s*1/K*R*I3*(s*v_tau - b/R*G/I1) */
+    const double t29 = t23 + t28; /* gamma3*(b/R*v_tau*R*I3 + s*R*G)*1/K + s*1/K*R*I3*(s*v_tau - b/R*G/I1) */
+    const double t30 = JLT_FNMA(t6, p[35], t21); /* s*omega_tau*gamma3*s*omega_tau*m*a3^2 - s*s*m*g*a3 */
+    const double t31 = JLT_FNMA(t22, t29, t30); /* numerator of d(omega_tau)/dt over D = s*omega_tau*gamma3*s*omega_tau*m*a3^2 - s*s*m*g*a3 - I1*(b/R*v_tau*R*I3 + s*R*G)*1/K*t29 */
+    const double t32 = t10*t15; /* 1/D = K*1/(K*D) */
+    const double t33 = t31*t32; /* numerator of d(omega_tau)/dt over D*1/D */
+    out[2] = t33;
+    const double t34 = JLT_FMA(x[0], p[5], p[1]); /* e = gamma3*a3 + R */
+    const double t35 = JLT_FMA(x[2], t34, x[1]); /* V = omega_tau*e + v_nu */
+    const double t36 = t12*t14; /* 1/(Theta/m) = D*K*1/(Theta/m*D*K) */
+    const double t37 = t35*t36; /* V*1/(Theta/m) */
+    const double t38 = JLT_FNMA(p[9], t37, x[1]); /* v_nu - I1*I3/m*V*1/(Theta/m) */
+    const double t39 = t5*t38; /* (b/R*v_tau*R*I3 + s*R*G)*(v_nu - I1*I3/m*V*1/(Theta/m)) */
+    const double t40 = JLT_FMS(x[0], p[15], p[16]); /* gamma3*R*(I1 - I3) - I3*a3 */
+    const double t41 = t36*t40; /* 1/(Theta/m)*(gamma3*R*(I1 - I3) - I3*a3) */
+    const double t42 = t25*t41; /* (s*v_tau - b/R*G/I1)*1/(Theta/m)*(gamma3*R*(I1 - I3) - I3*a3) */
+    const double t43 = p[14]*t42; /* R*I1*I3/m*t42 */
+    const double t44 = JLT_FMA(t0, t43, t39); /* s*omega_tau*R*I1*I3/m*t42 + (b/R*v_tau*R*I3 + s*R*G)*(v_nu - I1*I3/m*V*1/(Theta/m)) */
+    const double t45 = t16*t44; /* 1/K*t44 */
+    const double t46 = -t45; /* -1/K*t44 */
+    out[3] = t46;
+    const double t47 = -t19; /* -s*omega_tau*gamma3 */
+    out[4] = t47;
     out[5] = 0.0;
     out[6] = 0.0;
     out[8] = 0.0;
@@ -383,179 +454,134 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[16] = 0.0;
     out[26] = 0.0;
     out[28] = 0.0;
-    const double t0 = p[18] + x[0]; /* b/R = a3/R + gamma3 */
-    const double t1 = x[4]*x[4]; /* s*s */
-    out[7] = t1;
-    const double t2 = p[8]*t1; /* R^2*I1*s*s */
-    const double t3 = p[17]*t0; /* R^2*I3*b/R */
-    const double t4 = JLT_FMA(t0, t3, t2); /* K = b/R*R^2*I3*b/R + R^2*I1*s*s */
-    const double t5 = JLT_FMA(p[10], t1, 1.0); /* D/I1 = m*a3^2/I1*s*s + 1 */
-    const double t6 = p[13]*t1; /* m*g*a3/I1*s*s */
-    const double t7 = p[9] + t4; /* Theta/m = I1*I3/m + K */
-    const double t8 = t4*t5; /* K*D/I1 */
-    const double t9 = t7*t8; /* Theta/m*K*D/I1 */
-    const double t10 = 1.0/t9; /* 1/(Theta/m*K*D/I1) */
-    const double t11 = t7*t10; /* 1/(K*(D/I1)) = Theta/m*1/(Theta/m*K*D/I1) */
-    const double t12 = t8*t10; /* 1/(Theta/m) = K*D/I1*1/(Theta/m*K*D/I1) */
-    const double t13 = t5*t11; /* 1/K = D/I1*1/(K*(D/I1)) */
-    const double t14 = t4*t11; /* 1/(D/I1) = K*1/(K*(D/I1)) */
-    const double t15 = x[4]*p[7]; /* s*R*G */
-    const double t16 = x[3]*p[11]; /* v_tau*R*I3 */
-    const double t17 = JLT_FMA(t0, t16, t15); /* b/R*v_tau*R*I3 + s*R*G */
-    const double t18 = t13*t17; /* 1/K*(b/R*v_tau*R*I3 + s*R*G) */
-    const double t19 = t13*t16; /* 1/K*v_tau*R*I3 */
-    const double t20 = x[4]*x[3]; /* s*v_tau */
-    const double t21 = JLT_FMA(x[0], p[5], p[1]); /* e = gamma3*a3 + R */
-    const double t22 = x[4]*x[2]; /* s*omega_tau */
-    const double t23 = x[4]*t22; /* s*s*omega_tau */
-    out[0] = t23;
-    const double t24 = 2.0*t22; /* 2*s*omega_tau */
-    out[9] = t24;
-    const double t25 = -t22; /* -s*omega_tau */
-    out[25] = t25;
-    const double t26 = t14*t18; /* 1/(D/I1)*1/K*(b/R*v_tau*R*I3 + s*R*G) */
-    const double t27 = JLT_FNMA(p[22], t0, t20); /* s*v_tau - G/I1*b/R */
-    const double t28 = t20 + t27; /* s*v_tau + s*v_tau - G/I1*b/R */
-    const double t29 = t13*t28; /* 1/K*(s*v_tau + s*v_tau - G/I1*b/R) */
-    const double t30 = x[4]*t13; /* s*1/K */
-    const double t31 = t27*t30; /* (s*v_tau - G/I1*b/R)*s*1/K */
-    const double t32 = JLT_FMA(x[2], t21, x[1]); /* V = omega_tau*e + v_nu */
-    const double t33 = t12*t32; /* 1/(Theta/m)*V */
-    const double t34 = JLT_FMS(x[0], p[15], p[16]); /* gamma3*R*(I1 - I3) - I3*a3 */
-    const double t35 = x[0]*t22; /* gamma3*s*omega_tau */
-    const double t36 = -t35; /* -gamma3*s*omega_tau */
-    out[4] = t36;
-    const double t37 = p[11]*t26; /* R*I3*1/(D/I1)*1/K*(b/R*v_tau*R*I3 + s*R*G) */
-    const double t38 = x[2]*t12; /* omega_tau*1/(Theta/m) */
-    const double t39 = p[24]*t14; /* 2*m*a3^2/I1*1/(D/I1) */
-    const double t40 = p[14]*t34; /* R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
-    const double t41 = t34*t38; /* (gamma3*R*(I1 - I3) - I3*a3)*omega_tau*1/(Theta/m) */
-    const double t42 = t12*t40; /* 1/(Theta/m)*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
-    const double t43 = p[10]*t22; /* m*a3^2/I1*s*omega_tau */
-    const double t44 = t14*t43; /* 1/(D/I1)*m*a3^2/I1*s*omega_tau */
-    const double t45 = t31*t37; /* (s*v_tau - G/I1*b/R)*s*1/K*R*I3*1/(D/I1)*1/K*(b/R*v_tau*R*I3 + s*R*G) */
-    const double t46 = x[0]*t26; /* gamma3*1/(D/I1)*1/K*(b/R*v_tau*R*I3 + s*R*G) */
-    const double t47 = JLT_FMA(t18, t46, t45); /* 1/K*(b/R*v_tau*R*I3 + s*R*G)*gamma3*1/(D/I1)*1/K*(b/R*v_tau*R*I3 + s*R*G) + t45 */
-    const double t48 = JLT_FMA(t6, t14, t47); /* m*g*a3/I1*s*s*1/(D/I1) + t47 */
-    const double t49 = JLT_FMS(t35, t44, t48); /* gamma3*s*omega_tau*1/(D/I1)*m*a3^2/I1*s*omega_tau - (m*g*a3/I1*s*s*1/(D/I1) + t47) */
-    out[2] = t49;
-    const double t50 = t35*t39; /* gamma3*s*omega_tau*2*m*a3^2/I1*1/(D/I1) */
-    const double t51 = t22*t44; /* s*omega_tau*1/(D/I1)*m*a3^2/I1*s*omega_tau */
-    const double t52 = t22*t42; /* s*omega_tau*1/(Theta/m)*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
-    const double t53 = x[4]*t50; /* s*gamma3*s*omega_tau*2*m*a3^2/I1*1/(D/I1) */
-    out[17] = t53;
-    const double t54 = x[2]*t50; /* omega_tau*gamma3*s*omega_tau*2*m*a3^2/I1*1/(D/I1) */
-    const double t55 = JLT_FNMA(t29, t37, t54); /* omega_tau*gamma3*s*omega_tau*2*m*a3^2/I1*1/(D/I1) - 1/K*(s*v_tau + s*v_tau - G/I1*b/R)*R*I3*1/(D/I1)*1/K*(b/R*v_tau*R*I3 + s*R*G) */
-    const double t56 = JLT_FNMA(p[9], t33, x[1]); /* v_nu - I1*I3/m*1/(Theta/m)*V */
-    const double t57 = t18*t33; /* 1/K*(b/R*v_tau*R*I3 + s*R*G)*1/(Theta/m)*V */
-    const double t58 = t0*t13; /* b/R*1/K */
-    const double t59 = p[7]*t13; /* R*G*1/K */
-    const double t60 = JLT_FMA(t0, t12, t58); /* b/R*1/(Theta/m) + b/R*1/K */
-    const double t61 = p[33]*t60; /* 2*R^2*I1*I3^2/m*(b/R*1/(Theta/m) + b/R*1/K) */
-    const double t62 = p[11]*t14; /* R*I3*1/(D/I1) */
-    const double t63 = t31*t62; /* (s*v_tau - G/I1*b/R)*s*1/K*R*I3*1/(D/I1) */
-    const double t64 = JLT_FMA(2.0, t46, t63); /* 2*gamma3*1/(D/I1)*1/K*(b/R*v_tau*R*I3 + s*R*G) + (s*v_tau - G/I1*b/R)*s*1/K*R*I3*1/(D/I1) */
-    const double t65 = p[36]*t14; /* 2*m*g*a3/I1*1/(D/I1) */
-    const double t66 = JLT_FMA(t39, t49, t65); /* 2*m*a3^2/I1*1/(D/I1)*t49 + 2*m*g*a3/I1*1/(D/I1) */
-    const double t67 = t18*t56; /* 1/K*(b/R*v_tau*R*I3 + s*R*G)*(v_nu - I1*I3/m*1/(Theta/m)*V) */
-    const double t68 = t31*t41; /* (s*v_tau - G/I1*b/R)*s*1/K*(gamma3*R*(I1 - I3) - I3*a3)*omega_tau*1/(Theta/m) */
-    const double t69 = p[35]*t41; /* R*I3*G/m*(gamma3*R*(I1 - I3) - I3*a3)*omega_tau*1/(Theta/m) */
-    const double t70 = JLT_FMA(p[14], t68, t67); /* R*I1*I3/m*t68 + 1/K*(b/R*v_tau*R*I3 + s*R*G)*(v_nu - I1*I3/m*1/(Theta/m)*V) */
-    const double t71 = JLT_FNMA(p[1], t68, t57); /* 1/K*(b/R*v_tau*R*I3 + s*R*G)*1/(Theta/m)*V - R*t68 */
-    const double t72 = -t70; /* -t70 */
-    out[3] = t72;
-    const double t73 = p[19]*t58; /* 2*R^2*I3*b/R*1/K */
-    const double t74 = t19*t56; /* 1/K*v_tau*R*I3*(v_nu - I1*I3/m*1/(Theta/m)*V) */
-    const double t75 = JLT_FMS(t30, t69, t74); /* s*1/K*R*I3*G/m*(gamma3*R*(I1 - I3) - I3*a3)*omega_tau*1/(Theta/m) - 1/K*v_tau*R*I3*(v_nu - I1*I3/m*1/(Theta/m)*V) */
-    const double t76 = x[2]*t42; /* omega_tau*1/(Theta/m)*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
-    const double t77 = t29*t76; /* 1/K*(s*v_tau + s*v_tau - G/I1*b/R)*omega_tau*1/(Theta/m)*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
-    const double t78 = p[11]*t58; /* R*I3*b/R*1/K */
-    const double t79 = p[21]*t58; /* 4*R^2*I3*b/R*1/K */
-    const double t80 = JLT_FMA(x[3], t78, t18); /* v_tau*R*I3*b/R*1/K + 1/K*(b/R*v_tau*R*I3 + s*R*G) */
-    out[13] = t80;
-    const double t81 = p[20]*t30; /* 2*R^2*I1*s*1/K */
-    const double t82 = JLT_FMS(t70, t81, t77); /* t70*2*R^2*I1*s*1/K - t77 */
-    const double t83 = JLT_FNMA(t56, t59, t82); /* t70*2*R^2*I1*s*1/K - t77 - (v_nu - I1*I3/m*1/(Theta/m)*V)*R*G*1/K */
-    const double t84 = t56*t78; /* (v_nu - I1*I3/m*1/(Theta/m)*V)*R*I3*b/R*1/K */
-    const double t85 = JLT_FMA(t30, t52, t84); /* s*1/K*t52 + (v_nu - I1*I3/m*1/(Theta/m)*V)*R*I3*b/R*1/K */
-    const double t86 = -t85; /* -(s*1/K*t52 + (v_nu - I1*I3/m*1/(Theta/m)*V)*R*I3*b/R*1/K) */
-    out[23] = t86;
-    const double t87 = t64*t78; /* t64*R*I3*b/R*1/K */
-    const double t88 = JLT_FNMA(p[23], t30, t18); /* 1/K*(b/R*v_tau*R*I3 + s*R*G) - R*I3*G/I1*s*1/K */
-    const double t89 = JLT_FNMA(t26, t88, t51); /* s*omega_tau*1/(D/I1)*m*a3^2/I1*s*omega_tau - 1/(D/I1)*1/K*(b/R*v_tau*R*I3 + s*R*G)*(1/K*(b/R*v_tau*R*I3 + s*R*G) - R*I3*G/I1*s*1/K) */
-    const double t90 = JLT_FMA(t47, t79, t89); /* t47*4*R^2*I3*b/R*1/K + t89 */
-    const double t91 = JLT_FNMA(t19, t64, t90); /* t47*4*R^2*I3*b/R*1/K + t89 - 1/K*v_tau*R*I3*t64 */
-    out[15] = t91;
-    const double t92 = x[3]*t19; /* v_tau*1/K*v_tau*R*I3 */
-    const double t93 = p[30]*t30; /* 4*R^2*I1*s*1/K */
-    const double t94 = JLT_FMA(t47, t93, t55); /* t47*4*R^2*I1*s*1/K + t55 */
-    const double t95 = JLT_FNMA(t59, t64, t94); /* t47*4*R^2*I1*s*1/K + t55 - R*G*1/K*t64 */
-    const double t96 = JLT_FNMA(x[4], t66, t95); /* t47*4*R^2*I1*s*1/K + t55 - R*G*1/K*t64 - s*(2*m*a3^2/I1*1/(D/I1)*t49 + 2*m*g*a3/I1*1/(D/I1)) */
-    out[19] = t96;
-    const double t97 = x[4]*t30; /* s*s*1/K */
-    const double t98 = JLT_FMA(t37, t97, t87); /* R*I3*1/(D/I1)*1/K*(b/R*v_tau*R*I3 + s*R*G)*s*s*1/K + t64*R*I3*b/R*1/K */
-    const double t99 = -t98; /* -t98 */
-    out[18] = t99;
-    const double t100 = x[3]*t59; /* v_tau*R*G*1/K */
-    const double t101 = x[1]*t73; /* v_nu*2*R^2*I3*b/R*1/K */
-    const double t102 = JLT_FMA(p[32], t38, t101); /* I1*I3*a3/m*omega_tau*1/(Theta/m) + v_nu*2*R^2*I3*b/R*1/K */
-    const double t103 = p[34]*t38; /* R^2*I1*I3*(I1 - I3)/m*omega_tau*1/(Theta/m) */
-    const double t104 = JLT_FNMA(t31, t103, t75); /* t75 - (s*v_tau - G/I1*b/R)*s*1/K*R^2*I1*I3*(I1 - I3)/m*omega_tau*1/(Theta/m) */
-    const double t105 = JLT_FMA(t18, t102, t104); /* 1/K*(b/R*v_tau*R*I3 + s*R*G)*(I1*I3*a3/m*omega_tau*1/(Theta/m) + v_nu*2*R^2*I3*b/R*1/K) + t104 */
-    const double t106 = JLT_FNMA(t61, t71, t105); /* t105 - 2*R^2*I1*I3^2/m*(b/R*1/(Theta/m) + b/R*1/K)*(1/K*(b/R*v_tau*R*I3 + s*R*G)*1/(Theta/m)*V - R*t68) */
-    out[20] = t106;
-    const double t107 = p[9]*t12; /* I1*I3/m*1/(Theta/m) */
-    const double t108 = t18*t107; /* 1/K*(b/R*v_tau*R*I3 + s*R*G)*I1*I3/m*1/(Theta/m) */
-    const double t109 = t21*t108; /* e*1/K*(b/R*v_tau*R*I3 + s*R*G)*I1*I3/m*1/(Theta/m) */
-    const double t110 = JLT_FNMA(t31, t42, t109); /* e*1/K*(b/R*v_tau*R*I3 + s*R*G)*I1*I3/m*1/(Theta/m) - (s*v_tau - G/I1*b/R)*s*1/K*1/(Theta/m)*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
-    out[22] = t110;
-    const double t111 = t108 - t18; /* 1/K*(b/R*v_tau*R*I3 + s*R*G)*I1*I3/m*1/(Theta/m) - 1/K*(b/R*v_tau*R*I3 + s*R*G) */
-    out[21] = t111;
-    const double t112 = x[3]*t18; /* v_tau*1/K*(b/R*v_tau*R*I3 + s*R*G) */
-    out[1] = t112;
-    const double t113 = JLT_FNMA(t73, t112, t92); /* v_tau*1/K*v_tau*R*I3 - 2*R^2*I3*b/R*1/K*v_tau*1/K*(b/R*v_tau*R*I3 + s*R*G) */
-    out[10] = t113;
-    const double t114 = JLT_FNMA(t81, t112, t100); /* v_tau*R*G*1/K - 2*R^2*I1*s*1/K*v_tau*1/K*(b/R*v_tau*R*I3 + s*R*G) */
-    out[14] = t114;
-    const double t115 = x[4]*p[37]; /* s*2*R^2*I1^2*I3/m */
-    const double t116 = t12*t115; /* 1/(Theta/m)*s*2*R^2*I1^2*I3/m */
-    const double t117 = JLT_FNMA(t71, t116, t83); /* t83 - (1/K*(b/R*v_tau*R*I3 + s*R*G)*1/(Theta/m)*V - R*t68)*1/(Theta/m)*s*2*R^2*I1^2*I3/m */
-    out[24] = t117;
-    const double t118 = x[4]*x[0]; /* s*gamma3 */
-    const double t119 = -t118; /* -s*gamma3 */
-    out[27] = t119;
-    const double t120 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t121 = -t120; /* -omega_tau*gamma3 */
-    out[29] = t121;
+    const double t48 = t0*2.0; /* s*omega_tau*2 */
+    out[9] = t48;
+    const double t49 = x[3]*t16; /* v_tau*1/K */
+    const double t50 = t4*t49; /* v_tau*R*I3*v_tau*1/K */
+    const double t51 = t3*t16; /* b/R*1/K */
+    const double t52 = p[19]*t51; /* 2*R^2*I3*b/R*1/K */
+    const double t53 = JLT_FNMA(t18, t52, t50); /* v_tau*R*I3*v_tau*1/K - v_tau*(b/R*v_tau*R*I3 + s*R*G)*1/K*2*R^2*I3*b/R*1/K */
+    out[10] = t53;
+    const double t54 = JLT_FMA(t4, t51, t17); /* v_tau*R*I3*b/R*1/K + (b/R*v_tau*R*I3 + s*R*G)*1/K */
+    out[13] = t54;
+    const double t55 = p[7]*t49; /* R*G*v_tau*1/K */
+    const double t56 = t17*t26; /* (b/R*v_tau*R*I3 + s*R*G)*1/K*s*1/K */
+    const double t57 = x[3]*t56; /* v_tau*(b/R*v_tau*R*I3 + s*R*G)*1/K*s*1/K */
+    const double t58 = JLT_FNMA(p[20], t57, t55); /* R*G*v_tau*1/K - 2*R^2*I1*v_tau*(b/R*v_tau*R*I3 + s*R*G)*1/K*s*1/K */
+    out[14] = t58;
+    const double t59 = t0*t20; /* s*omega_tau*s*omega_tau*m*a3^2 */
+    const double t60 = t51*p[36]; /* b/R*1/K*4*R^2*I1*I3 */
+    const double t61 = JLT_FMS(t23, t60, t22); /* gamma3*(b/R*v_tau*R*I3 + s*R*G)*1/K*b/R*1/K*4*R^2*I1*I3 - I1*(b/R*v_tau*R*I3 + s*R*G)*1/K */
+    const double t62 = JLT_FMA(t23, 2.0, t28); /* gamma3*(b/R*v_tau*R*I3 + s*R*G)*1/K*2 + s*1/K*R*I3*(s*v_tau - b/R*G/I1) */
+    const double t63 = t49*p[37]; /* v_tau*1/K*R*I1*I3 */
+    const double t64 = t25*p[38]; /* (s*v_tau - b/R*G/I1)*4*R^3*I1*I3^2 */
+    const double t65 = t51*t64; /* b/R*1/K*(s*v_tau - b/R*G/I1)*4*R^3*I1*I3^2 */
+    const double t66 = JLT_FMA(t56, t65, t59); /* (b/R*v_tau*R*I3 + s*R*G)*1/K*s*1/K*b/R*1/K*(s*v_tau - b/R*G/I1)*4*R^3*I1*I3^2 + s*omega_tau*s*omega_tau*m*a3^2 */
+    const double t67 = JLT_FMA(t56, p[39], t66); /* (b/R*v_tau*R*I3 + s*R*G)*1/K*s*1/K*R*I3*G + t66 */
+    const double t68 = JLT_FMA(t17, t61, t67); /* (b/R*v_tau*R*I3 + s*R*G)*1/K*t61 + (b/R*v_tau*R*I3 + s*R*G)*1/K*s*1/K*R*I3*G + t66 */
+    const double t69 = JLT_FNMA(t62, t63, t68); /* d(numerator of d(omega_tau)/dt over D)/d(gamma3) = t68 - t62*v_tau*1/K*R*I1*I3 */
+    const double t70 = t32*t69; /* 1/D*d(numerator of d(omega_tau)/dt over D)/d(gamma3) */
+    out[15] = t70;
+    const double t71 = x[4]*p[40]; /* s*2*m*a3^2 */
+    const double t72 = t32*t71; /* 1/D*s*2*m*a3^2 */
+    const double t73 = t19*t72; /* s*omega_tau*gamma3*1/D*s*2*m*a3^2 */
+    out[17] = t73;
+    const double t74 = x[4]*t56; /* s*(b/R*v_tau*R*I3 + s*R*G)*1/K*s*1/K */
+    const double t75 = JLT_FMA(t51, t62, t74); /* b/R*1/K*t62 + s*(b/R*v_tau*R*I3 + s*R*G)*1/K*s*1/K */
+    const double t76 = t32*p[41]; /* 1/D*(-R*I1*I3) */
+    const double t77 = t75*t76; /* (b/R*1/K*t62 + s*(b/R*v_tau*R*I3 + s*R*G)*1/K*s*1/K)*1/D*(-R*I1*I3) */
+    out[18] = t77;
+    const double t78 = x[2]*p[40]; /* omega_tau*2*m*a3^2 */
+    const double t79 = t19*t78; /* s*omega_tau*gamma3*omega_tau*2*m*a3^2 */
+    const double t80 = t16*t25; /* 1/K*(s*v_tau - b/R*G/I1) */
+    const double t81 = JLT_FMA(t17, t80, t57); /* (b/R*v_tau*R*I3 + s*R*G)*1/K*1/K*(s*v_tau - b/R*G/I1) + v_tau*(b/R*v_tau*R*I3 + s*R*G)*1/K*s*1/K */
+    const double t82 = t16*p[43]; /* 1/K*R*I1*G */
+    const double t83 = t56*p[44]; /* (b/R*v_tau*R*I3 + s*R*G)*1/K*s*1/K*4*R^2*I1^2 */
+    const double t84 = JLT_FNMA(x[4], p[42], t79); /* s*omega_tau*gamma3*omega_tau*2*m*a3^2 - s*2*m*g*a3 */
+    const double t85 = JLT_FMA(t29, t83, t84); /* t29*(b/R*v_tau*R*I3 + s*R*G)*1/K*s*1/K*4*R^2*I1^2 + s*omega_tau*gamma3*omega_tau*2*m*a3^2 - s*2*m*g*a3 */
+    const double t86 = JLT_FNMA(p[37], t81, t85); /* t85 - R*I1*I3*t81 */
+    const double t87 = JLT_FNMA(t62, t82, t86); /* d(numerator of d(omega_tau)/dt over D)/d(s) = t85 - R*I1*I3*t81 - t62*1/K*R*I1*G */
+    const double t88 = t32*t87; /* 1/D*d(numerator of d(omega_tau)/dt over D)/d(s) */
+    const double t89 = JLT_FNMA(t33, t72, t88); /* 1/D*d(numerator of d(omega_tau)/dt over D)/d(s) - numerator of d(omega_tau)/dt over D*1/D*1/D*s*2*m*a3^2 */
+    out[19] = t89;
+    const double t90 = t45*t52; /* 1/K*t44*2*R^2*I3*b/R*1/K */
+    const double t91 = t5*t36; /* (b/R*v_tau*R*I3 + s*R*G)*1/(Theta/m) */
+    const double t92 = x[2]*p[30]; /* omega_tau*I1*I3*a3/m */
+    const double t93 = t91*t92; /* (b/R*v_tau*R*I3 + s*R*G)*1/(Theta/m)*omega_tau*I1*I3*a3/m */
+    const double t94 = t0*t36; /* s*omega_tau*1/(Theta/m) */
+    const double t95 = t42*t94; /* t42*s*omega_tau*1/(Theta/m) */
+    const double t96 = t91*p[29]; /* (b/R*v_tau*R*I3 + s*R*G)*1/(Theta/m)*1/R */
+    const double t97 = JLT_FNMA(t37, t96, t95); /* t42*s*omega_tau*1/(Theta/m) - V*1/(Theta/m)*(b/R*v_tau*R*I3 + s*R*G)*1/(Theta/m)*1/R */
+    const double t98 = t3*p[28]; /* b/R*2*R^3*I1*I3^2/m */
+    const double t99 = t25*p[31]; /* (s*v_tau - b/R*G/I1)*R^2*I1*I3*(I1 - I3)/m */
+    const double t100 = t0*t41; /* s*omega_tau*1/(Theta/m)*(gamma3*R*(I1 - I3) - I3*a3) */
+    const double t101 = JLT_FNMA(t94, t99, t93); /* (b/R*v_tau*R*I3 + s*R*G)*1/(Theta/m)*omega_tau*I1*I3*a3/m - s*omega_tau*1/(Theta/m)*(s*v_tau - b/R*G/I1)*R^2*I1*I3*(I1 - I3)/m */
+    const double t102 = JLT_FMA(p[32], t100, t101); /* R*I3*G/m*s*omega_tau*1/(Theta/m)*(gamma3*R*(I1 - I3) - I3*a3) + t101 */
+    const double t103 = JLT_FNMA(t4, t38, t102); /* t102 - v_tau*R*I3*(v_nu - I1*I3/m*V*1/(Theta/m)) */
+    const double t104 = JLT_FMA(t97, t98, t103); /* d(numerator of d(v_tau)/dt over K)/d(gamma3) = t97*b/R*2*R^3*I1*I3^2/m + t102 - v_tau*R*I3*(v_nu - I1*I3/m*V*1/(Theta/m)) */
+    const double t105 = JLT_FMA(t16, t104, t90); /* 1/K*d(numerator of d(v_tau)/dt over K)/d(gamma3) + 1/K*t44*2*R^2*I3*b/R*1/K */
+    out[20] = t105;
+    const double t106 = p[9]*t91; /* I1*I3/m*(b/R*v_tau*R*I3 + s*R*G)*1/(Theta/m) */
+    const double t107 = t106 - t5; /* d(numerator of d(v_tau)/dt over K)/d(v_nu) = I1*I3/m*(b/R*v_tau*R*I3 + s*R*G)*1/(Theta/m) - (b/R*v_tau*R*I3 + s*R*G) */
+    const double t108 = t16*t107; /* 1/K*d(numerator of d(v_tau)/dt over K)/d(v_nu) */
+    out[21] = t108;
+    const double t109 = t34*t106; /* e*I1*I3/m*(b/R*v_tau*R*I3 + s*R*G)*1/(Theta/m) */
+    const double t110 = JLT_FNMA(x[4], t43, t109); /* d(numerator of d(v_tau)/dt over K)/d(omega_tau) = e*I1*I3/m*(b/R*v_tau*R*I3 + s*R*G)*1/(Theta/m) - s*R*I1*I3/m*t42 */
+    const double t111 = t16*t110; /* 1/K*d(numerator of d(v_tau)/dt over K)/d(omega_tau) */
+    out[22] = t111;
+    const double t112 = t3*p[11]; /* b/R*R*I3 */
+    const double t113 = t38*t112; /* (v_nu - I1*I3/m*V*1/(Theta/m))*b/R*R*I3 */
+    const double t114 = p[14]*t100; /* R*I1*I3/m*s*omega_tau*1/(Theta/m)*(gamma3*R*(I1 - I3) - I3*a3) */
+    const double t115 = JLT_FMA(x[4], t114, t113); /* s*t114 + (v_nu - I1*I3/m*V*1/(Theta/m))*b/R*R*I3 */
+    const double t116 = t16*t115; /* 1/K*(s*t114 + (v_nu - I1*I3/m*V*1/(Theta/m))*b/R*R*I3) */
+    const double t117 = -t116; /* -1/K*(s*t114 + (v_nu - I1*I3/m*V*1/(Theta/m))*b/R*R*I3) */
+    out[23] = t117;
+    const double t118 = x[2]*t43; /* omega_tau*R*I1*I3/m*t42 */
+    const double t119 = x[4]*p[33]; /* s*2*R^3*I1^2*I3/m */
+    const double t120 = JLT_FMA(x[3], t114, t118); /* v_tau*t114 + omega_tau*R*I1*I3/m*t42 */
+    const double t121 = JLT_FMA(p[7], t38, t120); /* R*G*(v_nu - I1*I3/m*V*1/(Theta/m)) + v_tau*t114 + omega_tau*R*I1*I3/m*t42 */
+    const double t122 = JLT_FNMA(t97, t119, t121); /* t121 - t97*s*2*R^3*I1^2*I3/m */
+    const double t123 = t16*t122; /* 1/K*(t121 - t97*s*2*R^3*I1^2*I3/m) */
+    const double t124 = t26*p[20]; /* s*1/K*2*R^2*I1 */
+    const double t125 = JLT_FMS(t45, t124, t123); /* 1/K*t44*s*1/K*2*R^2*I1 - 1/K*(t121 - t97*s*2*R^3*I1^2*I3/m) */
+    out[24] = t125;
+    const double t126 = -t0; /* -s*omega_tau */
+    out[25] = t126;
+    const double t127 = x[4]*x[0]; /* s*gamma3 */
+    const double t128 = -t127; /* -s*gamma3 */
+    out[27] = t128;
+    const double t129 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t130 = -t129; /* -omega_tau*gamma3 */
+    out[29] = t130;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = x[4]*x[4]; /* s*s */
     const double t1 = x[0] + p[18]; /* b/R = gamma3 + a3/R */
-    const double t2 = p[39]*t1; /* I3/I1*b/R */
+    const double t2 = p[45]*t1; /* I3/I1*b/R */
     const double t3 = JLT_FMA(t1, t2, t0); /* K/(R^2*I1) = b/R*I3/I1*b/R + s*s */
-    const double t4 = t3 + p[40]; /* Theta/(m*R^2*I1) = K/(R^2*I1) + I3/(m*R^2) */
-    const double t5 = JLT_FMA(t0, p[26], p[3]); /* D = s*s*m*a3^2 + I1 */
+    const double t4 = t3 + p[46]; /* Theta/(m*R^2*I1) = K/(R^2*I1) + I3/(m*R^2) */
+    const double t5 = JLT_FMA(t0, p[34], p[3]); /* D = s*s*m*a3^2 + I1 */
     const double t6 = t3*t5; /* K/(R^2*I1)*D */
     const double t7 = t4*t6; /* Theta/(m*R^2*I1)*K/(R^2*I1)*D */
     const double t8 = 1.0/t7; /* 1/(Theta/(m*R^2*I1)*K/(R^2*I1)*D) */
     const double t9 = t4*t8; /* 1/(D*(K/(R^2*I1))) = Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*K/(R^2*I1)*D) */
-    const double t10 = x[0]*p[38]; /* gamma3*2*m*a3^2 */
+    const double t10 = x[0]*p[40]; /* gamma3*2*m*a3^2 */
     const double t11 = t3*t10; /* K/(R^2*I1)*gamma3*2*m*a3^2 */
     const double t12 = t9*t11; /* 1/(D*(K/(R^2*I1)))*K/(R^2*I1)*gamma3*2*m*a3^2 */
     const double t13 = JLT_FMS(x[0], p[15], p[16]); /* gamma3*R*(I1 - I3) - I3*a3 */
     const double t14 = t5*t8; /* 1/((K/(R^2*I1))*(Theta/(m*R^2*I1))) = D*1/(Theta/(m*R^2*I1)*K/(R^2*I1)*D) */
-    const double t15 = p[41]*t13; /* I3/(m*R^3*I1)*(gamma3*R*(I1 - I3) - I3*a3) */
+    const double t15 = p[47]*t13; /* I3/(m*R^3*I1)*(gamma3*R*(I1 - I3) - I3*a3) */
     const double t16 = JLT_FNMA(t14, t15, t12); /* 1/(D*(K/(R^2*I1)))*K/(R^2*I1)*gamma3*2*m*a3^2 - 1/((K/(R^2*I1))*(Theta/(m*R^2*I1)))*I3/(m*R^3*I1)*(gamma3*R*(I1 - I3) - I3*a3) */
     const double t17 = JLT_FNMA(t0, t16, x[0]); /* gamma3 - s*s*t16 */
-    const double t18 = p[42]*x[1]; /* I3/(R*I1)*v_nu */
+    const double t18 = p[48]*x[1]; /* I3/(R*I1)*v_nu */
     const double t19 = t1*t18; /* b/R*I3/(R*I1)*v_nu */
     const double t20 = t5*t19; /* D*b/R*I3/(R*I1)*v_nu */
     const double t21 = t9*t20; /* 1/(D*(K/(R^2*I1)))*D*b/R*I3/(R*I1)*v_nu */
     const double t22 = JLT_FMA(x[0], p[5], p[1]); /* e = gamma3*a3 + R */
     const double t23 = JLT_FMA(x[2], t22, x[1]); /* V = omega_tau*e + v_nu */
-    const double t24 = t1*p[43]; /* b/R*I3^2/(m*R^3*I1) */
+    const double t24 = t1*p[49]; /* b/R*I3^2/(m*R^3*I1) */
     const double t25 = t23*t24; /* V*b/R*I3^2/(m*R^3*I1) */
     const double t26 = JLT_FMS(t14, t25, t21); /* 1/((K/(R^2*I1))*(Theta/(m*R^2*I1)))*V*b/R*I3^2/(m*R^3*I1) - 1/(D*(K/(R^2*I1)))*D*b/R*I3/(R*I1)*v_nu */
     const double t27 = JLT_FNMA(x[2], t17, t26); /* t26 - omega_tau*(gamma3 - s*s*t16) */
@@ -566,19 +592,19 @@ static void integral_values(const double *restrict x, const double *restrict p, 
 {
     const double t0 = x[0] + p[18]; /* b/R = gamma3 + a3/R */
     const double t1 = x[4]*x[4]; /* s*s */
-    const double t2 = p[39]*t0; /* I3/I1*b/R */
+    const double t2 = p[45]*t0; /* I3/I1*b/R */
     const double t3 = JLT_FMA(t0, t2, t1); /* K/(R^2*I1) = b/R*I3/I1*b/R + s*s */
-    const double t4 = JLT_FMA(p[26], t1, p[3]); /* D = m*a3^2*s*s + I1 */
-    const double t5 = p[40] + t3; /* Theta/(m*R^2*I1) = I3/(m*R^2) + K/(R^2*I1) */
+    const double t4 = JLT_FMA(p[34], t1, p[3]); /* D = m*a3^2*s*s + I1 */
+    const double t5 = p[46] + t3; /* Theta/(m*R^2*I1) = I3/(m*R^2) + K/(R^2*I1) */
     const double t6 = x[3]*x[3]; /* v_tau*v_tau */
-    const double t7 = JLT_FMA(t5, t6, p[45]); /* Theta/(m*R^2*I1)*v_tau*v_tau + G^2/(m*R^2*I1) */
+    const double t7 = JLT_FMA(t5, t6, p[51]); /* Theta/(m*R^2*I1)*v_tau*v_tau + G^2/(m*R^2*I1) */
     const double t8 = t7/t3; /* (Theta/(m*R^2*I1)*v_tau*v_tau + G^2/(m*R^2*I1))/(K/(R^2*I1)) */
     const double t9 = JLT_FMA(x[1], x[1], t8); /* v_nu*v_nu + (Theta/(m*R^2*I1)*v_tau*v_tau + G^2/(m*R^2*I1))/(K/(R^2*I1)) */
     const double t10 = (1.0 / 2.0)*x[2]; /* 1/2*omega_tau */
     const double t11 = x[2]*t10; /* omega_tau*1/2*omega_tau */
-    const double t12 = p[31]*x[0]; /* m*g*a3*gamma3 */
+    const double t12 = p[35]*x[0]; /* m*g*a3*gamma3 */
     const double t13 = JLT_FMA(t4, t11, t12); /* D*omega_tau*1/2*omega_tau + m*g*a3*gamma3 */
-    const double t14 = JLT_FMA(p[44], t9, t13); /* 1/2*m*t9 + D*omega_tau*1/2*omega_tau + m*g*a3*gamma3 */
+    const double t14 = JLT_FMA(p[50], t9, t13); /* 1/2*m*t9 + D*omega_tau*1/2*omega_tau + m*g*a3*gamma3 */
     out[0] = t14;
 }
 
@@ -591,18 +617,18 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t3 = x[4]*t1; /* s*s*R^2*I1 */
     const double t4 = p[17]*t2; /* R^2*I3*b/R */
     const double t5 = JLT_FMA(t2, t4, t3); /* K = b/R*R^2*I3*b/R + s*s*R^2*I1 */
-    const double t6 = p[47]*x[3]; /* I1*I3*v_tau */
-    const double t7 = JLT_FMA(x[3], t6, p[46]); /* v_tau*I1*I3*v_tau + G^2 */
+    const double t6 = p[53]*x[3]; /* I1*I3*v_tau */
+    const double t7 = JLT_FMA(x[3], t6, p[52]); /* v_tau*I1*I3*v_tau + G^2 */
     const double t8 = 1.0/t5; /* 1/K */
     const double t9 = t7*t8; /* (v_tau*I1*I3*v_tau + G^2)*1/K */
-    const double t10 = JLT_FMA(p[0], t5, p[47]); /* Theta = m*K + I1*I3 */
+    const double t10 = JLT_FMA(p[0], t5, p[53]); /* Theta = m*K + I1*I3 */
     const double t11 = t8*t9; /* 1/K*(v_tau*I1*I3*v_tau + G^2)*1/K */
-    const double t12 = JLT_FNMA(t4, t11, p[31]); /* m*g*a3 - R^2*I3*b/R*1/K*(v_tau*I1*I3*v_tau + G^2)*1/K */
+    const double t12 = JLT_FNMA(t4, t11, p[35]); /* m*g*a3 - R^2*I3*b/R*1/K*(v_tau*I1*I3*v_tau + G^2)*1/K */
     out[0] = t12;
     const double t13 = x[3]*t10; /* v_tau*Theta */
     const double t14 = t8*t13; /* 1/K*v_tau*Theta */
     out[3] = t14;
-    const double t15 = x[4]*p[26]; /* s*m*a3^2 */
+    const double t15 = x[4]*p[34]; /* s*m*a3^2 */
     const double t16 = x[2]*x[2]; /* omega_tau*omega_tau */
     const double t17 = t15*t16; /* s*m*a3^2*omega_tau*omega_tau */
     const double t18 = JLT_FNMA(t1, t11, t17); /* s*m*a3^2*omega_tau*omega_tau - s*R^2*I1*1/K*(v_tau*I1*I3*v_tau + G^2)*1/K */
@@ -649,7 +675,7 @@ static void observe_values(const double *restrict x, const double *restrict p, d
     const double t26 = JLT_FNMA(t0, t21, t25); /* m*g*a3/I1*s - s*m*a3^2/I1*omega_tau*gamma3*omega_tau */
     const double t27 = JLT_FMA(t19, t24, t26); /* 1/K*1/K*(v_tau*I3*b + s*R*G)*t24 + m*g*a3/I1*s - s*m*a3^2/I1*omega_tau*gamma3*omega_tau */
     const double t28 = JLT_FMA(t13, t27, t21); /* s*s*1/((D/I1)*s)*t27 + omega_tau*gamma3*omega_tau */
-    const double t29 = JLT_FNMA(p[49], t28, p[48]); /* contact_force = m*g - m*a3*(s*s*1/((D/I1)*s)*t27 + omega_tau*gamma3*omega_tau) */
+    const double t29 = JLT_FNMA(p[55], t28, p[54]); /* contact_force = m*g - m*a3*(s*s*1/((D/I1)*s)*t27 + omega_tau*gamma3*omega_tau) */
     out[0] = t29;
 }
 
@@ -684,7 +710,7 @@ static void valid_values(const double *restrict x, const double *restrict p, dou
     const double t26 = JLT_FNMA(t0, t21, t25); /* m*g*a3/I1*s - s*m*a3^2/I1*omega_tau*gamma3*omega_tau */
     const double t27 = JLT_FMA(t19, t24, t26); /* 1/K*1/K*(v_tau*I3*b + s*R*G)*t24 + m*g*a3/I1*s - s*m*a3^2/I1*omega_tau*gamma3*omega_tau */
     const double t28 = JLT_FMA(t13, t27, t21); /* s*s*1/((D/I1)*s)*t27 + omega_tau*gamma3*omega_tau */
-    const double t29 = JLT_FNMA(p[49], t28, p[48]); /* contact_force = m*g - m*a3*(s*s*1/((D/I1)*s)*t27 + omega_tau*gamma3*omega_tau) */
+    const double t29 = JLT_FNMA(p[55], t28, p[54]); /* contact_force = m*g - m*a3*(s*s*1/((D/I1)*s)*t27 + omega_tau*gamma3*omega_tau) */
     out[0] = t29;
 }
 
@@ -1229,27 +1255,6 @@ static void root_relation_gradients(const double *restrict x, const double *rest
     out[4] = t1;
 }
 
-static void tier_values(const double *restrict x, const double *restrict params, double *restrict out)
-{
-    const double t0 = params[1]*params[1]; /* R*R */
-    const double t1 = t0*params[3]; /* R*R*I1 */
-    const double t2 = x[4]*x[4]; /* s*s */
-    const double t3 = t1*t2; /* R*R*I1*s*s */
-    const double t4 = t3*1048576.0; /* R*R*I1*s*s*1048576 */
-    const double t5 = params[1]*x[0]; /* R*gamma3 */
-    const double t6 = params[5] + t5; /* b = a3 + R*gamma3 */
-    const double t7 = t6*t6; /* b*b */
-    const double t8 = 1048576.0*t7; /* 1048576*b*b */
-    const double t9 = t0 - t8; /* R*R - 1048576*b*b */
-    const double t10 = params[4]*t9; /* I3*(R*R - 1048576*b*b) */
-    const double t11 = t4 - t10; /* R*R*I1*s*s*1048576 - I3*(R*R - 1048576*b*b) */
-    out[0] = t11;
-}
-
-static const jlt_way_condition tier_conditions[] = {
-    { "2^20*I1*R^2*s^2 + I3*(2^20*b^2 - R^2) > 0", 0 },
-};
-
 static const jlt_quantity states[] = {
     { "gamma3", "", "cosine of the angle between the symmetry axis and the vertical", (-1.0), 1.0, JLT_ANY_SIGN, NAN, 0.0 },
     { "v_nu", "m/s", "velocity of the centre of mass along nu", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN, 0.0 },
@@ -1291,20 +1296,20 @@ const jlt_descriptor jlt_kernels_spherical_top_level_general_in_regular = {
     .elimination = "",
     .title = "Spherical top with one nonholonomic constraint, on a level of Jellett's integral",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, system (3.2) and integral (3.3)",
-    .sha256 = "80e339b123f34cca2c47ba73c110613efbf19df47efbd8d3c9b581354234107c",
+    .sha256 = "5fa0f3f8159ed96ffaf422476001a79c5f28ef178108a7d5ffb7cd0a8be5e04d",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top_level, .family = jlt_family_spherical_top_level, .claims = jlt_claims_spherical_top_level,
     .scales = 1,
-    .state_count = 5, .param_count = 7, .prepared_count = 50,
+    .state_count = 5, .param_count = 7, .prepared_count = 56,
     .states = states,
     .params = params,
     .prepare = prepare,
     .rhs = { rhs, 5, { 2, 27, 13, 1, 0, 0, 12, 11 }, { 21, 82, 0, 8, 0, 0, 11, 9 },
         "divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; divides by Theta, small only where all of m*K and I1*I3 are; digits are lost where terms nearly cancel in b = R*gamma3 + a3, s*v_tau - (G/(R*I1))*b, e = a3*gamma3 + R, V = omega_tau*e + v_nu, v_tau*I3*b + s*(R*G), gamma3*(v_tau*I3*b + s*(R*G)) + (s*v_tau - (G/(R*I1))*b)*s*(R*I3), a part of d(omega_tau)/dtau, gamma3*(R*(I1 - I3)) - (I3*a3), d(v_tau)/dtau" },
-    .jacobian = { jacobian, 25, { 10, 72, 35, 1, 0, 0, 15, 26 }, { 114, 577, 0, 55, 0, 0, 18, 11 },
-        "divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; divides by Theta, small only where all of m*K and I1*I3 are; digits are lost where terms nearly cancel in b/R = a3/R + gamma3, 2/I1 - (2*m*a3^2/I1^2)*s*s*1/(D/I1), b/R*v_tau*(R*I3) + s*(R*G), e = gamma3*a3 + R, s*v_tau - (G/I1)*b/R, s*v_tau + s*v_tau - (G/I1)*b/R, V = omega_tau*e + v_nu, gamma3*(R*(I1 - I3)) - (I3*a3), d(d(v_nu)/dtau)/d(v_tau), v_nu - V*(I1*I3/m)*1/(Theta/m), a part of d(d(v_tau)/dtau)/d(gamma3) and of d(d(v_tau)/dtau)/d(s), a part of d(d(omega_tau)/dtau)/d(gamma3) and of d(d(omega_tau)/dtau)/d(v_tau) and of d(d(omega_tau)/dtau)/d(s), a part of d(d(omega_tau)/dtau)/d(gamma3) and of d(d(omega_tau)/dtau)/d(s), 1/K*v_tau*(R*I3) - 1/K*(b/R*v_tau*(R*I3) + s*(R*G))*(2*R^2*I3)*b/R*1/K, (I1*I3*a3/m)*omega_tau*1/(Theta/m) + v_nu*(2*R^2*I3)*b/R*1/K, d(d(v_tau)/dtau)/d(gamma3), a part of d(d(omega_tau)/dtau)/d(v_tau), a part of d(d(v_tau)/dtau)/d(v_tau), a part of d(d(v_tau)/dtau)/d(s), d(d(v_tau)/dtau)/d(omega_tau), d(d(v_tau)/dtau)/d(v_nu), d(d(v_tau)/dtau)/d(s), (R*G)*1/K - 1/K*(b/R*v_tau*(R*I3) + s*(R*G))*(2*R^2*I1)*s*1/K, a part of d(d(omega_tau)/dtau)/d(gamma3), d(d(omega_tau)/dtau)/d(gamma3), a part of d(d(omega_tau)/dtau)/d(s), d(d(omega_tau)/dtau)/d(s)" },
-    .rhs_jacobian = { rhs_jacobian, 30, { 11, 72, 38, 1, 0, 0, 17, 28 }, { 129, 644, 0, 63, 0, 0, 18, 12 },
-        "divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; divides by Theta, small only where all of m*K and I1*I3 are; digits are lost where terms nearly cancel in b/R = a3/R + gamma3, b/R*v_tau*(R*I3) + s*(R*G), e = gamma3*a3 + R, s*v_tau - (G/I1)*b/R, s*v_tau + s*v_tau - (G/I1)*b/R, V = omega_tau*e + v_nu, gamma3*(R*(I1 - I3)) - (I3*a3), a part of d(omega_tau)/dtau and of d(d(omega_tau)/dtau)/d(gamma3) and of d(d(omega_tau)/dtau)/d(s), d(omega_tau)/dtau, v_nu - (I1*I3/m)*1/(Theta/m)*V, a part of d(d(omega_tau)/dtau)/d(gamma3) and of d(d(omega_tau)/dtau)/d(v_tau) and of d(d(omega_tau)/dtau)/d(s), a part of d(d(omega_tau)/dtau)/d(s), a part of d(v_tau)/dtau and of d(d(v_tau)/dtau)/d(s), a part of d(d(v_tau)/dtau)/d(gamma3) and of d(d(v_tau)/dtau)/d(s), d(d(v_nu)/dtau)/d(v_tau), a part of d(d(v_tau)/dtau)/d(v_tau), 1/K*(b/R*v_tau*(R*I3) + s*(R*G)) - (R*I3*G/I1)*s*1/K, d(d(omega_tau)/dtau)/d(gamma3), d(d(omega_tau)/dtau)/d(s), a part of d(d(omega_tau)/dtau)/d(v_tau), (I1*I3*a3/m)*omega_tau*1/(Theta/m) + v_nu*(2*R^2*I3)*b/R*1/K, d(d(v_tau)/dtau)/d(gamma3), d(d(v_tau)/dtau)/d(omega_tau), d(d(v_tau)/dtau)/d(v_nu), d(d(v_nu)/dtau)/d(gamma3), d(d(v_nu)/dtau)/d(s), d(d(v_tau)/dtau)/d(s)" },
+    .jacobian = { jacobian, 25, { 12, 75, 34, 1, 0, 0, 18, 24 }, { 114, 577, 0, 55, 0, 0, 18, 11 },
+        "divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; divides by Theta, small only where all of m*K and I1*I3 are; digits are lost where terms nearly cancel in b/R = a3/R + gamma3, s*(R*G) + (R*I3)*v_tau*b/R, d(d(v_nu)/dtau)/d(gamma3), (R*I3)*v_tau*b/R + s*(R*G) + (R*I3)*v_tau*b/R, d(d(v_nu)/dtau)/d(s), s*v_tau - b/R*(G/I1), gamma3*(s*(R*G) + (R*I3)*v_tau*b/R) + (R*I3)*s*(s*v_tau - b/R*(G/I1)), a part of d(d(omega_tau)/dtau)/d(gamma3), a part of d(d(omega_tau)/dtau)/d(gamma3) and of d(d(omega_tau)/dtau)/d(v_tau) and of d(d(omega_tau)/dtau)/d(s), d(d(omega_tau)/dtau)/d(gamma3), a part of d(d(omega_tau)/dtau)/d(v_tau), a part of d(d(omega_tau)/dtau)/d(s), a part of d(d(omega_tau)/dtau)/d(s), s*v_tau + s*v_tau - b/R*(G/I1), d(d(omega_tau)/dtau)/d(s), e = gamma3*a3 + R, V = omega_tau*e + v_nu, 1/K*v_nu - V*(I1*I3/m)*1/(K*(Theta/m)), gamma3*(R*(I1 - I3)) - (I3*a3), a part of d(d(v_tau)/dtau)/d(gamma3) and of d(d(v_tau)/dtau)/d(s), a part of d(d(v_tau)/dtau)/d(gamma3), d(d(v_tau)/dtau)/d(gamma3), d(d(v_tau)/dtau)/d(omega_tau), a part of d(d(v_tau)/dtau)/d(v_tau), a part of d(d(v_tau)/dtau)/d(s), d(d(v_tau)/dtau)/d(s)" },
+    .rhs_jacobian = { rhs_jacobian, 30, { 10, 81, 39, 1, 0, 0, 16, 31 }, { 129, 644, 0, 63, 0, 0, 18, 12 },
+        "divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; divides by Theta, small only where all of m*K and I1*I3 are; digits are lost where terms nearly cancel in b/R = a3/R + gamma3, b/R*v_tau*(R*I3) + s*(R*G), s*v_tau - b/R*(G/I1), a part of d(omega_tau)/dtau and of d(d(omega_tau)/dtau)/d(s), numerator of d(omega_tau)/dt over D, e = gamma3*a3 + R, V = omega_tau*e + v_nu, v_nu - (I1*I3/m)*V*1/(Theta/m), gamma3*(R*(I1 - I3)) - (I3*a3), a part of d(v_tau)/dtau and of d(d(v_tau)/dtau)/d(gamma3) and of d(d(v_tau)/dtau)/d(s), d(d(v_nu)/dtau)/d(gamma3), d(d(v_nu)/dtau)/d(v_tau), d(d(v_nu)/dtau)/d(s), a part of d(d(omega_tau)/dtau)/d(gamma3), a part of d(d(omega_tau)/dtau)/d(gamma3) and of d(d(omega_tau)/dtau)/d(v_tau) and of d(d(omega_tau)/dtau)/d(s), d(numerator of d(omega_tau)/dt over D)/d(gamma3), a part of d(d(omega_tau)/dtau)/d(v_tau), a part of d(d(omega_tau)/dtau)/d(s), d(numerator of d(omega_tau)/dt over D)/d(s), d(d(omega_tau)/dtau)/d(s), a part of d(d(v_tau)/dtau)/d(gamma3) and of d(d(v_tau)/dtau)/d(s), d(numerator of d(v_tau)/dt over K)/d(gamma3), d(d(v_tau)/dtau)/d(gamma3), d(numerator of d(v_tau)/dt over K)/d(v_nu), d(numerator of d(v_tau)/dt over K)/d(omega_tau), a part of d(d(v_tau)/dtau)/d(v_tau), a part of d(d(v_tau)/dtau)/d(s), d(d(v_tau)/dtau)/d(s)" },
     .divergence = { divergence, 1, { 2, 16, 9, 1, 0, 0, 11, 8 }, { 12, 40, 0, 4, 0, 0, 12, 7 },
         "divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; divides by Theta, small only where all of m*K and I1*I3 are; digits are lost where terms nearly cancel in b/R = gamma3 + a3/R, gamma3*(R*(I1 - I3)) - (I3*a3), a part of the divergence, a part of the divergence, e = gamma3*a3 + R, V = omega_tau*e + v_nu, the divergence" },
     .integral_values = { integral_values, 1, { 2, 6, 6, 1, 0, 0, 8, 5 }, { 8, 27, 0, 2, 0, 0, 12, 6 },
@@ -1328,8 +1333,6 @@ const jlt_descriptor jlt_kernels_spherical_top_level_general_in_regular = {
     .section_count = 1, .sections = sections,
     .lifted = lifted,
     .tier = "level", .tier_meaning = "four states on a level of G, in coordinates that divide by nothing small",
-    .tier_condition_count = 1, .tier_conditions = tier_conditions,
-    .tier_values = tier_values,
     .lifted_count = 1, .root_relations = root_relations, .root_relation_gradients = root_relation_gradients,
     .integral_count = 1, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,

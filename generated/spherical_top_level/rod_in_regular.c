@@ -3,12 +3,12 @@
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, system (3.2) and integral (3.3)
  *  Variant:    rod: I3 = 0
  *  Time:       regular: dt = (s) dtau; states of their own: s
- *  Table:      spherical_top_level, SHA-256 80e339b123f34cca2c47ba73c110613efbf19df47efbd8d3c9b581354234107c
+ *  Table:      spherical_top_level, SHA-256 5fa0f3f8159ed96ffaf422476001a79c5f28ef178108a7d5ffb7cd0a8be5e04d
  *  Command:    ttc generate --effort full --out DIR spherical_top_level.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 2   15    3    1    0    0     10    6   (42)
- *  jacobian            6   24    5    1    0    0     10    8   (119)
+ *  jacobian            5   26    5    1    0    0      9    7   (119)
  *  rhs_jacobian        7   29    6    1    0    0     12    8   (156)
  *  divergence          1    4    1    1    0    0      5    4   (15)
  *  integral_values     0    6    5    1    0    0      6    4   (35)
@@ -76,18 +76,33 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t10 = params[0]*2.0; /* m*2 */
     const double t11 = t2*t10; /* a3*a3*m*2 */
     out[11] = t11;
-    const double t12 = t6*2.0; /* G*G*2 */
-    const double t13 = t12/t5; /* G*G*2/(I1*R*R) */
-    out[12] = t13;
-    const double t14 = params[2]*t10; /* g*m*2 */
-    const double t15 = params[5]*t14; /* a3*g*m*2 */
-    out[13] = t15;
-    const double t16 = params[0]/2.0; /* m/2 */
-    out[14] = t16;
-    const double t17 = t4*2.0; /* R*R*2 */
-    const double t18 = params[3]*t17; /* I1*R*R*2 */
-    const double t19 = t6/t18; /* G*G/(I1*R*R*2) */
-    out[15] = t19;
+    const double t12 = (-2.0)/t5; /* (-2)/(I1*R*R) */
+    out[12] = t12;
+    const double t13 = params[0]*t4; /* m*R*R */
+    const double t14 = params[2]*t13; /* g*m*R*R */
+    const double t15 = params[3]*params[3]; /* I1*I1 */
+    const double t16 = t14*t15; /* g*m*R*R*I1*I1 */
+    const double t17 = params[5]*t16; /* a3*g*m*R*R*I1*I1 */
+    out[13] = t17;
+    const double t18 = t6*t11; /* G*G*a3*a3*m*2 */
+    out[14] = t18;
+    const double t19 = t13*t15; /* m*R*R*I1*I1 */
+    const double t20 = t2*t19; /* a3*a3*m*R*R*I1*I1 */
+    out[15] = t20;
+    const double t21 = params[3]*t6; /* I1*G*G */
+    out[16] = t21;
+    const double t22 = params[2]*t10; /* g*m*2 */
+    const double t23 = params[5]*t22; /* a3*g*m*2 */
+    out[17] = t23;
+    const double t24 = t6*2.0; /* G*G*2 */
+    const double t25 = t24/t5; /* G*G*2/(I1*R*R) */
+    out[18] = t25;
+    const double t26 = params[0]/2.0; /* m/2 */
+    out[19] = t26;
+    const double t27 = t4*2.0; /* R*R*2 */
+    const double t28 = params[3]*t27; /* I1*R*R*2 */
+    const double t29 = t6/t28; /* G*G/(I1*R*R*2) */
+    out[20] = t29;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -138,51 +153,52 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t0 = x[4]*x[4]; /* s*s */
     out[2] = t0;
     const double t1 = JLT_FMA(p[8], t0, p[3]); /* D = m*a3^2*s*s + I1 */
-    const double t2 = p[11]*t0; /* 2*m*a3^2*s*s */
-    const double t3 = x[4]*t1; /* s*D */
-    const double t4 = 1.0/t3; /* 1/(s*D) */
-    const double t5 = t1*t4; /* 1/s = D*1/(s*D) */
-    const double t6 = x[4]*t4; /* 1/D = s*1/(s*D) */
-    const double t7 = t2*t6; /* 2*m*a3^2*s*s*1/D */
-    const double t8 = x[4]*x[2]; /* s*omega_tau */
-    const double t9 = 2.0*t8; /* 2*s*omega_tau */
-    out[4] = t9;
-    const double t10 = -t8; /* -s*omega_tau */
-    out[20] = t10;
-    const double t11 = t5*t5; /* 1/s*1/s */
-    const double t12 = x[0]*p[12]; /* gamma3*2*G^2/(R^2*I1) */
-    const double t13 = t5*t12; /* 1/s*gamma3*2*G^2/(R^2*I1) */
-    const double t14 = p[7]*t5; /* G/(R*I1)*1/s */
-    out[8] = t14;
-    const double t15 = -t14; /* -G/(R*I1)*1/s */
-    out[16] = t15;
-    const double t16 = p[8]*t8; /* m*a3^2*s*omega_tau */
-    const double t17 = t8*t16; /* s*omega_tau*m*a3^2*s*omega_tau */
-    const double t18 = JLT_FNMA(p[9], t11, t17); /* s*omega_tau*m*a3^2*s*omega_tau - G^2/(R^2*I1)*1/s*1/s */
-    const double t19 = t6*t18; /* 1/D*(s*omega_tau*m*a3^2*s*omega_tau - G^2/(R^2*I1)*1/s*1/s) */
-    out[10] = t19;
-    const double t20 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t21 = t7*t20; /* 2*m*a3^2*s*s*1/D*omega_tau*gamma3 */
-    out[12] = t21;
-    const double t22 = 2.0 - t7; /* 2 - 2*m*a3^2*s*s*1/D */
-    const double t23 = -t20; /* -omega_tau*gamma3 */
-    out[24] = t23;
-    const double t24 = JLT_FMA(p[8], t6, t11); /* m*a3^2*1/D + 1/s*1/s */
-    const double t25 = t13*t24; /* 1/s*gamma3*2*G^2/(R^2*I1)*(m*a3^2*1/D + 1/s*1/s) */
-    const double t26 = p[7]*t11; /* G/(R*I1)*1/s*1/s */
+    const double t2 = x[4]*t1; /* s*D */
+    const double t3 = 1.0/t2; /* 1/(s*D) */
+    const double t4 = t1*t3; /* 1/s = D*1/(s*D) */
+    const double t5 = x[4]*t3; /* 1/D = s*1/(s*D) */
+    const double t6 = x[4]*x[2]; /* s*omega_tau */
+    const double t7 = 2.0*t6; /* 2*s*omega_tau */
+    out[4] = t7;
+    const double t8 = -t6; /* -s*omega_tau */
+    out[20] = t8;
+    const double t9 = t6*t6; /* s*omega_tau*s*omega_tau */
+    const double t10 = p[15]*t0; /* m*R^2*I1^2*a3^2*s*s */
+    const double t11 = JLT_FMA(p[14], t0, p[16]); /* 2*m*a3^2*G^2*s*s + I1*G^2 */
+    const double t12 = JLT_FMA(t9, t10, t11); /* s*omega_tau*s*omega_tau*m*R^2*I1^2*a3^2*s*s + 2*m*a3^2*G^2*s*s + I1*G^2 */
+    const double t13 = x[0]*t12; /* gamma3*t12 */
+    const double t14 = p[8]*t9; /* m*a3^2*s*omega_tau*s*omega_tau */
+    const double t15 = t4*t13; /* 1/s*gamma3*t12 */
+    const double t16 = t4*t4; /* 1/s*1/s */
+    const double t17 = p[7]*t4; /* G/(R*I1)*1/s */
+    out[8] = t17;
+    const double t18 = -t17; /* -G/(R*I1)*1/s */
+    out[16] = t18;
+    const double t19 = JLT_FNMA(p[9], t16, t14); /* m*a3^2*s*omega_tau*s*omega_tau - G^2/(R^2*I1)*1/s*1/s */
+    const double t20 = t5*t19; /* 1/D*(m*a3^2*s*omega_tau*s*omega_tau - G^2/(R^2*I1)*1/s*1/s) */
+    out[10] = t20;
+    const double t21 = x[4]*x[0]; /* s*gamma3 */
+    const double t22 = -t21; /* -s*gamma3 */
+    out[22] = t22;
+    const double t23 = p[11]*t21; /* 2*m*a3^2*s*gamma3 */
+    const double t24 = t6*t23; /* s*omega_tau*2*m*a3^2*s*gamma3 */
+    const double t25 = t5*t24; /* 1/D*s*omega_tau*2*m*a3^2*s*gamma3 */
+    out[12] = t25;
+    const double t26 = p[7]*t16; /* G/(R*I1)*1/s*1/s */
     const double t27 = x[1]*t26; /* v_nu*G/(R*I1)*1/s*1/s */
     out[19] = t27;
     const double t28 = x[3]*t26; /* v_tau*G/(R*I1)*1/s*1/s */
     const double t29 = -t28; /* -v_tau*G/(R*I1)*1/s*1/s */
     out[9] = t29;
-    const double t30 = x[4]*p[10]; /* s*m*g*a3 */
-    const double t31 = JLT_FNMA(t16, t20, t30); /* s*m*g*a3 - m*a3^2*s*omega_tau*omega_tau*gamma3 */
-    const double t32 = JLT_FNMA(t22, t31, t25); /* 1/s*gamma3*2*G^2/(R^2*I1)*(m*a3^2*1/D + 1/s*1/s) - (2 - 2*m*a3^2*s*s*1/D)*(s*m*g*a3 - m*a3^2*s*omega_tau*omega_tau*gamma3) */
-    const double t33 = t6*t32; /* 1/D*t32 */
-    out[14] = t33;
-    const double t34 = x[4]*x[0]; /* s*gamma3 */
-    const double t35 = -t34; /* -s*gamma3 */
-    out[22] = t35;
+    const double t30 = x[4]*p[13]; /* s*m*R^2*g*I1^2*a3 */
+    const double t31 = JLT_FNMA(t15, t16, t30); /* s*m*R^2*g*I1^2*a3 - 1/s*gamma3*t12*1/s*1/s */
+    const double t32 = p[12]*t5; /* (-2/(R^2*I1))*1/D */
+    const double t33 = t5*t32; /* 1/D*(-2/(R^2*I1))*1/D */
+    const double t34 = t31*t33; /* (s*m*R^2*g*I1^2*a3 - 1/s*gamma3*t12*1/s*1/s)*1/D*(-2/(R^2*I1))*1/D */
+    out[14] = t34;
+    const double t35 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t36 = -t35; /* -omega_tau*gamma3 */
+    out[24] = t36;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -238,8 +254,8 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t25 = x[2]*t14; /* omega_tau*2*m*a3^2*gamma3*s*omega_tau */
     const double t26 = p[11]*t23; /* 2*m*a3^2*s*1/D */
     const double t27 = t20*t26; /* 1/D*numerator of d(omega_tau)/dt over D*2*m*a3^2*s*1/D */
-    const double t28 = JLT_FNMA(x[4], p[13], t25); /* omega_tau*2*m*a3^2*gamma3*s*omega_tau - s*2*m*g*a3 */
-    const double t29 = x[0]*p[12]; /* gamma3*2*G^2/(R^2*I1) */
+    const double t28 = JLT_FNMA(x[4], p[17], t25); /* omega_tau*2*m*a3^2*gamma3*s*omega_tau - s*2*m*g*a3 */
+    const double t29 = x[0]*p[18]; /* gamma3*2*G^2/(R^2*I1) */
     const double t30 = t4*t29; /* 1/s*gamma3*2*G^2/(R^2*I1) */
     const double t31 = JLT_FMA(t15, t30, t28); /* d(numerator of d(omega_tau)/dt over D)/d(s) = 1/s*1/s*1/s*gamma3*2*G^2/(R^2*I1) + omega_tau*2*m*a3^2*gamma3*s*omega_tau - s*2*m*g*a3 */
     const double t32 = JLT_FMS(t5, t31, t27); /* 1/D*d(numerator of d(omega_tau)/dt over D)/d(s) - 1/D*numerator of d(omega_tau)/dt over D*2*m*a3^2*s*1/D */
@@ -278,7 +294,7 @@ static void integral_values(const double *restrict x, const double *restrict p, 
 {
     const double t0 = x[1]*x[1]; /* v_nu*v_nu */
     const double t1 = JLT_FMA(x[3], x[3], t0); /* v_tau*v_tau + v_nu*v_nu */
-    const double t2 = p[14]*t1; /* 1/2*m*(v_tau*v_tau + v_nu*v_nu) */
+    const double t2 = p[19]*t1; /* 1/2*m*(v_tau*v_tau + v_nu*v_nu) */
     out[1] = t2;
     const double t3 = JLT_FMA(p[10], x[0], t2); /* m*g*a3*gamma3 + 1/2*m*(v_tau*v_tau + v_nu*v_nu) */
     const double t4 = p[8]*x[4]; /* m*a3^2*s */
@@ -287,7 +303,7 @@ static void integral_values(const double *restrict x, const double *restrict p, 
     const double t7 = x[2]*t6; /* omega_tau*1/2*omega_tau */
     const double t8 = JLT_FMA(t5, t7, t3); /* D*omega_tau*1/2*omega_tau + m*g*a3*gamma3 + 1/2*m*(v_tau*v_tau + v_nu*v_nu) */
     const double t9 = 1.0/x[4]; /* 1/s */
-    const double t10 = p[15]*t9; /* 1/2*G^2/(R^2*I1)*1/s */
+    const double t10 = p[20]*t9; /* 1/2*G^2/(R^2*I1)*1/s */
     const double t11 = JLT_FMA(t9, t10, t8); /* 1/s*1/2*G^2/(R^2*I1)*1/s + t8 */
     out[0] = t11;
 }
@@ -491,19 +507,19 @@ const jlt_descriptor jlt_kernels_spherical_top_level_rod_in_regular = {
     .elimination = "",
     .title = "Spherical top with one nonholonomic constraint, on a level of Jellett's integral",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, system (3.2) and integral (3.3)",
-    .sha256 = "80e339b123f34cca2c47ba73c110613efbf19df47efbd8d3c9b581354234107c",
+    .sha256 = "5fa0f3f8159ed96ffaf422476001a79c5f28ef178108a7d5ffb7cd0a8be5e04d",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top_level, .family = jlt_family_spherical_top_level, .claims = jlt_claims_spherical_top_level,
     .scales = 1,
-    .state_count = 5, .param_count = 7, .prepared_count = 16,
+    .state_count = 5, .param_count = 7, .prepared_count = 21,
     .states = states,
     .params = params,
     .impose = impose,
     .prepare = prepare,
     .rhs = { rhs, 5, { 2, 15, 3, 1, 0, 0, 10, 6 }, { 5, 32, 0, 5, 0, 0, 8, 6 },
         "divides by s: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in omega_tau*s*s*omega_tau*(m*a3^2) - 1/s*(G^2/(R^2*I1))*1/s, a part of d(omega_tau)/dtau" },
-    .jacobian = { jacobian, 25, { 6, 24, 5, 1, 0, 0, 10, 8 }, { 12, 94, 0, 13, 0, 0, 12, 6 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in s*omega_tau*(m*a3^2)*s*omega_tau - (G^2/(R^2*I1))*1/s*1/s, 2 - (2*m*a3^2)*s*s*1/D, s*(m*g*a3) - (m*a3^2)*s*omega_tau*omega_tau*gamma3, a part of d(d(omega_tau)/dtau)/d(s)" },
+    .jacobian = { jacobian, 25, { 5, 26, 5, 1, 0, 0, 9, 7 }, { 12, 94, 0, 13, 0, 0, 12, 6 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in (m*a3^2)*s*omega_tau*s*omega_tau - (G^2/(R^2*I1))*1/s*1/s, a part of d(d(omega_tau)/dtau)/d(s)" },
     .rhs_jacobian = { rhs_jacobian, 30, { 7, 29, 6, 1, 0, 0, 12, 8 }, { 16, 122, 0, 18, 0, 0, 12, 6 },
         "divides by s: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in s*omega_tau*(m*a3^2)*s*omega_tau - (G^2/(R^2*I1))*1/s*1/s, numerator of d(omega_tau)/dt over D, d(numerator of d(omega_tau)/dt over D)/d(s), d(d(omega_tau)/dtau)/d(s)" },
     .divergence = { divergence, 1, { 1, 4, 1, 1, 0, 0, 5, 4 }, { 2, 12, 0, 1, 0, 0, 8, 4 },

@@ -1,7 +1,7 @@
 /* Spherical top with one nonholonomic constraint, on a level of Jellett's integral: enclosures in ball arithmetic,
  * from the expressions as they stand, without the optimizer.
  *
- *  Table:      spherical_top_level, SHA-256 80e339b123f34cca2c47ba73c110613efbf19df47efbd8d3c9b581354234107c
+ *  Table:      spherical_top_level, SHA-256 5fa0f3f8159ed96ffaf422476001a79c5f28ef178108a7d5ffb7cd0a8be5e04d
  *  Command:    ttc generate --effort full --out DIR spherical_top_level.tt (ttc 0.1.0); do not edit
  */
 #include "kernel_ball.h"

@@ -136,35 +136,6 @@ for start in '--start x=1,z=1e-6,w=1e-6' '--grid x=1:2:2,z=1e-6:2e-6:2,w=0'; do
     grep -q 'proved integral changes' err && fail "the fates of a small oscillation, $start: $(cat err)"
 done
 
-# A top whose centre of mass lies on its surface, |a3| = R, falls past the pole 1e-14 from it: there the level does not tell omega3,
-# and the orbit is followed without it. A motion in a plane is as near to it as doubles tell: gamma3 = cos theta, by steps of
-# fourth order. The tier may lose 1024 tolerances, 1e-9.
-python3 - > reference << 'P'
-import math
-def rate(y):
-    theta, omega = y
-    s, c = math.sin(theta), math.cos(theta)
-    return -omega, (c * s * omega * omega - s) / (1 / 3 + s * s)
-y, n = (math.acos(-0.6), 0.0), 20000
-for _ in range(n):
-    h, k = 2 / n, []
-    for part in (0, 0.5, 0.5, 1):
-        last = k[-1] if k else (0, 0)
-        k.append(rate([a + h * part * b for a, b in zip(y, last)]))
-    y = [a + h / 6 * (p + 2 * q + 2 * r + v) for a, p, q, r, v in zip(y, *k)]
-print(math.cos(y[0]))
-P
-for top in a3=1,I3=1e-6 a3=1,I3=1/3; do
-    for spin in 1e-6 1e-8 1e-10; do
-        jellett simulate --set $top --start gamma3=-0.6,v_nu=30,omega_tau=0,omega_n=0,omega3=$spin --times 2 > out 2> err ||
-            fail "past the pole, $top, omega3 = $spin: $(cat err)"
-        tail -1 out | awk -F, -v g="$(cat reference)" '{ exit !($NF == "alive" && $2 - g < 1e-9 && g - $2 < 1e-9) }' ||
-            fail "past the pole, $top, omega3 = $spin: $(tail -1 out), and a motion in a plane has gamma3 = $(cat reference)"
-    done
-done
-expect 4 'where the coordinates of the tier level are good' jellett simulate --tier level --set a3=1,I3=1e-6 \
-    --start gamma3=-0.6,v_nu=30,omega_tau=0,omega_n=0,omega3=1e-8 --times 2
-
 # The unit circle, in the plane z = 0: multipliers exp(-4 pi) and exp(-pi).
 cat > plane.tt << 'T'
 model plane
