@@ -162,5 +162,5 @@ const jlt_batch_method *jlt_batch_method_at(size_t index)
 
 const jlt_batch_method *jlt_batch_method_for(double tolerance)
 {
-    return tolerance > 1e-8 ? &verner8 : &stepanov10;
+    return tolerance > 1e-9 ? &verner8 : &stepanov10;
 }
