@@ -25,8 +25,8 @@ typedef struct jlt_batch_method {
 /** The table: verner8, stepanov10. NULL past the end. */
 const jlt_batch_method *jlt_batch_method_at(size_t index);
 
-/** The usual one for a tolerance of the local error in (0, 1): stepanov10 from 1e-9 down. On section maps verner8 is cheaper by 3
- *  to 5 % down to 1e-10, but its nodes crowd near the end of the step, and bends of a rate hide from its divided differences. */
+/** The usual one for a tolerance of the local error in (0, 1): stepanov10 from 1e-9 down. On section maps verner8 is cheaper down
+ *  to 1e-10, by a tenth at 1e-9, but its nodes crowd near the end of the step, and bends of a rate hide from its differences. */
 const jlt_batch_method *jlt_batch_method_for(double tolerance);
 
 #endif
