@@ -72,7 +72,8 @@ jlt_status jlt_gsl_ode_reset(jlt_gsl_ode *self, const double *scale)
     return gsl_odeiv2_driver_reset(d) == GSL_SUCCESS ? JLT_OK : JLT_ERR_ARG;
 }
 
-jlt_status jlt_gsl_ode_step(jlt_gsl_ode *self, double *x, double *h, double *taken, size_t *rejected, double limit)
+jlt_status jlt_gsl_ode_step(jlt_gsl_ode *self, double *x, double *f, double *h, double *taken, size_t *rejected,
+                            double limit)
 {
     gsl_odeiv2_driver *d = self->driver;
     const unsigned long failed = d->e->failed_steps;
@@ -84,6 +85,7 @@ jlt_status jlt_gsl_ode_step(jlt_gsl_ode *self, double *x, double *h, double *tak
     if (code != GSL_SUCCESS || self->clock == before) return JLT_ERR_NO_PROGRESS;
     for (size_t i = 0; i < self->dim; i++)
         if (!isfinite(x[i])) return JLT_ERR_NONFINITE;
+    for (size_t i = 0; i < self->dim; i++) f[i] = d->e->dydt_out[i];
     *taken = d->e->last_step;
     return JLT_OK;
 }

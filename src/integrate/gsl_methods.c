@@ -16,7 +16,7 @@ typedef struct {
     jlt_gsl_ode *ode;
     jlt_dop853 *companion;
     jlt_stepper *stepper;
-    double *trial, *end; /* (stride,) */
+    double *trial, *rates, *end; /* (stride,) */
 } gsl_state;
 
 static void field(void *context, const double *x, double *f)
@@ -33,9 +33,10 @@ static jlt_status create_kind(jlt_stepper *stepper, jlt_gsl_ode_kind kind)
     stepper->state = self;
     if (self == NULL) return JLT_ERR_NOMEM;
     self->companion = jlt_dop853_new(stepper);
-    self->trial = jlt_memory_array(2 * (size_t)stepper->stride, sizeof *self->trial);
+    self->trial = jlt_memory_array(3 * (size_t)stepper->stride, sizeof *self->trial);
     if (self->companion == NULL || self->trial == NULL) return JLT_ERR_NOMEM;
-    self->end = self->trial + stepper->stride;
+    self->rates = self->trial + stepper->stride;
+    self->end = self->rates + stepper->stride;
     return jlt_gsl_ode_create(&self->ode, kind, stepper->columns, field, stepper, stepper->tolerance);
 }
 
@@ -66,7 +67,7 @@ static jlt_status step(jlt_stepper *stepper, double limit)
     double h = stepper->direction * asked, taken = 0;
 
     memcpy(self->trial, stepper->x, stepper->columns * sizeof *self->trial);
-    JLT_PASS(jlt_gsl_ode_step(self->ode, self->trial, &h, &taken, &stepper->rejected,
+    JLT_PASS(jlt_gsl_ode_step(self->ode, self->trial, self->rates, &h, &taken, &stepper->rejected,
                               stepper->direction * jlt_smaller(reach, 1e300)));
     if (jlt_step_vanishes(stepper->tau, taken)) return JLT_ERR_NO_PROGRESS;
     stepper->h = taken;
@@ -75,7 +76,7 @@ static jlt_status step(jlt_stepper *stepper, double limit)
     memcpy(stepper->x_start, stepper->x, stepper->stride * sizeof *stepper->x);
     memcpy(stepper->f_start, stepper->f, stepper->stride * sizeof *stepper->f);
     memcpy(stepper->x, self->trial, stepper->columns * sizeof *stepper->x);
-    field(stepper, stepper->x, stepper->f);
+    memcpy(stepper->f, self->rates, stepper->columns * sizeof *stepper->f);
     return JLT_OK;
 }
 
