@@ -66,7 +66,8 @@ bool ttc_image_has_states(const ttc_image *image, const ttc_model *table, const 
                               "the name in parentheses)", entry->name, file);
         if (k == image->count) return ttc_refuse(reason, size, "the state %s of %s is given no way back", entry->name, file);
         if (image->forms[k] == TTC_GIVEN_ROOT)
-            return ttc_refuse(reason, size, "%s is a state of %s, and no root", entry->name, file);
+            return ttc_refuse(reason, size, "the state %s of %s is given by sqrt, as roots and parameters are "
+                              "(expected a root's name)", entry->name, file);
         if (image->forms[k] == TTC_GIVEN_ANGLE && !ttc_angle_cosine(table, table->states[i], &cosine))
             return ttc_refuse(reason, size, "%s is an angle, and %s has no record 'angle' for it", entry->name, file);
         if (image->forms[k] == TTC_GIVEN_ANGLE && (entry->low != TTC_NONE || entry->high != TTC_NONE))

@@ -126,6 +126,8 @@ static bool parse_state(ttc_parser *parser)
             return false;
         parser->model->symbols[symbol].low = ends[0];
         parser->model->symbols[symbol].high = ends[1];
+    } else if (ttc_parse_at_mark(parser, '>') || ttc_parse_peek(parser)->kind == TTC_TOKEN_AT_LEAST) {
+        return ttc_parse_unexpected(parser, "the interval of a state, as in 'in (0, inf)'");
     }
     return parse_unit_and_meaning(parser, symbol);
 }

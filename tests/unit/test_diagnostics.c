@@ -114,6 +114,7 @@ static const mistake mistakes[] = {
 
     /* param, state, root, angle, default */
     { HEAD "param b < 0\n", "7:9: error: unexpected '<' (a condition is written with >: 1 - x > 0)" },
+    { HEAD "state z > 0\neq z = a\n", "7:9: error: unexpected '>' (expected the interval of a state, as in 'in (0, inf)')" },
     { HEAD "param b > 1\n", "7:11: error: unexpected '1' (expected 0: a parameter is > 0, >= 0 or != 0)" },
     { HEAD "param b \"m\" [kg]\n", "7:13: error: unexpected unit (expected the end of the record)" },
     { HEAD "state z\n", "7:7: error: the state 'z' has no equation (expected 'eq z = ...')" },
