@@ -24,8 +24,8 @@ JLT_CHECKED jlt_status jlt_gsl_ode_reset(jlt_gsl_ode *self, const double *scale)
 
 /** Advance x, shape (dim,), by one accepted step. In/out: *h, signed, the step to try, then the one proposed next; *rejected grows
  *  by the number of rejected attempts. Out: *taken, the signed size of the accepted step; f, shape (dim,), dx/dtau at the new x.
- *  In: limit, signed, |*taken| <= |limit|. Errors: NO_PROGRESS, GSL gave up or the step vanished; NONFINITE, the field is not finite
- *  however small the step, or GSL accepted a state that is not finite. x is then undefined. */
+ *  In: limit, signed, |*taken| <= |limit|. Errors: NO_PROGRESS, GSL gave up or the step vanished; NONFINITE, the field is not
+ *  finite however small the step, or GSL accepted a state that is not finite. x is then undefined. */
 JLT_CHECKED jlt_status jlt_gsl_ode_step(jlt_gsl_ode *self, double *x, double *f, double *h, double *taken,
                                         size_t *rejected, double limit);
 
