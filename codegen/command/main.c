@@ -92,9 +92,10 @@ static const command commands[] = {
       "operation counts. Claims are proved first: if a kernel rests on a claim that is refuted or not settled, nothing is "
       "written. The output depends on the tables and options alone; after an error no file is changed.", true },
     { "build", "compile a table to a shared object, and print its path", ttc_command_build, build_options,
-      "Write kernels by --effort quick and compile them, with the compiler that CC names, else cc. The object is kept in "
-      "$XDG_CACHE_HOME/jellett, else ~/.cache/jellett, under a key of table, ttc, compiler and flags, and is not compiled again; "
-      "jellett does this for tables that it is given. Kernels that rest on claims without a proof are marked.", true },
+      "Write kernels by --effort quick and compile them, with the compiler that CC names, else cc. Print the path of the "
+      "object. It is kept in $XDG_CACHE_HOME/jellett, else ~/.cache/jellett, under a key of table, ttc, compiler and flags, "
+      "and is not compiled again; jellett does this for tables that it is given. Kernels that rest on claims without a proof "
+      "are marked.", true },
     { "cost", "print operation counts of all kernels", ttc_command_cost, cost_options,
       "Print the operations, depth and live temporaries of every kernel, as generated and as the table has its terms.", false },
     { "discover", "find integrals and densities that a table does not claim", ttc_command_discover, discover_options,
