@@ -28,10 +28,11 @@ for program in ttc jellett; do
         grep -qE "\b$program $command\b" tools/docs/commands.md ||
             fail "tools/docs/commands.md: '$program $command' is not mentioned"
         comes_out_once $program "$command"
-        # An indented example that argp has wrapped goes on at the left edge.
+        # An indented line behind the options that argp has wrapped goes on at the left edge.
         $program "$command" --help | awk -v what="$program $command --help" '
-            example && /^[^ ]/ { print what ": wrapped example: " last; wrapped = 1 }
-            { example = /^  (jellett|ttc) |^    --/; last = $0 }
+            indented && /^[^ ]/ { print what ": wrapped: " last; wrapped = 1 }
+            { indented = behind && /^  /; last = $0 }
+            / --usage / { behind = 1 }
             END { exit wrapped }' || status=1
         while IFS= read -r name; do
             [ -e "$name" ] || fail "$program $command --help: an example names $name, which does not exist"
