@@ -79,6 +79,13 @@ static void fields_events_and_options_are_numbers(void **unused)
     refused(jlt_orbit_create(&orbit, NULL, &(jlt_field){ .dim = 2, .call = oscillate, .root = 2 }, NULL));
     refused(jlt_orbit_create(&orbit, NULL, &(jlt_field){ .dim = 2, .call = oscillate, .root = -1, .scale = scale }, NULL));
     refused(jlt_orbit_create(&orbit, NULL, &(jlt_field){ .dim = 2, .call = oscillate, .root = -1, .scale = below }, NULL));
+    /* a domain's conditions need gradients; it restricts states that there are */
+    const jlt_domain domains[] = { { .states = 2, .conditions = 1, .values = oscillate }, { .states = 2, .conditions = 1 },
+                                   { .states = 3, .conditions = 1, .values = oscillate, .gradients = oscillate } };
+    for (size_t i = 0; i < sizeof domains / sizeof *domains; i++) {
+        const jlt_field restricted = { .dim = 2, .call = oscillate, .root = -1, .domain = domains[i] };
+        refused(jlt_orbit_create(&orbit, NULL, &restricted, NULL));
+    }
     const jlt_field field = { .dim = 2, .call = oscillate, .root = -1 };
     refused(jlt_orbit_create(&orbit, NULL, &field, &(jlt_options){ .t_last = NAN }));
     assert_ok(jlt_orbit_create(&orbit, NULL, &field, NULL));
