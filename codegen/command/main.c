@@ -202,10 +202,21 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
     }
 }
 
+/* In lines as long as those that argp makes of a command's text. */
+static void print_wrapped(FILE *stream, const char *text)
+{
+    for (size_t width = 79; strlen(text) > width; width = 79) {
+        while (text[width] != ' ') width--;
+        fprintf(stream, "%.*s\n", (int)width, text);
+        text += width + 1;
+    }
+    fprintf(stream, "%s\n", text);
+}
+
 static void print_help(FILE *stream)
 {
     fprintf(stream, "Usage: ttc COMMAND [OPTION...] FILE.tt...\n"
-                    "Compile term tables: readable models of mechanics with claims that are proved exactly.\n\n"
+                    "Compile term tables: readable models of mechanics with claims that are proved.\n\n"
                     "Commands:\n");
     for (size_t i = 0; i < COMMAND_COUNT; i++) fprintf(stream, "  %-10s %s\n", commands[i].name, commands[i].summary);
     fprintf(stream, "\nA table names parameters, states and equations, one term a line:\n\n"
@@ -219,8 +230,8 @@ static void print_help(FILE *stream)
                     "    integral E = v^2/2 + k*x^2/2\n\n"
                     "  ttc check oscillator.tt\n"
                     "  ttc show --format latex oscillator.tt\n\n"
-                    "'ttc COMMAND --help' explains a command and its options; 'ttc --version' prints the version.\n"
-                    "%s\n", exit_text + 1);
+                    "'ttc COMMAND --help' explains a command; 'ttc --version' prints the version.\n");
+    print_wrapped(stream, exit_text + 1);
 }
 
 /* Flush stdout, so that a full disk is noticed. Returns `status`, or TTC_EXIT_IO on failure. */

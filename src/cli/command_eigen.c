@@ -202,6 +202,6 @@ static jlt_exit run(int argc, char **argv)
 }
 
 const jlt_command jlt_command_eigen = {
-    "eigen", "[MODEL] --set PARAM=VALUE,... --at STATE=VALUE,... [--find] [--sweep ...|--digits N] [--json|--csv] [--plot FILE]",
-    "Report on an equilibrium: matrix, characteristic polynomial, eigenvalues, stability", run, &parser, NULL
+    "eigen", "[MODEL] --at STATE=VALUE,... [OPTION...]",
+    "An equilibrium: matrix, polynomial, eigenvalues, stability", run, &parser, NULL
 };

@@ -354,6 +354,6 @@ done:
 }
 
 const jlt_command jlt_command_measure = {
-    "measure", "[MODEL] --set PARAM=VALUE,... [--points N] [--json|--csv] [--plot FILE]",
-    "The density of an invariant measure from the divergence alone, or what excludes one", run, &parser, NULL
+    "measure", "[MODEL] [OPTION...]",
+    "An invariant density from the divergence alone, or what excludes one", run, &parser, NULL
 };

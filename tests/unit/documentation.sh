@@ -18,6 +18,7 @@ for program in ttc jellett; do
     commands=$($program --help | awk -v name=$program '/^  [a-z][a-z-]*( |$)/ && $1 != name { print $1 }' | sort -u)
     [ -n "$commands" ] || fail "$program --help: no line '  COMMAND ...' found"
     comes_out_once $program
+    ! $program --help | grep -nE '^.{80}' || fail "$program --help: a line is longer than those of its commands"
     for command in $commands; do
         page=$JLT_BINARY_DIR/man/$program-$command.1
         grep -qx "\.It Xr $program-$command 1" "$JLT_BINARY_DIR/man/$program.1" || fail "$program.1: '$command' is missing"
