@@ -92,9 +92,10 @@ static const command commands[] = {
       "operation counts. Claims are proved first: if a kernel rests on a claim that is refuted or not settled, nothing is "
       "written. The output depends on the tables and options alone; after an error no file is changed.", true },
     { "build", "compile a table to a shared object, and print its path", ttc_command_build, build_options,
-      "Write kernels by --effort quick and compile them, with the compiler that CC names, else cc. The object is kept in "
-      "$XDG_CACHE_HOME/jellett, else ~/.cache/jellett, under a key of table, ttc, compiler and flags, and is not compiled again; "
-      "jellett does this for tables that it is given. Kernels that rest on claims without a proof are marked.", true },
+      "Write kernels by --effort quick and compile them, with the compiler that CC names, else cc. Print the path of the "
+      "object. It is kept in $XDG_CACHE_HOME/jellett, else ~/.cache/jellett, under a key of table, ttc, compiler and flags, "
+      "and is not compiled again; jellett does this for tables that it is given. Kernels that rest on claims without a proof "
+      "are marked.", true },
     { "cost", "print operation counts of all kernels", ttc_command_cost, cost_options,
       "Print the operations, depth and live temporaries of every kernel, as generated and as the table has its terms.", false },
     { "discover", "find integrals and densities that a table does not claim", ttc_command_discover, discover_options,
@@ -201,10 +202,21 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
     }
 }
 
+/* In lines as long as those that argp makes of a command's text. */
+static void print_wrapped(FILE *stream, const char *text)
+{
+    for (size_t width = 79; strlen(text) > width; width = 79) {
+        while (text[width] != ' ') width--;
+        fprintf(stream, "%.*s\n", (int)width, text);
+        text += width + 1;
+    }
+    fprintf(stream, "%s\n", text);
+}
+
 static void print_help(FILE *stream)
 {
     fprintf(stream, "Usage: ttc COMMAND [OPTION...] FILE.tt...\n"
-                    "Compile term tables: readable models of mechanics with claims that are proved exactly.\n\n"
+                    "Compile term tables: readable models of mechanics with claims that are proved.\n\n"
                     "Commands:\n");
     for (size_t i = 0; i < COMMAND_COUNT; i++) fprintf(stream, "  %-10s %s\n", commands[i].name, commands[i].summary);
     fprintf(stream, "\nA table names parameters, states and equations, one term a line:\n\n"
@@ -218,8 +230,8 @@ static void print_help(FILE *stream)
                     "    integral E = v^2/2 + k*x^2/2\n\n"
                     "  ttc check oscillator.tt\n"
                     "  ttc show --format latex oscillator.tt\n\n"
-                    "'ttc COMMAND --help' explains a command and its options; 'ttc --version' prints the version.\n"
-                    "%s\n", exit_text + 1);
+                    "'ttc COMMAND --help' explains a command; 'ttc --version' prints the version.\n");
+    print_wrapped(stream, exit_text + 1);
 }
 
 /* Flush stdout, so that a full disk is noticed. Returns `status`, or TTC_EXIT_IO on failure. */

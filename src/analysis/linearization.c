@@ -163,9 +163,9 @@ static jlt_status measure_residual(jlt_linearization *r, const jlt_instance *ins
 
 static jlt_status bind(jlt_instance **instance, const jlt_descriptor *descriptor, const double *params)
 {
-    const jlt_descriptor *special = jlt_descriptor_choose(descriptor, NULL, NULL, params);
-
     *instance = NULL;
+    if (descriptor == NULL) return JLT_ERR_ARG;
+    const jlt_descriptor *special = jlt_descriptor_choose(descriptor, NULL, NULL, params);
     if (descriptor->state_count > SIZE || descriptor->state_count == 0) return JLT_ERR_UNSUPPORTED;
     return jlt_instance_create(instance, special == NULL ? descriptor : special, params);
 }

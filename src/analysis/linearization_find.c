@@ -189,6 +189,7 @@ jlt_status jlt_linearization_find(double *x, const jlt_descriptor *descriptor, c
     jlt_status st = JLT_ERR_NO_CONVERGENCE;
     jlt_random random;
 
+    if (descriptor == NULL) return JLT_ERR_ARG;
     if (descriptor->state_count > SIZE) return JLT_ERR_UNSUPPORTED;
     jlt_random_seed(&random, 1);
     for (size_t keep = held + 1; keep-- > 0;) {

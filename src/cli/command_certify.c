@@ -351,6 +351,5 @@ static jlt_exit run(int argc, char **argv)
 }
 
 const jlt_command jlt_command_certify = {
-    "certify", "cycle|elliptic|equilibria|homoclinic|obstruction|pole|sink|symmetric [MODEL] [OPTION...]",
-    "Prove an orbit, what equilibria exclude, or how motions end, and write the certificate", run, NULL, NULL
+    "certify", "KIND [MODEL] [OPTION...]", "Prove an orbit, what equilibria exclude, or how motions end", run, NULL, NULL
 };

@@ -83,6 +83,14 @@ static const struct argp parser = {
     "A sweep does the same at the doubles that its rows show. With --fast, numbers and verdicts are those of doubles, and each "
     "eigenvalue has a bound on its error. A state is refused with status 3, and its residual is printed, if it is off every "
     "equilibrium by more than the rounding of its digits, or by a part of its distance from a pole.\n\n"
+    "Columns of a sweep:\n"
+    "  PARAM, STATE      what --sweep varies of the parameters; every state\n"
+    "  residual          the largest rate of a state\n"
+    "  trace, trace_formula: as computed; by the table's formula, if it has one\n"
+    "  c1, c2, ...       of the characteristic polynomial x^n + c1 x^(n-1) + ...\n"
+    "  re1, im1, error1, ...: eigenvalues, first those that integrals make zero,\n"
+    "                    then ascending; bounds on their errors\n"
+    "  verdict           as above, or refused\n\n"
     "Examples:\n"
     "  jellett eigen --set a3=0 --at gamma3=0.3,v_nu=0.7,omega3=1.1\n"
     "  jellett eigen --set a3=0,I1=2/5 --at v_nu=0.7,omega3=1.1 \\\n"
@@ -194,6 +202,6 @@ static jlt_exit run(int argc, char **argv)
 }
 
 const jlt_command jlt_command_eigen = {
-    "eigen", "[MODEL] --set PARAM=VALUE,... --at STATE=VALUE,... [--find] [--sweep ...|--digits N] [--json|--csv] [--plot FILE]",
-    "Report on an equilibrium: matrix, characteristic polynomial, eigenvalues, stability", run, &parser, NULL
+    "eigen", "[MODEL] --at STATE=VALUE,... [OPTION...]",
+    "An equilibrium: matrix, polynomial, eigenvalues, stability", run, &parser, NULL
 };

@@ -388,5 +388,5 @@ static const jlt_shelf_form together = { begin, are_enough, follow, finish, drop
 
 const jlt_command jlt_command_lyapunov = {
     "lyapunov", "[MODEL] [OPTION...]",
-    "Lyapunov exponents with their convergence, or a chart of finite-time exponents", NULL, &parser, &together
+    "Lyapunov exponents and how they converge, or a chart of finite times", NULL, &parser, &together
 };

@@ -61,6 +61,11 @@ static const struct argp parser = {
     "much the right-hand side varies with the other states. It also has the residual of div(rho f) for every density that the "
     "table claims at these parameters. An equilibrium that excludes measures is proved to do so at the exact values of the "
     "parameters (1/3, 0.51).\n\n"
+    "Columns:\n"
+    "  PARAM             the values of --sweep\n"
+    "  q                 the state on which the density depends, by its name\n"
+    "  density, error    as computed; 1 at the middle of what q may be\n"
+    "  closed_form       as the table claims it; empty where it claims none\n\n"
     "Examples:\n"
     "  jellett measure --set I3=0 --plot density.svg   # of Euler and Jacobi\n"
     "  jellett measure --set a3=0                      # obstructed",
@@ -349,6 +354,6 @@ done:
 }
 
 const jlt_command jlt_command_measure = {
-    "measure", "[MODEL] --set PARAM=VALUE,... [--points N] [--json|--csv] [--plot FILE]",
-    "The density of an invariant measure from the divergence alone, or what excludes one", run, &parser, NULL
+    "measure", "[MODEL] [OPTION...]",
+    "An invariant density from the divergence alone, or what excludes one", run, &parser, NULL
 };

@@ -306,5 +306,5 @@ static jlt_exit run(int argc, char **argv)
 }
 
 const jlt_command jlt_command_models = {
-    "models", "[MODEL] [--json]", "What is built in and in this folder: models, variants, kernels, counts, hashes", run, NULL, NULL
+    "models", "[MODEL] [--json]", "Models built in and in this folder: variants, kernels, counts, hashes", run, NULL, NULL
 };

@@ -168,5 +168,5 @@ static jlt_exit run(int argc, char **argv)
 
 const jlt_command jlt_command_separation = {
     "separation", "[MODEL] [OPTION...]",
-    "Whether attractor and repeller are apart: cells visited forwards and backwards", run, &parser, NULL
+    "Whether attractor and repeller are apart, by the cells orbits visit", run, &parser, NULL
 };

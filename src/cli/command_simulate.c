@@ -393,5 +393,5 @@ done:
 
 const jlt_command jlt_command_simulate = {
     "simulate", "[MODEL] --start ... --times ...|--until ... [OPTION...]",
-    "One orbit at given times: states, drift of integrals, observed quantities", run, &parser, NULL
+    "One orbit at given times: states, drifts, observed quantities", run, &parser, NULL
 };

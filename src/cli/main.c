@@ -20,14 +20,17 @@ static void print_help(FILE *stream)
     for (size_t i = 0; (command = jlt_command_at(i)) != NULL; i++)
         fprintf(stream, "  %s %s\n        %s\n", command->name, command->arguments, command->summary);
     fputs("\nMODEL is " JLT_DEFAULT_MODEL " when none is named. Values are exact: 1/3, 0.51, 1e-3.\n\n"
-          "  jellett section --grid 24x16 --plot map.svg -o map.csv    a first picture: the Poincare map at (5.1)\n"
+          "  jellett section --grid 24x16 --plot map.svg -o map.csv\n"
+          "                            a first picture: the Poincare map at (5.1)\n"
           "  jellett COMMAND --help    options of a command, with examples\n"
           "  jellett --help            this page\n"
           "  jellett --version         the version\n\n"
-          "Exit status: 0 done, 1 a claim or check failed, 2 wrong usage, 3 bad input, 4 a numerical method failed,\n"
-          "5 a file cannot be read or written. An interrupted command ends by the signal (shells show 130 after Ctrl-C,\n"
-          "143 after kill), within a second, or ten more where it still draws --plot; a second later, another signal ends the\n"
-          "program at once. A command that writes rows as they come saves those that are whole; other commands save nothing.\n",
+          "Exit status: 0 done, 1 a claim or check failed, 2 wrong usage, 3 bad input,\n"
+          "4 a numerical method failed, 5 a file cannot be read or written. An interrupted\n"
+          "command ends by the signal (shells show 130 after Ctrl-C, 143 after kill),\n"
+          "within a second, or ten more where it still draws --plot; a second later,\n"
+          "another signal ends the program at once. A command that writes rows as they\n"
+          "come saves those that are whole; other commands save nothing.\n",
           stream);
 }
 

@@ -15,12 +15,12 @@ void jlt_progress_start(jlt_progress *self, const char *unit)
 void jlt_progress_show(jlt_progress *self, size_t done, size_t all)
 {
     if (!self->visible || __atomic_test_and_set(&self->showing, __ATOMIC_ACQUIRE)) return;
-    const double now = jlt_interrupt_clock(), seconds = now - self->started;
+    const double now = jlt_interrupt_clock(), seconds = now - self->started, rate = (double)done / seconds;
     if (now - self->shown < 0.2) goto done;
     self->shown = now;
     fprintf(stderr, "%zu", done);
     if (all > 0) fprintf(stderr, " of %zu", all);
-    fprintf(stderr, " %s, %.3g a second", self->unit, (double)done / seconds);
+    fprintf(stderr, " %s, %.*f a second", self->unit, rate < 1 ? 3 : rate < 100 ? 1 : 0, rate);
     if (all > done && done > 0) fprintf(stderr, ", %.0f s to go", seconds * (double)(all - done) / (double)done);
     fputs("\033[K\r", stderr); /* what else is printed begins on this line */
 done:

@@ -104,7 +104,8 @@ jlt_status jlt_map_batch_create(jlt_map_batch **out, const jlt_flow *flow, const
     jlt_status st = JLT_OK;
 
     *out = NULL;
-    if (flow->chart == NULL || flow->field == NULL || flow->chart->states != flow->field->dim) return JLT_ERR_ARG;
+    if (flow == NULL || flow->chart == NULL || flow->field == NULL || flow->chart->states != flow->field->dim) return JLT_ERR_ARG;
+    if (!jlt_section_flows_owns(flow, kernels)) return JLT_ERR_ARG;
     const jlt_batch_map map = {
         .kernels = kernels != NULL && serves(flow) ? kernels : NULL,
         .dim = flow->chart->states,

@@ -16,7 +16,7 @@ typedef struct jlt_map_batch jlt_map_batch;
 
 /** Create a batch. kernels: those of the flow's field, see jlt_batch_isa_best, NULL where there are none; method: NULL for the
  *  usual one for the tolerance; threads: 0 and 1 are the caller's alone. What the flow points to must live as long. Errors: as
- *  jlt_map_create. */
+ *  jlt_map_create; ARG, kernels of another field. */
 JLT_CHECKED jlt_status jlt_map_batch_create(jlt_map_batch **out, const jlt_flow *flow, const jlt_kernel_batch *kernels,
                                             const struct jlt_batch_method *method, unsigned threads);
 void jlt_map_batch_destroy(jlt_map_batch *self); /* NULL is legal */

@@ -55,10 +55,12 @@ jlt_status jlt_section_batch_create(jlt_section_batch **out, const jlt_flow *flo
 {
     /* Below root_floor the flow's own method judges whether an orbit ends at a pole; few orbits that do not reach root_least. */
     static const double root_floor = 1e-9, root_least = 1e-12;
+    static const jlt_section_batch_options defaults = { .threads = 0 };
     jlt_section_batch *self = NULL;
 
     *out = NULL;
-    if (flow->chart == NULL || flow->field == NULL) return JLT_ERR_ARG;
+    if (flow == NULL || flow->chart == NULL || flow->field == NULL || !jlt_section_flows_owns(flow, kernels)) return JLT_ERR_ARG;
+    if (options == NULL) options = &defaults;
     self = calloc(1, sizeof *self);
     if (self == NULL) return JLT_ERR_NOMEM;
     self->options = *options;
@@ -341,6 +343,7 @@ size_t jlt_section_batch_begun(const jlt_section_batch *self)
 
 jlt_status jlt_section_batch_start(jlt_section_batch *self, jlt_return *row, size_t orbit)
 {
+    if (orbit >= self->count) return JLT_ERR_ARG;
     if (self->lifted[orbit] != JLT_OK) return self->lifted[orbit];
     self->reading.lane = self->lane[orbit];
     self->reading.is_done = false;

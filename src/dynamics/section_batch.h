@@ -32,8 +32,9 @@ typedef struct {
 
 typedef struct jlt_section_batch jlt_section_batch;
 
-/** Create a batch. kernels: those of the flow's field, see jlt_batch_isa_best; NULL: all orbits go alone, by the flow's method.
- *  What the flow points to must live as long as the batch. Errors: as jlt_section_create; NOMEM. */
+/** Create a batch. kernels: those of the flow's field, flow->field->batch, which need not be the table's that was asked for; NULL:
+ *  all orbits go alone, by the flow's method. options: NULL for all defaults. What the flow points to must live as long as the
+ *  batch. Errors: as jlt_section_create; ARG, kernels of another field; NOMEM. */
 JLT_CHECKED jlt_status jlt_section_batch_create(jlt_section_batch **out, const jlt_flow *flow, const jlt_kernel_batch *kernels,
                                                 const jlt_section_batch_options *options);
 void jlt_section_batch_destroy(jlt_section_batch *self); /* NULL is legal */
@@ -60,13 +61,13 @@ JLT_CHECKED jlt_status jlt_section_batch_run_each(jlt_section_batch *self, const
  *  return. */
 size_t jlt_section_batch_begun(const jlt_section_batch *self);
 
-/** Begin to read an orbit: *row is its start, number 0. Errors: as the chart's lift. */
+/** Begin to read an orbit: *row is its start, number 0. Errors: ARG, there is no such orbit; as the chart's lift. */
 JLT_CHECKED jlt_status jlt_section_batch_start(jlt_section_batch *self, jlt_return *row, size_t orbit);
 
 /** Read its next return, or its end, as jlt_section_next. Errors: ARG, last_only; IO, the temporary file; as jlt_section_next. */
 JLT_CHECKED jlt_status jlt_section_batch_next(jlt_section_batch *self, jlt_return *row);
 
-/** The last row of an orbit: its end, or the last of its returns. Errors: as the chart's lift. */
+/** The last row of an orbit: its end, or the last of its returns. Errors: as jlt_section_batch_start. */
 JLT_CHECKED jlt_status jlt_section_batch_last(jlt_section_batch *self, jlt_return *row, size_t orbit);
 
 #endif

@@ -48,6 +48,14 @@ void jlt_section_flows_clear(jlt_section_flows *self)
     *self = (jlt_section_flows){ .all = NULL };
 }
 
+bool jlt_section_flows_owns(const jlt_flow *flow, const jlt_kernel_batch *kernels)
+{
+    const jlt_kernel_batch *own = flow->field->batch;
+
+    if (kernels == NULL || own == NULL || kernels == own) return true;
+    return kernels->lanes != own->lanes && kernels->prepared == own->prepared; /* a field has one for each number of lanes */
+}
+
 const char *jlt_section_flows_obstacle(const jlt_flow *flow, const jlt_kernel_batch *kernels)
 {
     const unsigned conditions = jlt_observed_conditions(flow->observed);

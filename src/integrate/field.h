@@ -25,7 +25,7 @@ typedef struct {
     const jlt_quantity *intervals; /* (states,); NULL: not watched */
     unsigned conditions;           /* <= JLT_REGION_CONDITIONS_MAX; 0: none */
     jlt_kernel_function values,    /* x, p -> (conditions,), > 0 inside */
-        gradients;                 /* x, p -> (conditions, states) */
+        gradients;                 /* x, p -> (conditions, states); needed as well where there are conditions */
     const double *p;               /* passed through */
 } jlt_domain;
 

@@ -28,7 +28,8 @@ typedef struct {
     const volatile sig_atomic_t *interrupt; /* nonzero ends the call with JLT_END_INTERRUPT; NULL: none */
     jlt_invariants invariants;
     bool project;             /* after each step put the state back onto the start's levels of the invariants, along their
-                                 gradients, when it is off by more than rounding */
+                                 gradients, when it is off by more than rounding; crossings and times asked for lie within steps,
+                                 whose states are off by a step's error */
     bool ignore_pole;         /* do not end at a pole, but go on towards it in regularised time without end */
 } jlt_options;
 
@@ -64,7 +65,7 @@ void jlt_orbit_destroy(jlt_orbit *self); /* NULL is legal */
 JLT_OWNED_TYPE(jlt_orbit)
 
 /** Start at x, shape (dim,), at time t, forwards (direction +1) or backwards (-1) in time. The invariants' levels, and the side
- *  of each event that the orbit is on, are those of x.
+ *  of each event that the orbit is on, are those of x. Steps are rounded as t is: 1e-10 s at t = 1e6 s.
  *  Errors: ARG, another direction; NONFINITE, t, x or the field there; NO_CONVERGENCE, as jlt_pole_judge. */
 JLT_CHECKED jlt_status jlt_orbit_start(jlt_orbit *self, double t, const double *x, int direction);
 

@@ -37,6 +37,14 @@ static void set_scales(jlt_stepper *self)
     }
 }
 
+/* Whether the domain is one that steps can watch: of states that the field has, and with gradients of its conditions. */
+static bool can_watch(const jlt_domain *domain, unsigned dim)
+{
+    if (domain->states > dim || domain->states > JLT_DOMAIN_STATES_MAX) return false;
+    if (domain->conditions > JLT_REGION_CONDITIONS_MAX) return false;
+    return domain->conditions == 0 || (domain->values != NULL && domain->gradients != NULL);
+}
+
 jlt_status jlt_stepper_create(jlt_stepper **out, const jlt_method *method, const jlt_field *field, double tolerance,
                               double max_step)
 {
@@ -49,7 +57,7 @@ jlt_status jlt_stepper_create(jlt_stepper **out, const jlt_method *method, const
     if (method == NULL) method = jlt_method_find(NULL);
     if (field == NULL || field->call == NULL) return JLT_ERR_ARG;
     if (field->dim == 0 || field->dim > JLT_FIELD_DIM_MAX || field->controlled > field->dim) return JLT_ERR_ARG;
-    if (field->root >= (int)field->dim) return JLT_ERR_ARG;
+    if (field->root >= (int)field->dim || !can_watch(&field->domain, field->dim)) return JLT_ERR_ARG;
     for (unsigned i = 0; field->scale != NULL && i < field->dim; i++)
         if (!(field->scale[i] >= 0)) return JLT_ERR_ARG;
     if (!(tolerance > 0) || !(tolerance < 1) || !(max_step > 0)) return JLT_ERR_ARG;

@@ -60,8 +60,8 @@ typedef struct {
 
 /** Create a stepper; call jlt_stepper_start before jlt_stepper_advance. Out: *out, NULL on failure.
  *  In: method, NULL for the default; tolerance in (0, 1); max_step > 0 in tau, or INFINITY. The stepper keeps a pointer to
- *  `field`, which must live as long. Errors: ARG, also a field whose root, controlled states or scales are none; UNSUPPORTED,
- *  taylor on a field without a jet; NOMEM. */
+ *  `field`, which must live as long. Errors: ARG, also a field whose root, controlled states, scales or domain are none;
+ *  UNSUPPORTED, taylor on a field without a jet; NOMEM. */
 JLT_CHECKED jlt_status jlt_stepper_create(jlt_stepper **out, const jlt_method *method, const jlt_field *field,
                                           double tolerance, double max_step);
 void jlt_stepper_destroy(jlt_stepper *self); /* NULL is legal */

@@ -199,16 +199,17 @@ static bool position(const jlt_quantity *quantities, unsigned count, const char 
 
 bool jlt_descriptor_state(const jlt_descriptor *descriptor, const char *name, size_t *index)
 {
-    return position(descriptor->states, descriptor->state_count, name, index);
+    return descriptor != NULL && position(descriptor->states, descriptor->state_count, name, index);
 }
 
 bool jlt_descriptor_param(const jlt_descriptor *descriptor, const char *name, size_t *index)
 {
-    return position(descriptor->params, descriptor->param_count, name, index);
+    return descriptor != NULL && position(descriptor->params, descriptor->param_count, name, index);
 }
 
 jlt_status jlt_descriptor_check_state(const jlt_descriptor *descriptor, const double *x, size_t *index)
 {
+    if (descriptor == NULL) return JLT_ERR_ARG;
     for (unsigned i = 0; i < descriptor->state_count; i++) {
         const jlt_quantity *q = &descriptor->states[i];
         *index = i;
@@ -235,6 +236,7 @@ bool jlt_descriptor_allows(const jlt_quantity *param, double value)
 
 jlt_status jlt_descriptor_check_params(const jlt_descriptor *descriptor, const double *params, size_t *index)
 {
+    if (descriptor == NULL) return JLT_ERR_ARG;
     for (unsigned i = 0; i < descriptor->param_count; i++) {
         *index = i;
         if (!isfinite(params[i])) return JLT_ERR_NONFINITE;

@@ -80,7 +80,8 @@ bool jlt_descriptor_param(const jlt_descriptor *descriptor, const char *name, si
 
 /** Check x, shape (state_count,), or params, shape (param_count,), against the table's domain: finite, states in their open
  *  intervals, parameters of their signs. On failure *index is the first offender.
- *  Errors: NONFINITE, a NaN or an infinity; DOMAIN, a state outside its interval, or a parameter of the wrong sign. */
+ *  Errors: ARG, no descriptor; NONFINITE, a NaN or an infinity; DOMAIN, a state outside its interval, or a parameter of the wrong
+ *  sign. */
 JLT_CHECKED jlt_status jlt_descriptor_check_state(const jlt_descriptor *descriptor, const double *x, size_t *index);
 JLT_CHECKED jlt_status jlt_descriptor_check_params(const jlt_descriptor *descriptor, const double *params, size_t *index);
 

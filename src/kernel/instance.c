@@ -56,6 +56,7 @@ jlt_status jlt_instance_create_in(jlt_instance **instance, const jlt_descriptor 
 
 jlt_status jlt_instance_units(jlt_units *out, const jlt_descriptor *model, const double *params, const double *x)
 {
+    if (model == NULL) return JLT_ERR_ARG;
     const unsigned n = model->state_count;
     JLT_FREED double *still = jlt_memory_array(2 * n, sizeof *still);
     JLT_OWNED(jlt_instance) *instance = NULL;

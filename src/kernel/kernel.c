@@ -40,6 +40,7 @@ jlt_status jlt_kernel_prepare_params(double *prepared, const jlt_descriptor *des
     double result[JLT_KERNEL_OUTPUTS_MAX];
     jlt_guard guard;
 
+    if (descriptor == NULL) return JLT_ERR_ARG;
     if (descriptor->prepare == NULL || descriptor->prepared_count > JLT_KERNEL_OUTPUTS_MAX) return JLT_ERR_UNSUPPORTED;
     if (!all_finite(params, descriptor->param_count)) return JLT_ERR_NONFINITE;
     jlt_guard_enter(&guard);

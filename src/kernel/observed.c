@@ -14,10 +14,11 @@ struct jlt_observed {
 
 jlt_status jlt_observed_create(jlt_observed **observed, const jlt_descriptor *of, const double *params, const jlt_units *units)
 {
-    const jlt_descriptor *general = jlt_descriptor_sibling(of, NULL, of->time, NULL);
     JLT_OWNED(jlt_observed) *self = NULL;
 
     *observed = NULL;
+    if (of == NULL) return JLT_ERR_ARG;
+    const jlt_descriptor *general = jlt_descriptor_sibling(of, NULL, of->time, NULL);
     if (general == NULL || general->valid_count > JLT_OBSERVED_CONDITIONS_MAX || of->state_count > JLT_OBSERVED_STATES_MAX)
         return JLT_ERR_UNSUPPORTED;
     self = calloc(1, sizeof *self);

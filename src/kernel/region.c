@@ -28,9 +28,9 @@ static bool is_zero(double value, double squares)
 jlt_status jlt_region_check(const jlt_region **region, double *value, const jlt_descriptor *descriptor, const double *params,
                             const double *x)
 {
-    const unsigned count = descriptor->domain_count, divisors = descriptor->divisor_count, states = descriptor->state_count;
-
     *region = NULL;
+    if (descriptor == NULL) return JLT_ERR_ARG;
+    const unsigned count = descriptor->domain_count, divisors = descriptor->divisor_count, states = descriptor->state_count;
     if (count == 0 && divisors == 0) return JLT_OK;
     JLT_FREED double *room = jlt_memory_array((size_t)count + 2 * divisors + states + descriptor->prepared_count, sizeof *room);
     if (room == NULL) return JLT_ERR_NOMEM;

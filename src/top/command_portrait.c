@@ -395,5 +395,5 @@ static jlt_exit run(int argc, char **argv)
 
 const jlt_command jlt_command_portrait = {
     "portrait", "[MODEL] --level ...|--start ... [OPTION...]",
-    "a3 = 0: the flow on M^2, its fixed points and their stability, orbits, picture", run, &parser, NULL
+    "a3 = 0: the flow on M^2, its fixed points, their stability, a picture", run, &parser, NULL
 };

@@ -270,5 +270,5 @@ static jlt_exit run(int argc, char **argv)
 
 const jlt_command jlt_command_rod = {
     "rod", "[MODEL] --start ... [OPTION...]",
-    "I3 = 0 by quadratures: period, rotation number, checked against integration", run, &parser, NULL
+    "I3 = 0 by quadratures: period, rotation number; a check by integration", run, &parser, NULL
 };

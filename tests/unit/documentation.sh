@@ -18,6 +18,7 @@ for program in ttc jellett; do
     commands=$($program --help | awk -v name=$program '/^  [a-z][a-z-]*( |$)/ && $1 != name { print $1 }' | sort -u)
     [ -n "$commands" ] || fail "$program --help: no line '  COMMAND ...' found"
     comes_out_once $program
+    ! $program --help | grep -nE '^.{80}' || fail "$program --help: a line is longer than those of its commands"
     for command in $commands; do
         page=$JLT_BINARY_DIR/man/$program-$command.1
         grep -qx "\.It Xr $program-$command 1" "$JLT_BINARY_DIR/man/$program.1" || fail "$program.1: '$command' is missing"
@@ -28,10 +29,11 @@ for program in ttc jellett; do
         grep -qE "\b$program $command\b" tools/docs/commands.md ||
             fail "tools/docs/commands.md: '$program $command' is not mentioned"
         comes_out_once $program "$command"
-        # An indented example that argp has wrapped goes on at the left edge.
+        # An indented line behind the options that argp has wrapped goes on at the left edge.
         $program "$command" --help | awk -v what="$program $command --help" '
-            example && /^[^ ]/ { print what ": wrapped example: " last; wrapped = 1 }
-            { example = /^  (jellett|ttc) |^    --/; last = $0 }
+            indented && /^[^ ]/ { print what ": wrapped: " last; wrapped = 1 }
+            { indented = behind && /^  /; last = $0 }
+            / --usage / { behind = 1 }
             END { exit wrapped }' || status=1
         while IFS= read -r name; do
             [ -e "$name" ] || fail "$program $command --help: an example names $name, which does not exist"

@@ -3,13 +3,19 @@
 #include "unit/check.h"
 
 #include "analysis/density.h"
+#include "analysis/linearization.h"
+#include "dynamics/map_batch.h"
 #include "dynamics/orbits.h"
+#include "dynamics/section_batch.h"
 #include "dynamics/surface.h"
 #include "integrate/orbit.h"
+#include "kernel/batch_isa.h"
 #include "kernel/descriptor.h"
+#include "kernel/kernel.h"
 #include "kernel/load.h"
 #include "scene/course.h"
 #include "scene/handle.h"
+#include "top/top.h"
 
 #define refused(call) assert_int_equal((call), JLT_ERR_ARG)
 
@@ -73,6 +79,13 @@ static void fields_events_and_options_are_numbers(void **unused)
     refused(jlt_orbit_create(&orbit, NULL, &(jlt_field){ .dim = 2, .call = oscillate, .root = 2 }, NULL));
     refused(jlt_orbit_create(&orbit, NULL, &(jlt_field){ .dim = 2, .call = oscillate, .root = -1, .scale = scale }, NULL));
     refused(jlt_orbit_create(&orbit, NULL, &(jlt_field){ .dim = 2, .call = oscillate, .root = -1, .scale = below }, NULL));
+    /* a domain's conditions need gradients; it restricts states that there are */
+    const jlt_domain domains[] = { { .states = 2, .conditions = 1, .values = oscillate }, { .states = 2, .conditions = 1 },
+                                   { .states = 3, .conditions = 1, .values = oscillate, .gradients = oscillate } };
+    for (size_t i = 0; i < sizeof domains / sizeof *domains; i++) {
+        const jlt_field restricted = { .dim = 2, .call = oscillate, .root = -1, .domain = domains[i] };
+        refused(jlt_orbit_create(&orbit, NULL, &restricted, NULL));
+    }
     const jlt_field field = { .dim = 2, .call = oscillate, .root = -1 };
     refused(jlt_orbit_create(&orbit, NULL, &field, &(jlt_options){ .t_last = NAN }));
     assert_ok(jlt_orbit_create(&orbit, NULL, &field, NULL));
@@ -99,6 +112,45 @@ static void flows_have_a_direction_and_a_time(void **unused)
     refused(jlt_map_create(&map, NULL));
 }
 
+/* The section that the tables of a model describe may be another table's; the model's own kernels would follow another motion. */
+static void batches_take_the_kernels_of_their_field(void **unused)
+{
+    const jlt_descriptor *top = jlt_descriptor_find("spherical_top", NULL, NULL, NULL);
+    static const double start[] = { 0.1, -0.6 };
+    static jlt_surface surface;
+    const jlt_claim *broken;
+    jlt_section_batch *batch;
+    jlt_map_batch *maps;
+    jlt_system *system;
+    jlt_return row, alone;
+    jlt_section *section;
+    (void)unused;
+
+    assert_ok(jlt_surface_find(&surface, &broken, top, NULL, NULL));
+    assert_ok(jlt_surface_system(&system, &surface, surface.defaults, NULL));
+    refused(jlt_section_batch_create(&batch, &system->flow, jlt_batch_isa_best(top, 0), NULL));
+    refused(jlt_map_batch_create(&maps, &system->flow, jlt_batch_isa_best(top, 0), NULL, 1));
+    refused(jlt_section_batch_create(&batch, NULL, NULL, NULL));
+    refused(jlt_map_batch_create(&maps, NULL, NULL, NULL, 1));
+    for (unsigned lanes = 2; lanes <= jlt_batch_isa_lanes(); lanes *= 2) {
+        assert_ok(jlt_map_batch_create(&maps, &system->flow, jlt_batch_isa_best(system->instance->descriptor, lanes), NULL, 1));
+        jlt_map_batch_destroy(maps);
+    }
+    assert_ok(jlt_section_batch_create(&batch, &system->flow, system->field.batch, NULL)); /* all defaults */
+    refused(jlt_section_batch_last(batch, &row, 0)); /* nothing was run */
+    assert_ok(jlt_section_batch_run(batch, start, 1, 3));
+    refused(jlt_section_batch_start(batch, &row, 1));
+    refused(jlt_section_batch_last(batch, &row, 1));
+    assert_ok(jlt_section_batch_last(batch, &row, 0));
+    assert_ok(jlt_section_create(&section, &system->flow));
+    assert_ok(jlt_section_start(section, &alone, start, 1));
+    while (alone.number < 3) assert_ok(jlt_section_next(section, &alone));
+    assert_near(row.q[0], alone.q[0], 1e-9);
+    jlt_section_destroy(section);
+    jlt_section_batch_destroy(batch);
+    jlt_system_destroy(system);
+}
+
 static void a_model_that_is_not_found_is_none(void **unused)
 {
     const jlt_descriptor *none = jlt_descriptor_find("no such model", NULL, NULL, NULL), *loaded;
@@ -108,13 +160,29 @@ static void a_model_that_is_not_found_is_none(void **unused)
     jlt_system *system;
     jlt_course *course;
     jlt_course_row row;
+    jlt_units units = { 0 };
+    jlt_observed *observed;
+    const jlt_region *region;
+    jlt_top top;
+    double value, x[3];
+    size_t index;
     (void)unused;
 
+    static jlt_linearization report;
     static jlt_surface surface;
     static jlt_surface_family family;
     static jlt_plan plan;
     refused(jlt_instance_create(&instance, none, lorenz_params));
     refused(jlt_system_plane(&system, none, lorenz_params, 2, 27, NULL, NULL));
+    refused(jlt_descriptor_check_params(none, lorenz_params, &index));
+    refused(jlt_descriptor_check_state(none, lorenz_start, &index));
+    refused(jlt_region_check(&region, &value, none, lorenz_params, NULL));
+    refused(jlt_kernel_prepare_params(&value, none, lorenz_params));
+    refused(jlt_instance_units(&units, none, lorenz_params, lorenz_start));
+    refused(jlt_observed_create(&observed, none, lorenz_params, &units));
+    refused(jlt_linearization_compute(&report, none, lorenz_params, lorenz_start, NULL, NULL));
+    refused(jlt_linearization_find(x, none, lorenz_params, NULL, 0));
+    refused(jlt_top_read(&top, none, lorenz_params));
     refused(jlt_surface_find(&surface, &broken, none, NULL, NULL));
     refused(jlt_surface_family_init(&family, none, "E"));
     refused(jlt_surface_family_init(&family, jlt_descriptor_find("spherical_top", NULL, NULL, NULL), NULL));
@@ -242,6 +310,7 @@ int main(void)
         cmocka_unit_test(times_do_not_turn_back),
         cmocka_unit_test(fields_events_and_options_are_numbers),
         cmocka_unit_test(flows_have_a_direction_and_a_time),
+        cmocka_unit_test(batches_take_the_kernels_of_their_field),
         cmocka_unit_test(a_model_that_is_not_found_is_none),
         cmocka_unit_test(continuation_takes_its_options_as_they_are),
         cmocka_unit_test(a_search_has_starts),

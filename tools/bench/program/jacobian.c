@@ -235,7 +235,7 @@ done:
 
 const jlt_bench_kind jlt_bench_jacobian = {
     "jacobian",
-    "Jacobian of (3.2) at 256 random points, generic and near a pole, against ball arithmetic; error relative to the largest entry "
-    "of the column, inf where a difference leaves the domain",
+    "Jacobian of (3.2) at 256 random points, generic and near a pole,\n    against ball arithmetic; error relative to the largest "
+    "entry of the\n    column, inf where a difference leaves the domain",
     "program,method,points,step,error,error_least,error_largest,ns_per_jacobian,ns_least,ns_largest", false, false, false, run,
 };

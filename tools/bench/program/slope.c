@@ -239,7 +239,7 @@ static jlt_exit run(FILE *table, const jlt_bench_options *options)
 
 const jlt_bench_kind jlt_bench_slope = {
     "slope",
-    "derivative DP of the section map at (5.1) by the variational equations and by differences; error relative to its largest "
+    "derivative DP of the section map at (5.1) by the variational\n    equations and by differences; error relative to its largest "
     "entry",
     "program,method,form,threads,tolerance,error,us_per_derivative,us_least,us_largest,failed", true, false, true, run,
 };

@@ -117,7 +117,7 @@ static jlt_exit run(FILE *table, const jlt_bench_options *options)
 
 const jlt_bench_kind jlt_bench_tiers = {
     "tiers",
-    "states at given times by every tier that serves; --reference is the folder with flow_rod.csv, flow_balanced.csv, "
+    "states at given times by every tier that serves; --reference is the\n    folder with flow_rod.csv, flow_balanced.csv, "
     "flow_generic.csv",
     "scene,tier,dimension,tolerance,error,steps,evaluations,us_per_orbit,us_least,us_largest", true, true, false, run,
 };
