@@ -123,12 +123,11 @@ static bool has_kernel(const jlt_descriptor *of, const char *density)
     return false;
 }
 
-/* What the prover says of the claim of a density, for the end of a line; "" where it is proved. */
-static const char *doubt_of(const jlt_descriptor *of, const char *density)
+/* What the prover says of the claim of a density. */
+static const char *verdict_of(const jlt_descriptor *of, const char *density)
 {
-    static const char *const words[] = {
-        [JLT_PROVED] = "", [JLT_REFUTED] = "; its claim is refuted", [JLT_UNSETTLED] = "; its claim is not settled"
-    };
+    static const char *const words[] = { [JLT_PROVED] = "proved", [JLT_REFUTED] = "refuted", [JLT_UNSETTLED] = "not settled" };
+
     return words[jlt_descriptor_claim(of, "measure", density)->verdict];
 }
 
@@ -137,9 +136,13 @@ static void write_claims(FILE *stream, const jlt_measure_finding *f)
     const jlt_descriptor *d = f->instance->descriptor;
     bool is_any = d->measure_count > 0;
 
-    for (unsigned i = 0; i < d->measure_count; i++)
-        fprintf(stream, "table        density %s: |div(rho f)| is at most %.2g of its terms over %d random states%s\n",
-                d->measures[i].name, f->residual[i], JLT_MEASURE_SAMPLES, doubt_of(d, d->measures[i].name));
+    for (unsigned i = 0; i < d->measure_count; i++) {
+        const char *name = d->measures[i].name, *verdict = verdict_of(d, name);
+        fprintf(stream, "table        density %s: |div(rho f)| is at most %.2g of its terms over %d random states", name,
+                f->residual[i], JLT_MEASURE_SAMPLES);
+        if (strcmp(verdict, "proved") != 0) fprintf(stream, "; its claim is %s", verdict);
+        fputc('\n', stream);
+    }
     for (const jlt_claim *claim = d->claims; claim->kind != NULL; claim++) {
         if (strcmp(claim->kind, "measure") != 0 || claim->verdict != JLT_PROVED || has_kernel(d, claim->name)) continue;
         fprintf(stream, "table        density %s, claimed where %s, is not compared: no record 'variant' that sets this holds at "
@@ -185,8 +188,8 @@ static jlt_status write_json(FILE *stream, const jlt_measure_finding *f)
     json_t *measures = json_array(), *table = json_array();
 
     for (unsigned i = 0; i < d->measure_count; i++)
-        json_array_append_new(measures, json_pack("{s:s,s:o}", "name", d->measures[i].name, "residual",
-                                                  jlt_json_number(f->residual[i])));
+        json_array_append_new(measures, json_pack("{s:s,s:s,s:o}", "name", d->measures[i].name, "verdict",
+                                                  verdict_of(d, d->measures[i].name), "residual", jlt_json_number(f->residual[i])));
     for (size_t i = 0; a->points != NULL && i < a->count; i++)
         json_array_append_new(table, json_pack("{s:o,s:o,s:o}", "at", jlt_json_number(a->points[i].at), "density",
                                                jlt_json_number(a->points[i].density), "closed_form",

@@ -236,6 +236,27 @@ static const char default_grid[] = "40x40";
 /* Whether --grid 0x0 asks for symmetric orbits only, without starts of a grid. */
 static bool searches_nowhere(const options *o) { return o->grid != NULL && strcmp(o->grid, "0x0") == 0; }
 
+/* Say why a grid of starts shows no orbit: Newton's method needs the map's derivative at one of them at least. */
+static void tell_none(jlt_map *map, const jlt_grid_axis *axes, unsigned dim)
+{
+    double q[JLT_CHART_DIM_MAX];
+    jlt_image image;
+    jlt_status st = JLT_ERR_DOMAIN;
+    size_t all = 1;
+
+    for (unsigned k = 0; k < dim; k++) all *= axes[k].count;
+    for (size_t i = 0; i < all && st == JLT_ERR_DOMAIN; i++) {
+        jlt_grid_point(q, axes, dim, i);
+        st = jlt_map_apply(map, &image, q, 1, 1);
+    }
+    if (st == JLT_ERR_DOMAIN)
+        fputs("jellett: no orbit is found: at none of the starts does the map have a derivative: orbits cross the section the "
+              "other way (--direction), leave the model's domain, or do not come back ('jellett section' tells which), or a rate "
+              "jumps on the way, as dry friction does\n", stderr);
+    else
+        fputs("jellett: no orbit is found: a finer --grid, or a larger --near, finds those that are strongly unstable\n", stderr);
+}
+
 static jlt_exit search_all(jlt_orbits *list, jlt_map *map, const options *o, jlt_system *system)
 {
     const jlt_chart *chart = system->flow.chart;
@@ -262,8 +283,7 @@ static jlt_exit search_all(jlt_orbits *list, jlt_map *map, const options *o, jlt
     if (st == JLT_OK && jlt_motion_interrupted(&o->motion)) return JLT_EXIT_DONE;
     if (st == JLT_OK && list->count == 0 && system->flow.chart->solved_count > 0)
         fputs("jellett: orbits with a return on another branch of --solve are not found\n", stderr);
-    if (st == JLT_OK && list->count == 0 && !no_grid)
-        fputs("jellett: no orbit is found: a finer --grid, or a larger --near, finds those that are strongly unstable\n", stderr);
+    if (st == JLT_OK && list->count == 0 && !no_grid) tell_none(map, axes, chart->dim);
     return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, system, "orbits");
 }
 

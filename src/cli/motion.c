@@ -209,17 +209,18 @@ jlt_exit jlt_motion_no_orbit(jlt_status status, const jlt_system *system, const 
                             system->flow.chart->solved_count > 0 ? ", or a return left the branch of --solve" : "");
 }
 
-/* Print why no orbit can begin at a start. If it lies outside the domain on a plane section, names the condition that fails. */
-static jlt_exit refuse_start(jlt_status status, const jlt_system *system, const char *start, const double *q)
+/* Check a start that the section answered with this status: print why no orbit can begin there. On a plane section that is the
+ * condition that fails, also where something divides by zero. */
+static jlt_exit check_start(jlt_status status, const jlt_system *system, const char *start, const double *q)
 {
     const jlt_region *region = NULL;
     const jlt_chart *chart = &system->chart.plane; /* in the table's units */
     double x[JLT_CHART_STATES_MAX], value;
 
-    if (status == JLT_ERR_DOMAIN && system->surface == NULL && chart->lift(chart, x, NULL, q) == status &&
-        jlt_region_check(&region, &value, system->instance->descriptor, system->instance->params, x) == status && region != NULL)
+    if ((status == JLT_OK || status == JLT_ERR_DOMAIN) && system->surface == NULL && chart->lift(chart, x, NULL, q) == status &&
+        jlt_region_check(&region, &value, system->instance->descriptor, system->instance->params, x) == JLT_ERR_DOMAIN)
         return jlt_assign_refuse_region(start, system->instance->descriptor, region, value);
-    return jlt_motion_fail(status, system, start);
+    return status == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(status, system, start);
 }
 
 jlt_exit jlt_motion_check_starts(const jlt_system *system, const char *const *starts, size_t count)
@@ -232,7 +233,7 @@ jlt_exit jlt_motion_check_starts(const jlt_system *system, const char *const *st
     for (size_t i = 0; code == JLT_EXIT_DONE && i < count; i++) {
         code = jlt_motion_start(q, system, starts[i]);
         if (code == JLT_EXIT_DONE) st = jlt_section_start(section, NULL, q, 1);
-        if (code == JLT_EXIT_DONE && st != JLT_OK) code = refuse_start(st, system, starts[i], q);
+        if (code == JLT_EXIT_DONE) code = check_start(st, system, starts[i], q);
     }
     jlt_section_destroy(section);
     return code;

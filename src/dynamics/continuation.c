@@ -33,8 +33,9 @@ static jlt_status deliver(const runner *self, const bracket *b, const place *fro
     if (st != JLT_OK && st != JLT_ERR_NOMEM)
         st = jlt_continuation_step_measure(self, &point, from->u, from->tangent, from->arc, kind);
     if (st != JLT_OK) return st;
-    point.low = fmin(b->low, b->high);
-    point.high = fmax(b->low, b->high);
+    const double before = b->before.u[self->d] * self->options.scale, after = b->after.u[self->d] * self->options.scale;
+    point.low = fmin(before, after);
+    point.high = fmax(before, after);
     return sink(context, &point);
 }
 
@@ -63,6 +64,22 @@ static bool rotates(const place *at)
 
 static bool changes(const place *from, const place *to, unsigned k) { return (from->test[k] > 0) != (to->test[k] > 0); }
 
+static bool is_noise(const place *from, const place *to, unsigned k)
+{
+    return fmax(fabs(from->test[k]), fabs(to->test[k])) < noise;
+}
+
+/* Whether the branch goes straight across the point where another one crosses it. Where the two only come near each other, both
+ * turn away, and steps go from one to the other: as x*y = e does, whose chord from x = -s to s has the slope of the tangents at its
+ * ends, but of the other sign. So where steps cease to converge, the branch must turn by as little as the bracket is small. */
+static bool crosses(const runner *self, const place *from, const place *to)
+{
+    const bracket b = jlt_continuation_locate(self, from, from, to, BRANCH_TEST);
+    const double width = b.after.arc - b.before.arc, part = width / (to->arc - from->arc);
+
+    return width < same_place || jlt_continuation_step_straight(&b.before, &b.after, 2 * turn_across * fmax(part, 0.01), self->d);
+}
+
 /* Whether the step from one place to the other stays on the branch, as far as angles show. The bordered determinant changes sign at
  * branch points alone: where it does, the place halfway must lie on the way as well, or the tangent was reversed behind a fold. */
 static bool follows(const runner *self, const place *from, const place *to, double step)
@@ -73,7 +90,8 @@ static bool follows(const runner *self, const place *from, const place *to, doub
     if (!changes(from, to, BRANCH_TEST)) return true;
     return jlt_continuation_step_to(self, &middle, from, step / 2, NULL) == JLT_OK &&
            jlt_continuation_step_straight(from, &middle, turn_across, self->d) &&
-           jlt_continuation_step_straight(&middle, to, turn_across, self->d);
+           jlt_continuation_step_straight(&middle, to, turn_across, self->d) &&
+           (is_noise(from, to, BRANCH_TEST) || crosses(self, from, to));
 }
 
 /* A place within a step, at s from its beginning, and test k there times `side`. Returns false if it is not found on the branch. */
@@ -154,7 +172,7 @@ static jlt_status report(const runner *self, const place *before, const place *f
     }
     for (unsigned k = 0; k < JLT_CONTINUATION_TESTS; k++) {
         if (isnan(from->test[k]) || isnan(to->test[k])) continue;
-        if (k != DOUBLING_TEST && fmax(fabs(from->test[k]), fabs(to->test[k])) < noise) continue;
+        if (k != DOUBLING_TEST && is_noise(from, to, k)) continue;
         /* beside a torus they are a pair at least where both are inside the circle */
         if (k == TORUS_TEST && !rotates(from) && !rotates(to)) continue;
         if (k == FOLD_TEST && turns_at_branch_point(self, from, to)) continue;
@@ -307,7 +325,13 @@ jlt_status jlt_continuation_run(jlt_continuation_end *end, const jlt_family *fam
             *end = JLT_CONTINUATION_RANGE;
             break;
         }
-        if (leaves) JLT_TRY(clip(&self, &next, &step, &here));
+        st = leaves ? clip(&self, &next, &step, &here) : JLT_OK;
+        if (st == JLT_ERR_NO_CONVERGENCE && !jlt_continuation_locate_interrupted(&self)) {
+            *end = JLT_CONTINUATION_STUCK;
+            st = JLT_OK;
+            break;
+        }
+        if (st != JLT_OK) goto done;
         if (count > 2 && closes(&self, &here, step, &first)) {
             *end = JLT_CONTINUATION_CLOSED;
             break;

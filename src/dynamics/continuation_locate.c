@@ -46,13 +46,12 @@ static void between(place *out, const place *from, const place *low, const place
 jlt_continuation_bracket jlt_continuation_locate(const runner *self, const place *from, const place *before, const place *after,
                                                  unsigned k)
 {
-    const double scale = self->options.scale;
     const unsigned d = self->d;
     double a = before->arc - from->arc, b = after->arc - from->arc, fa = before->test[k], fb = after->test[k];
-    jlt_continuation_bracket found = { fabs(fa) < fabs(fb) ? *before : *after, before->u[d] * scale, after->u[d] * scale };
+    jlt_continuation_bracket found = { fabs(fa) < fabs(fb) ? *before : *after, *before, *after };
     bool ends = false;
     double failed = NAN; /* a step that did not arrive; the next trials are halfway from it to either end */
-    place next, low = *before, high = *after;
+    place next;
 
     for (int i = 0; i < LOCATE && !ends; i++) {
         ends = fabs(b - a) <= 1e-10 * fmax(1, fabs(b)); /* the last trial is the secant's */
@@ -65,17 +64,17 @@ jlt_continuation_bracket jlt_continuation_locate(const runner *self, const place
             continue;
         }
         if (fabs(next.test[k]) <= fabs(found.at.test[k])) found.at = next;
-        if ((next.test[k] > 0) == (fb > 0)) b = s, fb = next.test[k], found.high = next.u[d] * scale, high = next;
-        else a = s, fa = next.test[k], found.low = next.u[d] * scale, low = next;
+        if ((next.test[k] > 0) == (fb > 0)) b = s, fb = next.test[k], found.after = next;
+        else a = s, fa = next.test[k], found.before = next;
         if (next.test[k] == 0) {
-            found.low = found.high = next.u[d] * scale;
+            found.before = found.after = next;
             break;
         }
         if (!(failed > fmin(a, b) && failed < fmax(a, b))) failed = NAN;
     }
     if (isnan(failed)) return found;
     next = found.at;
-    between(&next, from, &low, &high, fa / (fa - fb), d);
+    between(&next, from, &found.before, &found.after, fa / (fa - fb), d);
     bool is_orbit = jlt_continuation_step_evaluate(self, &next.at, next.u) == JLT_OK;
     for (unsigned i = 0; i < d; i++) is_orbit = is_orbit && fabs(next.at.f[i]) < next.at.noise;
     if (is_orbit) found.at = next;

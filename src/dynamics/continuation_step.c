@@ -38,6 +38,14 @@ static jlt_status image_beside(const jlt_continuation_runner *self, jlt_image *i
     return image_at(self, image, u, false);
 }
 
+double jlt_continuation_step_length(const jlt_continuation_runner *self, const double *u)
+{
+    double square = 0;
+
+    for (unsigned k = 0; k < self->d; k++) square += self->chart.period[k] != 0 ? 0 : u[k] * u[k];
+    return fmax(1, sqrt(square));
+}
+
 jlt_status jlt_continuation_step_evaluate(const jlt_continuation_runner *self, jlt_continuation_equation *out, const double *u)
 {
     const unsigned d = self->d;
@@ -61,7 +69,7 @@ jlt_status jlt_continuation_step_evaluate(const jlt_continuation_runner *self, j
     jlt_chart_scaled(&self->chart, out->f, out->f);
     jlt_chart_difference(&self->chart, difference, above.q, below.q);
     jlt_chart_scaled(&self->chart, difference, difference);
-    out->noise = fmax(1e-10, self->tolerance);
+    out->noise = fmax(1e-10, self->tolerance) * jlt_continuation_step_length(self, u) / self->length;
     out->T = image.T;
     for (unsigned i = 0; i < d; i++) {
         for (unsigned j = 0; j < d; j++) out->jacobian[i * (d + 1) + j] = out->slope[i * d + j] - (i == j);
@@ -100,14 +108,6 @@ static jlt_status tangent_at(const jlt_continuation_runner *self, double *tangen
     if (!(length > 0)) return JLT_ERR_NO_CONVERGENCE;
     for (unsigned i = 0; i <= d; i++) tangent[i] /= length;
     return JLT_OK;
-}
-
-double jlt_continuation_step_length(const jlt_continuation_runner *self, const double *u)
-{
-    double square = 0;
-
-    for (unsigned k = 0; k < self->d; k++) square += self->chart.period[k] != 0 ? 0 : u[k] * u[k];
-    return fmax(1, sqrt(square));
 }
 
 /* How large the coordinates at u are, and what the motion from there runs through: the map errs in units of that, up to 1. On the

@@ -22,7 +22,7 @@ typedef struct {
 typedef struct {
     double f[JLT_CHART_DIM_MAX], jacobian[JLT_CHART_DIM_MAX * JLT_CONTINUATION_U], slope[JLT_CHART_DIM_MAX * JLT_CHART_DIM_MAX];
     double scale, /* max(1, largest |entry| of DP^period) */
-        noise,    /* bound on the error of F, relative to scale */
+        noise,    /* bound on the error of F, relative to scale; grows with the length of u over that of the start */
         T;        /* [time] of P^period */
 } jlt_continuation_equation;
 

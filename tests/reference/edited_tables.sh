@@ -1,0 +1,74 @@
+#!/usr/bin/env bash
+# What an edit of a table does to the answers: a symmetry that is broken by little, a rate that jumps, a rate that divides by zero,
+# a density that is kept no longer. What is said is of the table as it is, or the table's record is named that forbids the question.
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
+rows() { grep -v '^#' out | tail -n +2; }
+
+# 1. x'' = a x - x^3 - x'/5 + e is at rest where a x - x^3 + e = 0. For e = 0 two branches cross at a = 0. For any other e they do
+# not: one goes on without a bifurcation, the other one has a fold at a = 3 (e/2)^(2/3), where x^3 = -e/2.
+cat > pitchfork.tt <<'TABLE'
+model pitchfork
+param a
+param e
+default a = 1/2, e = 0
+state x
+state v
+state phi
+eq x = + v
+eq v = + a*x - x^3 - v/5 + e
+eq phi = + 1
+periodic phi = 2*pi
+TABLE
+follow() {
+    expect 0 'the range ends' jellett continue ./pitchfork.tt --section phi=0 --set a=1/2,e="$1" --along a=-1:1 \
+        --start x="$2",v=0 --decreasing
+}
+follow 0 0.7
+[ "$(rows | cut -d, -f17 | grep .)" = 'branch point' ] || fail "e = 0: $(rows | grep -E 'fold|point')"
+for e in 1e-10 1e-9 1e-6 1e-3; do
+    follow $e 0.7
+    [ -z "$(rows | cut -d, -f17 | grep .)" ] || fail "e = $e, upper branch: $(rows | grep -E 'fold|point')"
+    rows | awk -F, -v e=$e '($5^3 - $2*$5 - e)^2 > 1e-26 { exit 1 }' || fail "e = $e: no equilibria"
+    follow $e -0.7
+    rows | awk -F, -v e=$e '$17 != "" { kinds = kinds $17; at = $2/(3*(e/2)^(2/3)) }
+        END { exit !(kinds == "fold" && (at - 1)^2 < 1e-12) }' ||
+        fail "e = $e, lower branch: $(rows | grep -E 'fold|point')"
+done
+# From an orbit that is small, e/a, to one that is not, to the end of the range.
+expect 0 'the range ends' jellett continue ./pitchfork.tt --section phi=0 --set a=-1/2,e=1e-6 --along a=-1:1 --start x=0,v=0
+rows | tail -1 | awk -F, '{ exit !(($2 - 1)^2 < 1e-26 && ($5^3 - $5 - 1e-6)^2 < 1e-26) }' ||
+    fail "from a small orbit: $(rows | tail -1)"
+
+# 2. Where a rate jumps on all ways, the map has nowhere a derivative, and the search for orbits says so.
+cat > dry.tt <<'TABLE'
+model dry
+param k >= 0
+default k = 1/5
+state x
+state v
+state phi
+root r = sqrt(v^2)
+angle c s = cos(phi) sin(phi)
+eq x = + v
+eq v = - x - v/10 - k*v/r + c
+eq phi = + 6/5
+periodic phi = 2*pi
+measure volume = 1
+TABLE
+search=(jellett orbits ./dry.tt --section phi=0 --grid x=-3:3:4,v=-3:3:4 --period 1)
+expect 0 'no orbit is found: at none of the starts does the map have a derivative: .* a rate jumps' "${search[@]}"
+expect 0 '^1,-2.11538461538461[0-9]*,0.69230769230769[0-9]*,' "${search[@]}" --set k=0
+expect 0 'no orbit is found: a finer --grid' "${search[@]}" --set k=0 --near 1e-3 --settle 0
+
+# 3. A start at which a rate divides by zero is outside the domain, whatever the command.
+printf '%s\n' 'model divided' 'state x' 'state v' 'eq x = v' 'eq v = - x + 1/(10*v)' > divided.tt
+for how in section 'section --direction both' fates lyapunov 'plan section'; do
+    expect 3 'v=0: outside the domain of divided: a division needs v != 0' jellett $how ./divided.tt --section x=0 --start v=0
+done
+
+# 4. The verdict on a density is in every form of the report.
+expect 1 '; its claim is refuted' jellett measure ./dry.tt
+expect 1 '"verdict": "refuted"' jellett measure ./dry.tt --json
+sed -i 's/ - v.10//' dry.tt
+expect 0 '"verdict": "proved"' jellett measure ./dry.tt --json
+exit $status
