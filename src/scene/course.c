@@ -9,6 +9,7 @@
 #include "scene/course_conditions.h"
 #include "scene/course_drift.h"
 #include "scene/course_more.h"
+#include "scene/course_pole.h"
 #include "scene/course_units.h"
 #include "top/rod.h"
 
@@ -84,24 +85,13 @@ unsigned jlt_course_tells_more(const jlt_course *self, const jlt_quantity **quan
     return self->more.count;
 }
 
-/* Whether x lies inside the asked model's intervals. At a pole, or within rounding of one, conditions may have no value, which says
- * nothing about the motion. */
-static bool is_inside(const jlt_course *self, const double *x)
-{
-    double restored[JLT_PLAN_STATES_MAX];
-    size_t index;
-
-    jlt_units_restore(restored, x, self->question.model->states, self->states, &self->units);
-    return jlt_descriptor_check_state(self->question.model, restored, &index) == JLT_OK;
-}
-
 static void note_conditions(jlt_course *self, double t, const double *x)
 {
     jlt_course_conditions *conditions = &self->conditions;
     const char *unknown;
 
     if (!jlt_course_conditions_note(conditions, &unknown, t, x) || jlt_course_conditions_by(conditions->unknown_at, t)
-        || !is_inside(self, x))
+        || !jlt_course_pole_is_off(x, self->question.model, &self->units))
         return;
     conditions->unknown_at = t;
     conditions->unknown = unknown;
@@ -119,10 +109,8 @@ static int watch_conditions(void *context, jlt_orbit *orbit)
     return 0;
 }
 
-/* Continue in the tier of a candidate, from x at t. If the leg cannot be opened, nothing changes. */
-static jlt_status open_leg(jlt_course *self, unsigned candidate, const double *x, double t)
+static jlt_status open_at(jlt_leg *out, const jlt_course *self, unsigned candidate, const double *x, double t)
 {
-    jlt_leg *next = self->leg == &self->legs[0] ? &self->legs[1] : &self->legs[0];
     const jlt_course_options *o = &self->options;
     const jlt_options to_orbit = {
         .tolerance = o->tolerance, .max_steps = o->max_steps, .t_last = ldexp(o->t_last, -self->units.time),
@@ -132,8 +120,16 @@ static jlt_status open_leg(jlt_course *self, unsigned candidate, const double *x
     char refusal[JLT_TIER_TEXT_MAX];
 
     tier.units = self->units;
-    JLT_PASS(jlt_leg_open(next, refusal, &tier, self->params, x, t, self->direction,
-                          o->method != NULL ? o->method : jlt_method_find(NULL), &to_orbit));
+    return jlt_leg_open(out, refusal, &tier, self->params, x, t, self->direction,
+                        o->method != NULL ? o->method : jlt_method_find(NULL), &to_orbit);
+}
+
+/* Continue in the tier of a candidate, from x at t. If the leg cannot be opened, nothing changes. */
+static jlt_status open_leg(jlt_course *self, unsigned candidate, const double *x, double t)
+{
+    jlt_leg *next = self->leg == &self->legs[0] ? &self->legs[1] : &self->legs[0];
+
+    JLT_PASS(open_at(next, self, candidate, x, t));
     if (self->leg != NULL) jlt_leg_close(self->leg);
     self->leg = next;
     if (jlt_observed_conditions(self->conditions.observed) > 0) jlt_orbit_observe(self->leg->orbit, watch_conditions, self);
@@ -242,31 +238,6 @@ void jlt_course_destroy(jlt_course *self)
     free(self);
 }
 
-/* Clamp states that have poles into their intervals. If the orbit ends at a pole, put the state nearest to its pole exactly
- * there. */
-static void settle(jlt_course *self, jlt_course_row *row, bool ends)
-{
-    const jlt_descriptor *model = self->question.model;
-    double nearest = INFINITY;
-
-    for (unsigned i = 0; i < model->pole_count; i++) {
-        const unsigned k = model->poles[i].state;
-        const jlt_quantity *q = &model->states[k];
-        const int exponent = -jlt_units_exponent(&self->units, q->unit);
-        const double low = ldexp(q->low, exponent), high = ldexp(q->high, exponent), x = self->x[k];
-        const double off = fmin(fabs(x - low), fabs(high - x)) / (high - low);
-        self->x[k] = fmax(low, fmin(high, x)); /* a rounding error may exceed the end */
-        if (!ends || off >= nearest) continue;
-        nearest = off;
-        row->fate = x - low > high - x ? JLT_FATE_POLE_PLUS : JLT_FATE_POLE_MINUS;
-        row->pole = k;
-    }
-    if (row->fate != JLT_FATE_LEFT_DOMAIN) {
-        const jlt_quantity *q = &model->states[row->pole];
-        self->x[row->pole] = ldexp(row->fate == JLT_FATE_POLE_PLUS ? q->high : q->low, -jlt_units_exponent(&self->units, q->unit));
-    }
-}
-
 /* Convert a row's states and times to the table's units. */
 static void restore(jlt_course *self, jlt_course_row *row, double t)
 {
@@ -283,7 +254,7 @@ static void fill(jlt_course *self, jlt_course_row *row, jlt_end end, double t)
 {
     *row = (jlt_course_row){ .end = end, .x = self->row, .drift = self->drift.value, .observed = self->seen,
                               .fate = JLT_FATE_LEFT_DOMAIN };
-    settle(self, row, end == JLT_END_POLE);
+    jlt_course_pole_settle(row, self->x, self->question.model, &self->units, end == JLT_END_POLE);
     jlt_course_drift_note(&self->drift, self->x);
     jlt_observed_values(self->conditions.observed, self->seen, self->x);
     note_conditions(self, t, self->x);
@@ -305,9 +276,9 @@ static void fill(jlt_course *self, jlt_course_row *row, jlt_end end, double t)
     restore(self, row, t);
 }
 
-/* Continue in the next larger tier that serves here: from the start of the orbit, where it serves there too. Where the
- * coordinates of the last tier end, the state has lost digits: half of them if a rate is a root. DOMAIN: there is none. */
-static jlt_status change_tier(jlt_course *self)
+/* Continue in the next larger tier that serves: from the start of the orbit or, unless `from_start`, from here, where the state has
+ * lost digits: half of them if a rate is a root. DOMAIN: there is none. */
+static jlt_status change_tier(jlt_course *self, bool from_start)
 {
     double here[JLT_PLAN_STATES_MAX];
     jlt_status st = JLT_ERR_DOMAIN;
@@ -319,7 +290,7 @@ static jlt_status change_tier(jlt_course *self)
         if (!jlt_plan_serves(&self->plan.candidates[i].tier, &self->plan.candidates[i], &self->question, here)) continue;
         if (self->options.project && jlt_descriptor_doubted_integral(self->plan.candidates[i].descriptor) != NULL) continue;
         st = open_served(self, i, self->told_start, self->start, 0);
-        if (st == JLT_ERR_DOMAIN) st = open_served(self, i, here, self->x, self->t);
+        if (st == JLT_ERR_DOMAIN && !from_start) st = open_served(self, i, here, self->x, self->t);
         if (st != JLT_OK) continue;
         change *c = &self->changes[self->change_count++];
         *c = (change){ .t = ldexp(self->t, self->units.time), .from = from, .to = i };
@@ -334,6 +305,33 @@ static void tell_step(const jlt_course *self, jlt_course_row *row)
 
     row->step = ldexp(fabs(jlt_stepper_time(stepper) - jlt_stepper_time_start(stepper)), self->units.time);
     row->stiff = jlt_stepper_is_held(stepper);
+}
+
+/* Whether the next larger tier goes on beyond the pole at which a smaller one has ended. */
+static bool is_passed(jlt_course *self)
+{
+    unsigned i = self->taken + 1, edge;
+    jlt_outcome outcome;
+    jlt_leg leg;
+    jlt_tier by;
+
+    while (i < self->plan.count && !jlt_plan_serves(&by, &self->plan.candidates[i], &self->question, self->told_start)) i++;
+    if (i == self->plan.count || open_at(&leg, self, i, self->start, 0) != JLT_OK) return false;
+    const jlt_status st = jlt_leg_to(&leg, self->t * (1 + 1e-6), &outcome, &edge);
+    jlt_leg_close(&leg);
+    snprintf(self->edge, sizeof self->edge, "the tier %s passes the pole at which %s ends", self->plan.candidates[i].tier.name,
+             self->plan.candidates[self->taken].tier.name);
+    return st == JLT_OK && outcome.end == JLT_END_TIME;
+}
+
+/* Whether the states of a smaller tier have led the orbit astray, as where they no longer tell the asked model's. */
+static bool is_astray(jlt_course *self, jlt_end end)
+{
+    const jlt_tier *tier = &self->plan.candidates[self->taken].tier;
+
+    return !self->is_rod && !self->plan.forced && tier->dimension < self->states
+        && ((end == JLT_END_POLE && is_passed(self))
+            || jlt_course_drift_tells(self->edge, &self->drift, tier->name, self->leg->orbit, self->options.tolerance));
 }
 
 static jlt_status along_orbit(jlt_course *self, double t, jlt_course_row *row)
@@ -351,10 +349,15 @@ static jlt_status along_orbit(jlt_course *self, double t, jlt_course_row *row)
         }
         if (st != JLT_OK && outcome.x != NULL) row->unbounded = jlt_leg_unbounded(self->leg, outcome.t);
         if (st == JLT_ERR_BUDGET) tell_step(self, row);
+        if (st == JLT_OK && is_astray(self, outcome.end) && change_tier(self, true) == JLT_OK) {
+            jlt_course_conditions_again(&self->conditions);
+            note_conditions(self, 0, self->start);
+            continue;
+        }
         if (st != JLT_ERR_DOMAIN) return st;
         jlt_leg_end_text(self->edge, self->leg, edge);
         row->edge = self->edge;
-        st = outcome.x != NULL ? change_tier(self) : st;
+        st = outcome.x != NULL ? change_tier(self, false) : st;
     } while (st == JLT_OK);
     return st;
 }

@@ -5,8 +5,13 @@
 jlt_status jlt_course_conditions_open(jlt_course_conditions *out, const jlt_descriptor *model, const double *params,
                                       const jlt_units *units)
 {
-    *out = (jlt_course_conditions){ .least = INFINITY, .lost_at = NAN, .unknown_at = NAN };
+    jlt_course_conditions_again(out);
     return jlt_observed_create(&out->observed, model, params, units);
+}
+
+void jlt_course_conditions_again(jlt_course_conditions *self)
+{
+    *self = (jlt_course_conditions){ .observed = self->observed, .least = INFINITY, .lost_at = NAN, .unknown_at = NAN };
 }
 
 void jlt_course_conditions_close(jlt_course_conditions *self)

@@ -15,9 +15,12 @@ typedef struct {
 } jlt_course_conditions;
 
 /** Begin to watch the conditions of `model`. In: params, shape (param_count,), in the table's units; units, those in which states
- *  will be given. Errors: those of jlt_observed_create. */
+ *  will be given. In/out: *out, all zeros before. Errors: those of jlt_observed_create. */
 JLT_CHECKED jlt_status jlt_course_conditions_open(jlt_course_conditions *out, const jlt_descriptor *model, const double *params,
                                                   const jlt_units *units);
+
+/** Forget what was noted: the course begins again. */
+void jlt_course_conditions_again(jlt_course_conditions *self);
 void jlt_course_conditions_close(jlt_course_conditions *self); /* legal on zeros */
 
 /** Evaluate the conditions at time t in the state x, shape (states of the asked model,). Returns true if none is known to be broken

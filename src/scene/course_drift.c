@@ -1,6 +1,7 @@
 #include "scene/course_drift.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "core/memory.h"
@@ -43,4 +44,17 @@ void jlt_course_drift_note(jlt_course_drift *self, const double *x)
 
     integrals(self, now, x);
     for (unsigned i = 0; i < self->count; i++) self->value[i] = fabs(now[i] - self->first[i]) / self->size[i];
+}
+
+bool jlt_course_drift_tells(char *text, const jlt_course_drift *self, const char *tier, const jlt_orbit *orbit, double tolerance)
+{
+    const double one = tolerance > 0 ? tolerance : JLT_ORBIT_TOLERANCE;
+    const double most = (100 + sqrt((double)jlt_orbit_stepper(orbit)->steps)) * one;
+    unsigned i = 0;
+
+    while (i < self->count && !(self->value[i] > most)) i++;
+    if (i == self->count) return false;
+    snprintf(text, JLT_TIER_TEXT_MAX, "%s, which stays the same, changes by %.2g of its size in the tier %s",
+             self->watch->descriptor->integrals[i].name, self->value[i], tier);
+    return true;
 }
