@@ -266,6 +266,13 @@ static arb_srcptr evaluate_full(ttc_ball *ball, ttc_id id)
     return arb_is_finite(value) ? value : NULL;
 }
 
+bool ttc_ball_value(arb_t out, ttc_ball *ball, ttc_id id)
+{
+    if (id == TTC_NONE || !room(ball) || !evaluate(ball, FULL, id)) return false;
+    arb_set(out, ball->balls[FULL].balls + id);
+    return arb_is_finite(out);
+}
+
 static double radius_of(ttc_ball *ball, evaluation mode, ttc_id id)
 {
     if (!evaluate(ball, mode, id) || !arb_is_finite(ball->balls[mode].balls + id)) return INFINITY;

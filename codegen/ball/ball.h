@@ -48,7 +48,10 @@ void ttc_ball_bind(ttc_ball *ball, uint32_t symbol, ttc_id id);
  *  of a negative number). Values beyond the doubles give infinities. Cost: one visit a node, remembered until a value changes. */
 bool ttc_ball_enclose(ttc_enclosure *out, ttc_ball *ball, ttc_id id);
 
-/** The same with the rounding errors to expect in doubles, at three times the cost. */
+/** Enclose an expression with 256 bits, also one that is far from thin, as over an interval. Returns false in the same cases. */
+bool ttc_ball_value(arb_t out, ttc_ball *ball, ttc_id id);
+
+/** ttc_ball_enclose with the rounding errors to expect in doubles, at three times the cost. */
 bool ttc_ball_estimate(ttc_enclosure *out, ttc_ball *ball, ttc_id id);
 
 /** Exact sign (-1, 0, 1), in rational arithmetic. Returns false when a root on the way is irrational, another function or pi is

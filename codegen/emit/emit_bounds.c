@@ -64,13 +64,27 @@ static ttc_id *find_conditions(size_t *count, const ttc_model *model, const ttc_
     return NULL;
 }
 
-/* Whether an expression has no state, or is one of these. */
+/* An expression divided by the size of its first coefficient: equal for two that differ by a positive number as a factor. */
+static ttc_id without_factor(ttc_graph *graph, ttc_id id)
+{
+    const ttc_kind kind = id == TTC_NONE ? TTC_NUMBER : ttc_kind_of(graph, id);
+    fmpq_t factor;
+    if (kind != TTC_SUM && kind != TTC_PRODUCT) return id;
+    fmpq_init(factor);
+    fmpq_abs(factor, kind == TTC_SUM ? ttc_part_at(graph, id, 0).coefficient : ttc_coefficient(graph, id));
+    fmpq_inv(factor, factor);
+    id = ttc_scale(graph, id, factor);
+    fmpq_clear(factor);
+    return id;
+}
+
+/* Whether an expression has no state, or is one of these, up to a positive number. */
 static bool is_kept(const ttc_model *model, ttc_id expression, const ttc_id *conditions, size_t count)
 {
-    const ttc_id own = ttc_model_expand(model, expression);
+    const ttc_id own = without_factor(model->graph, ttc_model_expand(model, expression));
     unsigned char *support = ttc_model_support(model, &expression, 1);
     bool found = false, moves = support == NULL;
-    for (size_t i = 0; i < count && !found; i++) found = conditions[i] == own;
+    for (size_t i = 0; i < count && !found; i++) found = without_factor(model->graph, conditions[i]) == own;
     for (size_t i = 0; i < model->state_count && !moves; i++) moves = support[model->states[i]] != 0;
     free(support);
     return found || !moves;

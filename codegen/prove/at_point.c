@@ -100,3 +100,87 @@ bool ttc_task_moves_at_point(ttc_task *task, ttc_id id)
     }
     return moves;
 }
+
+/* Set a ball evaluator to the image of a point under the claim's map; another one is at the point. */
+static bool set_image(ttc_ball *image, ttc_ball *ball, ttc_task *task, ttc_witness *point)
+{
+    const ttc_bindings *map = &task->claim->bindings;
+    bool ok = set_ball(image, task, point);
+    arb_t value;
+    arb_init(value);
+    for (size_t i = 0; ok && i < map->count; i++) {
+        ok = ttc_ball_value(value, ball, map->items[i].expression);
+        if (ok) ttc_ball_set_ball(image, map->items[i].symbol, value);
+    }
+    arb_clear(value);
+    return ok;
+}
+
+/* Returns true if left at the image is not the right side at the point; text then gets the difference. */
+static bool differs(ttc_ball *image, ttc_id left, ttc_ball *ball, ttc_id right, char **text)
+{
+    enum { PRECISION = 256, DIGITS = 12 };
+    arb_t difference, value;
+    arb_init(difference);
+    arb_init(value);
+    const bool found = ttc_ball_value(difference, image, left) && ttc_ball_value(value, ball, right);
+    arb_sub(difference, difference, value, PRECISION);
+    const bool is_other = found && !arb_contains_zero(difference);
+    char *written = is_other ? arb_get_str(difference, DIGITS, ARB_STR_MORE) : NULL;
+    if (is_other) *text = strdup(written);
+    flint_free(written);
+    arb_clear(value);
+    arb_clear(difference);
+    return is_other;
+}
+
+static bool refute_map_at(ttc_task *task, ttc_ball *image, ttc_ball *ball, ttc_witness *point)
+{
+    const ttc_model *model = task->model;
+    const bool reverses = task->claim->kind == TTC_CLAIM_REVERSOR, is_period = task->claim->kind == TTC_CLAIM_PERIODIC;
+    char *text = NULL;
+    for (size_t i = 0; i < model->state_count; i++) {
+        const ttc_symbol_entry *state = model->symbols + model->states[i];
+        ttc_id right = state->node;
+        for (size_t k = 0; k < task->claim->bindings.count; k++)
+            if (task->claim->bindings.items[k].symbol == model->states[i]) right = task->claim->bindings.items[k].expression;
+        right = ttc_derive_field(model, right);
+        if (reverses) right = ttc_subtract(model->graph, ttc_integer(model->graph, 0), right);
+        if (!differs(image, ttc_model_field(model, i), ball, right, &text)) continue;
+        ttc_task_refute_at(task, ttc_witness_text(point), NULL, "f(Sx) %c S f(x) in %s = %s", reverses ? '+' : '-', state->name,
+                           text == NULL ? "" : text);
+        free(text);
+        return true;
+    }
+    for (size_t i = 0; is_period && i < model->validity_count; i++) {
+        const ttc_validity *valid = model->validities + i;
+        if (!differs(image, valid->expression, ball, valid->expression, &text)) continue;
+        ttc_task_refute_at(task, ttc_witness_text(point), NULL, "valid %s a period of %s on - %s = %s", valid->name,
+                           task->claim->name, valid->name, text == NULL ? "" : text);
+        free(text);
+        return true;
+    }
+    return false;
+}
+
+void ttc_task_refute_map_at_point(ttc_task *task)
+{
+    enum { POINTS = 8 };
+    const ttc_ring_status status = task->ring->status;
+    if (task->status != TTC_PROVED || status == TTC_RING_OK || task->has_left_out || task->domain.failed) return;
+    task->ring->status = TTC_RING_OK;
+    unsigned attempt = 0;
+    bool refuted = false;
+    ttc_witness point;
+    ttc_ball *ball = ttc_ball_create(task->model), *image = ttc_ball_create(task->model);
+    bool found = ttc_witness_init(&point, task->field) && ball != NULL && image != NULL;
+    for (unsigned i = 0; found && !refuted && i < POINTS; i++) {
+        found = ttc_search_next(&point, &task->domain, &attempt);
+        refuted = found && set_ball(ball, task, &point) && set_image(image, ball, task, &point) &&
+                  refute_map_at(task, image, ball, &point);
+    }
+    ttc_witness_clear(&point);
+    ttc_ball_destroy(image);
+    ttc_ball_destroy(ball);
+    if (!refuted) task->ring->status = status;
+}

@@ -256,13 +256,10 @@ static void meet(cover *c, ttc_subcase *b)
 static void descend(cover *c, const ttc_subcase *b)
 {
     ttc_task *task = c->task;
-    bool again = true;
+    bool again = b->goal_count > 0;
     unsigned most = 0;
     if ((is_invariant(task) && is_no_component(task, b)) || (task->is_integral && c->with_point > 0)) return;
-    if (b->goal_count == 0) {
-        visit(c, b);
-        return;
-    }
+    if (!again) visit(c, b);
     for (unsigned choices = 0; again && task->status != TTC_REFUTED; choices++) {
         if (++c->leaves > LEAF_LIMIT || !ttc_subcase_open(task, b, choices)) {
             ttc_task_unsettle(task, "its conditions fall into more than %d cases, or memory is out", (int)LEAF_LIMIT);
@@ -392,6 +389,8 @@ void ttc_task_run(ttc_task *task, ttc_prover prover)
     for (size_t i = claim->modulo_count; i-- > 0;)
         start.goals[start.goal_count++] = task->model->claims[claim->modulo[i]].expression;
     for (size_t i = task->level_count; i-- > 0;) start.goals[start.goal_count++] = task->levels[i];
+    for (size_t i = 0; i < start.goal_count; i++)
+        start.goals[i] = ttc_subcase_without_functions(task->model, start.goals[i]);
     if (task->tested != NULL) prove_tested(task, prover, &start);
     if (task->status == TTC_PROVED) descend(&c, &start);
     look_aside(&c, &start);

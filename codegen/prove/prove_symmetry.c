@@ -271,6 +271,7 @@ static void prove_map(ttc_task *task)
     }
     ttc_task_free(task, matrix, entries);
     ttc_task_leave_map(task);
+    ttc_task_refute_map_at_point(task);
 }
 
 void ttc_prove_reversor(ttc_task *task)

@@ -133,6 +133,8 @@ bool ttc_task_has_rate_in_other_states(ttc_task *task, ttc_id expression, ttc_id
 /** Try to refute that an expression is zero at one point of the leaf in ball arithmetic, without algebra: where the remainder
  *  cannot be computed, or takes too long. The ring may have failed. Returns true if it is refuted; else the ring is as it was. */
 bool ttc_task_refute_at_point(ttc_task *task, ttc_id id, const char *name);
+/* Try the same with a symmetry, reversor or period for which the ring has failed, as it maps a function to one that is missing. */
+void ttc_task_refute_map_at_point(ttc_task *task);
 /* Returns true if an expression is found, in the same way, to change with a state at one point of the leaf, whose conditions do not
  * restrict the states. */
 bool ttc_task_moves_at_point(ttc_task *task, ttc_id id);

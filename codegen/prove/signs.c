@@ -1,5 +1,7 @@
 #include "prove/signs.h"
 
+#include "prove/one_state.h"
+
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -9,7 +11,7 @@ typedef struct {
     ttc_valuation *valuation;
     unsigned char *signs; /* by expression, 0: not yet known */
     ttc_id whole;         /* which is looked at as a ratio in the end */
-    bool may_search;
+    bool looks_closer, may_search;
 } signs_of_parts;
 
 static unsigned signs_of(signs_of_parts *s, ttc_id id);
@@ -112,6 +114,7 @@ static unsigned signs_of_sum(signs_of_parts *s, ttc_id id)
         signs = ttc_conditions_signs_of_sum(signs, own);
         simple = simple && is_simple(graph, part.id);
     }
+    if (signs == TTC_CAN_BE_ANY && s->looks_closer) signs = ttc_one_state_signs(s->task, s->valuation, id);
     if (signs != TTC_CAN_BE_ANY || !s->may_search) return signs;
     if (simple) return signs_of_value(s, id, true);
     if (has_sign_without(s, id, TTC_CAN_BE_POSITIVE)) return TTC_CAN_BE_POSITIVE;
@@ -146,7 +149,8 @@ static unsigned signs_of(signs_of_parts *s, ttc_id id)
 
 static bool follows(ttc_task *task, ttc_valuation *valuation, ttc_id id, ttc_relation relation, bool may_search)
 {
-    signs_of_parts s = { task, valuation, calloc(ttc_graph_size(ttc_valuation_model(valuation)->graph) + 1, 1), id, may_search };
+    const size_t size = ttc_graph_size(ttc_valuation_model(valuation)->graph) + 1;
+    signs_of_parts s = { task, valuation, calloc(size, 1), id, !may_search, may_search };
     const bool result = s.signs != NULL && (signs_of(&s, id) & ~ttc_conditions_signs_in(relation)) == 0;
     free(s.signs);
     return result;
@@ -160,7 +164,7 @@ bool ttc_signs_tell(ttc_task *task, ttc_valuation *valuation, ttc_id id, ttc_rel
 bool ttc_signs_are_one(ttc_task *task, ttc_id id)
 {
     const ttc_graph *graph = task->model->graph;
-    signs_of_parts s = { task, task->field, calloc(ttc_graph_size(graph) + 1, 1), id, false };
+    signs_of_parts s = { task, task->field, calloc(ttc_graph_size(graph) + 1, 1), id, false, false };
     unsigned signs = 0;
     for (size_t i = 0; s.signs != NULL && ttc_kind_of(graph, id) == TTC_SUM && i < ttc_part_count(graph, id); i++) {
         const ttc_part part = ttc_part_at(graph, id, i);

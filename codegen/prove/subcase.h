@@ -40,6 +40,10 @@ ttc_id ttc_subcase_expression(ttc_task *task, const fmpz_mpoly_t polynomial);
 /* The product of all factors but number `one`, each once, as an expression; TTC_NONE if there are no others. one = -1: of all. */
 ttc_id ttc_subcase_others(ttc_task *task, const fmpz_mpoly_factor_t factors, slong one);
 
+/* An expression with the same zeros, of the same orders: for a factor that is a logarithm its argument less 1, for an exponential
+ * less 1 its exponent. */
+ttc_id ttc_subcase_without_functions(const ttc_model *model, ttc_id level);
+
 /* A polynomial that is zero where a value is: its numerator, if that has roots and can be solved for a state on which no function
  * depends and whose leading coefficient cannot vanish, and is linear in it, or has many roots, or a norm that cannot be solved;
  * else the norm, free of roots, which is zero where some conjugate of the value is, and shows squares that roots hide. */

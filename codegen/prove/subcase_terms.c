@@ -136,3 +136,39 @@ bool ttc_subcase_add_turns(ttc_subcase *b, ttc_task *task, ttc_id expression)
     }
     return b->goal_count > before;
 }
+
+/* What an exponential less 1, times a number, is zero with; TTC_NONE: it is none. */
+static ttc_id exponent_of(const ttc_model *model, ttc_id sum)
+{
+    const ttc_graph *graph = model->graph;
+    if (ttc_kind_of(graph, sum) != TTC_SUM || ttc_part_count(graph, sum) != 1) return TTC_NONE;
+    const ttc_part part = ttc_part_at(graph, sum, 0);
+    fmpq_t value;
+    fmpq_init(value);
+    fmpq_add(value, ttc_coefficient(graph, sum), part.coefficient);
+    const bool is_one = fmpq_is_zero(value) && ttc_kind_of(graph, part.id) == TTC_SYMBOL;
+    fmpq_clear(value);
+    const ttc_symbol_entry *entry = is_one ? model->symbols + ttc_symbol_of(graph, part.id) : NULL;
+    return entry != NULL && entry->kind == TTC_EXP ? entry->definition : TTC_NONE;
+}
+
+ttc_id ttc_subcase_without_functions(const ttc_model *model, ttc_id level)
+{
+    ttc_graph *graph = model->graph;
+    level = ttc_model_without_lets(model, level);
+    const ttc_kind kind = ttc_kind_of(graph, level);
+    const ttc_id exponent = exponent_of(model, level);
+    if (exponent != TTC_NONE) return ttc_subcase_without_functions(model, exponent);
+    if (kind == TTC_SYMBOL && model->symbols[ttc_symbol_of(graph, level)].kind == TTC_LOG) {
+        const ttc_id argument = model->symbols[ttc_symbol_of(graph, level)].definition;
+        return ttc_subcase_without_functions(model, ttc_subtract(graph, argument, ttc_integer(graph, 1)));
+    }
+    if (kind != TTC_PRODUCT) return level;
+    ttc_id product = ttc_number(graph, ttc_coefficient(graph, level));
+    for (size_t i = 0; i < ttc_part_count(graph, level); i++) {
+        const ttc_part part = ttc_part_at(graph, level, i);
+        const ttc_id base = part.exponent > 0 ? ttc_subcase_without_functions(model, part.id) : part.id;
+        product = ttc_multiply(graph, product, ttc_power(graph, base, part.exponent));
+    }
+    return product == TTC_NONE ? level : product; /* it exceeds a limit */
+}

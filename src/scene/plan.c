@@ -80,7 +80,7 @@ static jlt_status try_tier(jlt_candidate *c, const jlt_question *question)
         unsigned i = 0;
         while (i < d->param_count && !isnan(question->params[i])) i++;
         if (i < d->param_count) snprintf(c->refusal, sizeof c->refusal, "%s of %s has no value", d->params[i].name, d->model);
-        else snprintf(c->refusal, sizeof c->refusal, "its kernel overflows or divides by zero there");
+        else snprintf(c->refusal, sizeof c->refusal, "its kernel overflows there, or divides by what is 0 or underflows");
     }
     return JLT_OK;
 }

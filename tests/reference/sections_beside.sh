@@ -170,6 +170,10 @@ bounded x 'let far = x - 2\ndomain rim : far > 0' x 'let far = x - 1' 'domain ri
 expect 3 "$unbounded" jellett section bounds/large.tt --start x=1.5 --returns 1
 bounded x 'let far = x - 1\ndomain rim : far > 0' x 'let far = x - 1' 'domain rim : far > 0'
 expect 0 '^0,1,6.28318530717958' jellett section bounds/large.tt --start x=1.5 --returns 1
+bounded x 'domain rim : 2*x - 2 > 0' x 'domain rim : x/3 - 1/3 > 0' # but for a positive number
+expect 0 '^0,1,6.28318530717958' jellett section bounds/large.tt --start x=1.5 --returns 1
+bounded x 'domain rim : 2*x - 2 > 0' x 'domain rim : x - 2/3 > 0'
+expect 3 "$unbounded" jellett section bounds/large.tt --start x=1.5 --returns 1
 # So where that happens on the way, in a table between the two.
 sed 's/^reduction/embedding up : into wide.tt with x = x, p = p, z = z, w = J\n&/' -i other.tt
 sed 's/model other/model wide/; /J > 0/d; /default/d; s/J\*x/w*x/; /^integral/d; /^embedding/d; /^reduction/d

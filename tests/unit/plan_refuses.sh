@@ -45,4 +45,17 @@ both 3 "'q'" certify equilibria lorenz --family conduction --box q=1
 expect 2 "check follows no motion" jellett plan check "$JLT_SOURCE_DIR/tools/certificates/sink.json"
 expect 2 "merge follows no motion" jellett plan merge study.shards
 expect 2 "the plan of a scene is 'jellett plan SCENE'" jellett plan sweep study.scene
+# The square of a parameter may be 0 in doubles though the parameter is not.
+cat > tiny.tt << 'T'
+model tiny
+param a > 0
+default a = 1
+state x
+state v
+eq x = v
+eq v = - x/a^2
+T
+both 3 "divides by what is 0 or underflows" simulate ./tiny.tt --set a=1e-300 --start x=1,v=0 --times 0,1
+expect 3 "divides here by what is 0, or underflows" jellett eigen ./tiny.tt --set a=1e-300 --at x=0,v=0
+
 exit $status
