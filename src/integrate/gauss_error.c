@@ -16,7 +16,7 @@ static const double limiting = -33; /* of an error in tolerances, above which th
 static const double notable = 4;    /* of a change of an error: it changes the next step by a sixth */
 static const double outside = -6.7; /* half of the part of a step between an outer node and the end beside it */
 
-jlt_gauss_error jlt_gauss_error_of(const double *sizes, double h, double tolerance)
+jlt_gauss_error jlt_gauss_error_of(const double *sizes, double h, double tolerance, double noise)
 {
     const double *n = sizes, size = jlt_larger(jlt_larger(n[0], n[1]), n[2]);
     if (!(size < JLT_GAUSS_SIZE_MAX)) return (jlt_gauss_error){ .local = NAN };
@@ -25,12 +25,13 @@ jlt_gauss_error jlt_gauss_error_of(const double *sizes, double h, double toleran
     /* The last coefficients of a large smooth part plus a small rough one fall more slowly; those of rounding do not fall. */
     const double tail = jlt_larger(n[6], n[7]), pairs = 0.5 * (tail - jlt_larger(n[4], n[5])) - 2 * scatter;
     const double fall = jlt_larger(pairs, 0.25 * (n[6] + n[7] - n[4] - n[5]) - scatter);
-    if (fall > r && tail > size - digits) {
+    const bool falls = !(fall > r && tail > jlt_larger(size - digits, noise));
+    if (!falls) {
         r = jlt_smaller(fall, 0);
         last = jlt_larger(last, n[6] + r);
     }
     const double length = jlt_rough_log2(fabs(h)), units = length - jlt_rough_log2(tolerance);
-    return (jlt_gauss_error){ units + last + 9 * r, length + last + r, last + r, r, units };
+    return (jlt_gauss_error){ units + last + 9 * r, length + last + r, last + r, r, units, falls };
 }
 
 /* The largest difference of slopes, relative to the states. */
@@ -55,15 +56,15 @@ static double missed(const jlt_gauss_step *step)
     return jlt_larger(most(step, start, step->before), most(step, end, step->after));
 }
 
-/* By how much the slopes at the end move where the state is changed by what is left. */
-static double doubted(const jlt_gauss_step *step)
+/* By how much the slopes at the end move where the state is changed by `left`, relative to it; a binary logarithm. */
+static double noise_of(const jlt_gauss_step *step, double left)
 {
     double *x = step->work, *slope = step->work + step->columns;
 
     for (unsigned c = 0; c < step->columns; c++)
-        x[c] = step->end[c] + (c % 2 == 0 ? step->left : -step->left) / step->weights[c];
+        x[c] = step->end[c] + (c % 2 == 0 ? left : -left) / step->weights[c];
     jlt_field_rates(step->field, slope, x);
-    return most(step, slope, step->after);
+    return jlt_rough_log2(most(step, slope, step->after));
 }
 
 /* The errors, where the polynomial misses a slope by `miss`; both are binary logarithms. */
@@ -79,16 +80,30 @@ static jlt_gauss_error corrected(jlt_gauss_error e, double miss, double doubt)
     return e;
 }
 
+/* Whether this error, in place of the other, would change a next step, which otherwise need not wait for it. */
+static bool is_notable(double error, double other)
+{
+    return error > 0 || (error > limiting && error > other + notable);
+}
+
+unsigned jlt_gauss_error_see_tail(jlt_gauss_error *io, const jlt_gauss_step *step, const double *sizes, double tolerance)
+{
+    const jlt_gauss_error strict = jlt_gauss_error_of(sizes, step->h, tolerance, -INFINITY);
+    const bool limits = is_notable(strict.local, io->local);
+
+    *io = limits ? jlt_gauss_error_of(sizes, step->h, tolerance, noise_of(step, step->rounding)) : strict;
+    return limits;
+}
+
 unsigned jlt_gauss_error_see_ends(jlt_gauss_error *io, const jlt_gauss_step *step)
 {
     const double miss = jlt_rough_log2(missed(step));
     const jlt_gauss_error seen = corrected(*io, miss, -INFINITY);
 
-    /* The next step need not wait for these slopes where they tell nothing that would change it. */
-    if (!(seen.local > 0 || (seen.local > limiting && seen.local > io->local + notable))) {
+    if (!is_notable(seen.local, io->local)) {
         io->dense = seen.dense;
         return 0;
     }
-    *io = corrected(*io, miss, jlt_rough_log2(doubted(step)));
+    *io = corrected(*io, miss, noise_of(step, step->left));
     return 1;
 }

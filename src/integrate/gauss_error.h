@@ -24,22 +24,29 @@ typedef struct {
     double left_out; /* n_8 */
     double rate;     /* r */
     double units;    /* of h over the tolerance */
+    bool falls;      /* the last coefficients fall as the others do */
 } jlt_gauss_error;
 
-/** sizes: shape (JLT_GAUSS_NODES,), binary logarithms of n_k/h. */
-jlt_gauss_error jlt_gauss_error_of(const double *sizes, double h, double tolerance);
+/** sizes: shape (JLT_GAUSS_NODES,), binary logarithms of n_k/h; noise, that of what slopes are moved by that is none of the motion:
+ *  coefficients that do not fall are none of it either where they are smaller. */
+jlt_gauss_error jlt_gauss_error_of(const double *sizes, double h, double tolerance, double noise);
 
 /* A step as it was made. Arrays have shape (columns,) but for legendre, (columns, JLT_GAUSS_NODES), and work, (2, columns). */
 typedef struct {
+    double h;
     const jlt_field *field;
     const double *legendre;
     const double *before, *after; /* the slopes at both ends, */
     const double *end;            /* the state where it leads, */
     const double *weights;        /* and the inverse sizes of the states */
     double *work;
-    double left; /* what rounding and unfinished sweeps leave, relative to the states */
+    double rounding, left; /* what rounding alone, and with it unfinished sweeps, leave, relative to the states */
     unsigned columns;
 } jlt_gauss_step;
+
+/** Let coefficients that do not fall correct the error, which was made with noise INFINITY. In: sizes, tolerance, as above. Returns
+ *  the number of evaluations: 1 where they would limit steps, else 0. */
+unsigned jlt_gauss_error_see_tail(jlt_gauss_error *io, const jlt_gauss_step *step, const double *sizes, double tolerance);
 
 /** Let the slopes at the ends correct both errors. Returns the number of evaluations: 1 where a miss would limit steps, else 0. */
 unsigned jlt_gauss_error_see_ends(jlt_gauss_error *io, const jlt_gauss_step *step);

@@ -86,5 +86,28 @@ tail -q -n 1 out other | awk -F, '{ x[NR] = $2; v[NR] = $3; alive += $5 == "aliv
 for phase in 1e7; do
     timeout 60 jellett simulate ./forced.tt --start x=1,v=0,phase=$phase --times 100 > out 2> err || fail "phase $phase: $(cat err)"
 done
+# Slopes whose terms cancel are known to fewer digits than small tolerances ask for: what rounding leaves of their sums, 3e-11, does
+# not fall with the step, and gauss spent its steps on it at 1e-14. Exactly: x = 500000 + y, y' = -y/2 + 20 sin t, and v' = -y -
+# y^2/1000000 - v, of which y is 20 (sin t/2 - cos t + exp(-t/2))/1.25; v by steps of fourth order.
+printf '%s\n' 'model cancelling' 'state x' 'state v' 'state t' 'angle C S = cos(t) sin(t)' 'eq x = 250000 - 0.5*x + 20*S' \
+    'eq v = 250000 - 0.000001*x^2 - v' 'eq t = 1' > cancelling.tt
+python3 - > exact << 'P'
+import math
+def y(t): return 16 * (math.sin(t) / 2 - math.cos(t) + math.exp(-t / 2))
+def rate(t, v): return -y(t) - y(t) ** 2 / 1e6 - v
+v, n, h = 1.0, 40000, 100 / 40000
+for i in range(n):
+    t = i * h
+    a = rate(t, v); b = rate(t + h / 2, v + h / 2 * a); c = rate(t + h / 2, v + h / 2 * b); d = rate(t + h, v + h * c)
+    v += h / 6 * (a + 2 * b + 2 * c + d)
+print(500000 + y(100), v)
+P
+for tolerance in 1e-12 1e-13 1e-14 1e-15; do
+    jellett simulate ./cancelling.tt --start x=500000,v=1,t=0 --times 100 --tol $tolerance > out 2> err ||
+        fail "cancelling, $tolerance: $(cat err)"
+    tail -1 out | tr , ' ' | cat - exact |
+        awk 'NR == 1 { x = $2; v = $3 } END { exit !(($1 - x)^2 < 1e-9^2 && ($2 - v)^2 < 3e-10^2) }' ||
+        fail "cancelling, $tolerance: $(tail -1 out), not $(cat exact)"
+done
 expect 3 "'0' is no whole number from 1" jellett section ./pol.tt --section x=0 --start y=200 --max-steps 0
 exit $status
