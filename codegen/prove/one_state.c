@@ -23,7 +23,7 @@ typedef struct {
     ttc_ball *ball;
     uint32_t symbol; /* the state, and its number */
     size_t state;
-    bool has_root; /* a normal form may then hold only on a part of the interval */
+    bool has_root; /* or angle: a normal form may hold only on a part of the interval, or bring another function into the ring */
     unsigned pieces, work; /* that may still be looked at, expressions on pieces */
 } one_state;
 
@@ -243,7 +243,7 @@ static bool find_state(one_state *s, ttc_id id)
         if (!support[i]) continue;
         const ttc_symbol_kind kind = s->model->symbols[i].kind;
         good = kind != TTC_PARAM && kind != TTC_LEVEL && kind != TTC_LAMBDA && !ttc_valuation_is_bound(s->valuation, i);
-        s->has_root |= kind == TTC_ROOT;
+        s->has_root |= kind == TTC_ROOT || kind == TTC_COSINE || kind == TTC_SINE;
         if (kind == TTC_STATE) s->symbol = i;
         states += kind == TTC_STATE;
     }
