@@ -9,7 +9,10 @@
 #include "integrate/method.h"
 #include "integrate/step_control.h"
 
-enum { ATTEMPTS_MAX = 12, APPROACHES_MAX = 30 };
+enum { ATTEMPTS_MAX = 12, APPROACHES_MAX = 30, LEAPS = 4 };
+
+static const double leap = 1e-9;            /* part of a state by which a leap may move it */
+static const double long_again = 0x1p-30;   /* part of tau: after a longer step leaps are counted anew */
 
 static bool all_finite(const double *x, unsigned count)
 {
@@ -236,7 +239,17 @@ jlt_status jlt_stepper_advance(jlt_stepper *self, double limit)
     self->tau = tau + move;
     self->tau_low = (tau - self->tau) + move;
     self->steps++;
+    if (fabs(self->h) > long_again * fabs(tau)) self->leaps = 0;
     return JLT_OK;
+}
+
+bool jlt_stepper_leaps(jlt_stepper *self, double h, const double *end)
+{
+    if (!jlt_step_is_short(self->tau, h) || self->leaps >= LEAPS) return false;
+    for (unsigned i = 0; i < self->columns; i++)
+        if (!(fabs(end[i] - self->x[i]) <= leap * jlt_larger(fabs(self->x[i]), self->scale[i]))) return false;
+    self->leaps++;
+    return true;
 }
 
 double jlt_stepper_time(const jlt_stepper *self)
