@@ -8,7 +8,7 @@
 
 #include "core/memory.h"
 #include "integrate/dop853_coefficients.h"
-#include "integrate/step_control.h"
+#include "integrate/leap.h"
 
 enum { WIDTH = JLT_STEPPER_WIDTH, SLOPES = 16 };
 typedef double lanes __attribute__((vector_size(WIDTH * sizeof(double))));
@@ -174,7 +174,7 @@ static jlt_status step(jlt_stepper *stepper, double limit)
         if (jlt_step_vanishes(stepper->tau, h)) return finite ? JLT_ERR_NO_PROGRESS : JLT_ERR_NONFINITE;
         error = attempt(self, stepper, h);
         stepper->evaluations += 12;
-        leaps = error > 1 && jlt_stepper_leaps(stepper, h, self->trial);
+        leaps = error > 1 && jlt_leap_is_taken(stepper, h, self->trial);
         if (error <= 1 || leaps) break;
         finite = isfinite(error);
         h *= finite ? jlt_larger(0.9 * jlt_inverse_root(error, 1.0 / 8), 0.2) : 0.1;

@@ -16,7 +16,7 @@
 #include "integrate/gauss_batch.h"
 #include "integrate/gauss_coefficients.h"
 #include "integrate/gauss_error.h"
-#include "integrate/step_control.h"
+#include "integrate/leap.h"
 #include "kernel/batch_isa.h"
 
 enum { N = JLT_GAUSS_NODES, SWEEPS_MAX = 24 };
@@ -245,7 +245,7 @@ static jlt_status step(jlt_stepper *stepper, double limit)
                 stepper->evaluations += jlt_gauss_error_see_ends(&seen, &made);
                 error = seen.local;
                 self->dense_error = jlt_rough_exp2(jlt_larger(jlt_smaller(seen.dense, 999), -999));
-                leaps = defect == 0 && error > 0 && jlt_stepper_leaps(stepper, h, self->end);
+                leaps = defect == 0 && error > 0 && jlt_leap_is_taken(stepper, h, self->end);
                 if (defect == 0 && (error <= 0 || leaps)) break;
             }
         }

@@ -9,10 +9,9 @@
 #include "integrate/method.h"
 #include "integrate/step_control.h"
 
-enum { ATTEMPTS_MAX = 12, APPROACHES_MAX = 30, LEAPS = 4 };
+enum { ATTEMPTS_MAX = 12, APPROACHES_MAX = 30 };
 
-static const double leap = 1e-9;            /* part of a state by which a leap may move it */
-static const double long_again = 0x1p-30;   /* part of tau: after a longer step leaps are counted anew */
+static const double long_again = 0x1p-30; /* part of tau: after a longer step leaps are counted anew */
 
 static bool all_finite(const double *x, unsigned count)
 {
@@ -219,19 +218,36 @@ static jlt_status stay_inside(jlt_stepper *self)
 
     self->dense_ready = false;
     jlt_status st = jlt_edge_left(&left, self);
-    if (st == JLT_OK) return left > 1 ? JLT_OK : approach_edge(self, left);
+    if (st == JLT_OK && left > 1) return JLT_OK;
+    if (st == JLT_OK) {
+        st = approach_edge(self, left);
+        if (st != JLT_ERR_NO_CONVERGENCE) return st;
+    }
     const jlt_status back = step_back(self);
     return back != JLT_OK ? back : st;
+}
+
+/* Make a step that stays in the domain. A part of a step across a jump of a rate may not be solved: that of a shorter step is. */
+static jlt_status step_inside(jlt_stepper *self, double limit)
+{
+    jlt_status st = JLT_ERR_NO_CONVERGENCE;
+
+    for (int attempt = 0; attempt < ATTEMPTS_MAX && st == JLT_ERR_NO_CONVERGENCE; attempt++) {
+        st = self->method->step(self, limit);
+        if (st == JLT_OK) st = stay_finite(self);
+        if (st != JLT_OK) break;
+        limit = fabs(self->h) / 2;
+        st = stay_inside(self);
+    }
+    return st;
 }
 
 jlt_status jlt_stepper_advance(jlt_stepper *self, double limit)
 {
     static const double longest = 0x1p800; /* at rest the error control lengthens steps without end */
     const double tau = self->tau;
-    jlt_status st = self->at_edge ? JLT_ERR_DOMAIN : self->method->step(self, jlt_smaller(limit, longest));
-    if (st == JLT_OK) st = stay_finite(self);
-    if (st == JLT_OK) st = stay_inside(self);
-    else if ((st == JLT_ERR_NONFINITE || st == JLT_ERR_NO_PROGRESS) && jlt_edge_is_ahead(self)) st = JLT_ERR_DOMAIN;
+    jlt_status st = self->at_edge ? JLT_ERR_DOMAIN : step_inside(self, jlt_smaller(limit, longest));
+    if ((st == JLT_ERR_NONFINITE || st == JLT_ERR_NO_PROGRESS) && jlt_edge_is_ahead(self)) st = JLT_ERR_DOMAIN;
     if (st != JLT_OK) return st;
 
     const double move = self->h + self->tau_low;
@@ -241,15 +257,6 @@ jlt_status jlt_stepper_advance(jlt_stepper *self, double limit)
     self->steps++;
     if (fabs(self->h) > long_again * fabs(tau)) self->leaps = 0;
     return JLT_OK;
-}
-
-bool jlt_stepper_leaps(jlt_stepper *self, double h, const double *end)
-{
-    if (!jlt_step_is_short(self->tau, h) || self->leaps >= LEAPS) return false;
-    for (unsigned i = 0; i < self->columns; i++)
-        if (!(fabs(end[i] - self->x[i]) <= leap * jlt_larger(fabs(self->x[i]), self->scale[i]))) return false;
-    self->leaps++;
-    return true;
 }
 
 double jlt_stepper_time(const jlt_stepper *self)

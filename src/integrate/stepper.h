@@ -52,7 +52,7 @@ typedef struct {
     bool watches;         /* jlt_field_watches(field) */
     bool at_edge;         /* the last point counts as the domain's end; the next advance returns DOMAIN */
     unsigned approaches;  /* steps that were shortened because they would have left the domain */
-    unsigned leaps;       /* steps since a long one that were taken in spite of their error (jlt_stepper_leaps) */
+    unsigned leaps;       /* steps since a long one that were taken in spite of their error (leap.h) */
     size_t steps, rejected;
     size_t evaluations;   /* of the field so far; gauss: with the 8 that the next step begins with, whether it is taken or not;
                              taylor: of its jet, one a step */
@@ -92,12 +92,6 @@ JLT_CHECKED jlt_status jlt_stepper_replace(jlt_stepper *self, const double *x, c
  *  domain and would leave it (jlt_edge_reached), it began outside, or no step can be made and the end is ahead
  *  (jlt_edge_is_ahead). */
 JLT_CHECKED jlt_status jlt_stepper_advance(jlt_stepper *self, double limit);
-
-/** For methods: whether a step h to `end`, shape (columns,), is taken whatever its error estimate, because a shorter one could
- *  hardly be told from none and this one moves no state by more than a billionth of its size. Then a rate jumps in it, or its
- *  slope does, and the error is no more than what rounding of time makes of it. After some such steps one must become longer, as it
- *  does not where an orbit slides along a jump. */
-bool jlt_stepper_leaps(jlt_stepper *self, double h, const double *end);
 
 /** Make the polynomial of the last step, once. Errors: none of the built-in methods fails; otherwise those of method->dense.
  *  Cost: none (gauss, taylor), 3 evaluations (dop853), 15 (the others). */

@@ -83,4 +83,25 @@ for x in 5.3 5.6 5.9; do
             exit !(($2 - (-1/2 - (top - 7/2)*cos(10 - begun - 3*pi)))^2 < 1e-24) }' || fail "a block, $method: $(tail -1 out)"
     done
 done
+# Where the domain ends at the jump, and an orbit only passes there, parts of steps across it need not be solved: shorter steps are.
+# Oracle: the orbit itself, at 1e-15.
+cat > forced.tt <<'TABLE'
+model forced
+state x
+state v
+state phi
+domain moves : v^2 > 0
+root r = sqrt(v^2)
+angle c s = cos(phi) sin(phi)
+eq x = + v
+eq v = - x - v/r/5 + c - v/10
+eq phi = + 6/5
+periodic phi = 2*pi
+TABLE
+for tolerance in 1e-10 1e-12; do
+    expect 0 '^35,30,.*,alive$' jellett section ./forced.tt --section phi=0 --grid x=-3:3:6,v=-3:3:6 --returns 30 --tol $tolerance
+    ! grep -q no_convergence out || fail "a pass, $tolerance: $(grep no_convergence out)"
+    awk -F, '/^1,2,/ { exit !(($4 + 0.47560081972464)^2 + ($5 - 1.66087104895163)^2 < 1e-18) }' out ||
+        fail "a pass, $tolerance: $(grep '^1,2,' out)"
+done
 exit $status
