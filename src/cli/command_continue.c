@@ -170,8 +170,9 @@ static jlt_status take(void *context, size_t branch, const jlt_continuation_poin
 
 static const char *const ends[] = {
     "the range ends", "the number of points is reached",
-    ("no shorter step converges (a pole, an empty level, a branch of --solve, a tangency, a family: levels tell orbits apart, an "
-     "equilibrium onto which orbits shrink, or, where T and the multipliers grow without bound, an orbit homoclinic to one)"),
+    ("no shorter step converges (a pole, an edge of the domain, an empty level, a branch of --solve, a tangency, a family: levels "
+     "tell orbits apart, a range of --along thousands of times as wide as the orbit changes in, an equilibrium onto which orbits "
+     "shrink, or, where T and the multipliers grow without bound, an orbit homoclinic to one)"),
     "interrupted", "it closes", "it ends at a period doubling"
 };
 

@@ -8,7 +8,7 @@
 
 #include "core/memory.h"
 #include "integrate/dop853_coefficients.h"
-#include "integrate/step_control.h"
+#include "integrate/leap.h"
 
 enum { WIDTH = JLT_STEPPER_WIDTH, SLOPES = 16 };
 typedef double lanes __attribute__((vector_size(WIDTH * sizeof(double))));
@@ -168,13 +168,14 @@ static jlt_status step(jlt_stepper *stepper, double limit)
     const unsigned stride = stepper->stride;
     const double asked = jlt_smaller(stepper->h_next, stepper->max_step), size = jlt_smaller(asked, limit);
     double h = stepper->direction * size, error;
-    bool rejected = false, finite = true;
+    bool rejected = false, finite = true, leaps = false;
 
     for (;;) {
         if (jlt_step_vanishes(stepper->tau, h)) return finite ? JLT_ERR_NO_PROGRESS : JLT_ERR_NONFINITE;
         error = attempt(self, stepper, h);
         stepper->evaluations += 12;
-        if (error <= 1) break;
+        leaps = error > 1 && jlt_leap_is_taken(stepper, h, self->trial);
+        if (error <= 1 || leaps) break;
         finite = isfinite(error);
         h *= finite ? jlt_larger(0.9 * jlt_inverse_root(error, 1.0 / 8), 0.2) : 0.1;
         stepper->rejected++;
@@ -183,7 +184,7 @@ static jlt_status step(jlt_stepper *stepper, double limit)
 
     /* 0.9 err^-0.105 err_before^0.025: K. Gustafsson, ACM TOMS 17 (1991). It rejects far fewer steps than err^-1/8. */
     double factor = 0.9 * jlt_inverse_root(error, 0.105) / jlt_inverse_root(self->error_before, 0.025);
-    factor = jlt_smaller(jlt_larger(factor, 1.0 / 3), rejected ? 1 : 4);
+    factor = leaps ? 2 : jlt_smaller(jlt_larger(factor, 1.0 / 3), rejected ? 1 : 4);
     self->error_before = jlt_larger(error, 1e-4);
     const double proposed = fabs(h) * factor;
     stepper->h_next = !rejected && size < asked ? jlt_larger(proposed, asked) : proposed;

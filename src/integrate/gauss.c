@@ -16,7 +16,7 @@
 #include "integrate/gauss_batch.h"
 #include "integrate/gauss_coefficients.h"
 #include "integrate/gauss_error.h"
-#include "integrate/step_control.h"
+#include "integrate/leap.h"
 #include "kernel/batch_isa.h"
 
 enum { N = JLT_GAUSS_NODES, SWEEPS_MAX = 24 };
@@ -228,7 +228,7 @@ static jlt_status step(jlt_stepper *stepper, double limit)
     const unsigned columns = stepper->columns;
     const double asked = jlt_smaller(stepper->h_next, stepper->max_step), size = jlt_smaller(asked, limit);
     double h = stepper->direction * size, error = NAN, solved_h = 0; /* error: its logarithm */
-    bool rejected = false, finite = true;
+    bool rejected = false, finite = true, leaps = false;
 
     for (;;) {
         if (jlt_step_vanishes(stepper->tau, h)) return finite ? JLT_ERR_NO_PROGRESS : JLT_ERR_NONFINITE;
@@ -251,7 +251,7 @@ static jlt_status step(jlt_stepper *stepper, double limit)
             const jlt_gauss_error lax = falls ? seen : jlt_gauss_error_of(self->sizes, h, stepper->tolerance, INFINITY);
             if (lax.local <= 0) seen = lax;
             error = seen.local;
-            if (error <= 0) {
+            if (error <= 0 || jlt_step_is_short(stepper->tau, h)) {
                 for (unsigned c = 0; c < columns; c++) {
                     const double move = h * self->trial[c * N] + stepper->x_low[c];
                     self->end[c] = stepper->x[c] + move;
@@ -270,7 +270,8 @@ static jlt_status step(jlt_stepper *stepper, double limit)
                 else defect = 0; /* where a step that is too long would have led tells nothing of a shorter one */
                 error = seen.local;
                 self->dense_error = jlt_rough_exp2(jlt_larger(jlt_smaller(seen.dense, 999), -999));
-                if (defect == 0 && error <= 0) break;
+                leaps = defect == 0 && error > 0 && jlt_leap_is_taken(stepper, h, self->end);
+                if (defect == 0 && (error <= 0 || leaps)) break;
             }
         }
         finite = solved && isfinite(error) && defect == 0;
@@ -280,7 +281,7 @@ static jlt_status step(jlt_stepper *stepper, double limit)
         rejected = true;
     }
 
-    const double factor = jlt_smaller(safety * jlt_rough_exp2((-1.0 / 17) * error), rejected ? 1 : growth_max);
+    const double factor = leaps ? 2 : jlt_smaller(safety * jlt_rough_exp2((-1.0 / 17) * error), rejected ? 1 : growth_max);
     const double proposed = fabs(h) * factor;
     stepper->h_next = !rejected && size < asked ? jlt_larger(proposed, asked) : proposed;
     stepper->h = h;

@@ -54,6 +54,12 @@ static inline double jlt_first_unit(double speed)
     return speed > 0 && speed < 1e-5 ? 1 / jlt_larger(speed, 1e-290) : 1;
 }
 
+/** Whether a step h from tau is so short that a few times shorter ones are too short to be told from none. */
+static inline int jlt_step_is_short(double tau, double h)
+{
+    return !(fabs(h) > 64 * DBL_EPSILON * fabs(tau));
+}
+
 /** Whether a step h from tau is too short to be told from none. */
 static inline int jlt_step_vanishes(double tau, double h)
 {

@@ -11,6 +11,8 @@
 
 enum { ATTEMPTS_MAX = 12, APPROACHES_MAX = 30 };
 
+static const double long_again = 0x1p-30; /* part of tau: after a longer step leaps are counted anew */
+
 static bool all_finite(const double *x, unsigned count)
 {
     for (unsigned i = 0; i < count; i++)
@@ -224,19 +226,36 @@ static jlt_status stay_inside(jlt_stepper *self)
 
     self->dense_ready = false;
     jlt_status st = jlt_edge_left(&left, self);
-    if (st == JLT_OK) return left > 1 ? JLT_OK : approach_edge(self, left);
+    if (st == JLT_OK && left > 1) return JLT_OK;
+    if (st == JLT_OK) {
+        st = approach_edge(self, left);
+        if (st != JLT_ERR_NO_CONVERGENCE) return st;
+    }
     const jlt_status back = step_back(self);
     return back != JLT_OK ? back : st;
+}
+
+/* Make a step that stays in the domain. A part of a step across a jump of a rate may not be solved: that of a shorter step is. */
+static jlt_status step_inside(jlt_stepper *self, double limit)
+{
+    jlt_status st = JLT_ERR_NO_CONVERGENCE;
+
+    for (int attempt = 0; attempt < ATTEMPTS_MAX && st == JLT_ERR_NO_CONVERGENCE; attempt++) {
+        st = self->method->step(self, limit);
+        if (st == JLT_OK) st = stay_finite(self);
+        if (st != JLT_OK) break;
+        limit = fabs(self->h) / 2;
+        st = stay_inside(self);
+    }
+    return st;
 }
 
 jlt_status jlt_stepper_advance(jlt_stepper *self, double limit)
 {
     static const double longest = 0x1p800; /* at rest the error control lengthens steps without end */
     const double tau = self->tau;
-    jlt_status st = self->at_edge ? JLT_ERR_DOMAIN : self->method->step(self, jlt_smaller(limit, longest));
-    if (st == JLT_OK) st = stay_finite(self);
-    if (st == JLT_OK) st = stay_inside(self);
-    else if ((st == JLT_ERR_NONFINITE || st == JLT_ERR_NO_PROGRESS) && jlt_edge_is_ahead(self)) st = JLT_ERR_DOMAIN;
+    jlt_status st = self->at_edge ? JLT_ERR_DOMAIN : step_inside(self, jlt_smaller(limit, longest));
+    if ((st == JLT_ERR_NONFINITE || st == JLT_ERR_NO_PROGRESS) && jlt_edge_is_ahead(self)) st = JLT_ERR_DOMAIN;
     if (st != JLT_OK) return st;
 
     const double move = self->h + self->tau_low;
@@ -244,6 +263,7 @@ jlt_status jlt_stepper_advance(jlt_stepper *self, double limit)
     self->tau = tau + move;
     self->tau_low = (tau - self->tau) + move;
     self->steps++;
+    if (fabs(self->h) > long_again * fabs(tau)) self->leaps = 0;
     return JLT_OK;
 }
 

@@ -52,6 +52,7 @@ typedef struct {
     bool watches;         /* jlt_field_watches(field) */
     bool at_edge;         /* the last point counts as the domain's end; the next advance returns DOMAIN */
     unsigned approaches;  /* steps that were shortened because they would have left the domain */
+    unsigned leaps;       /* steps since a long one that were taken in spite of their error (leap.h) */
     size_t steps, rejected;
     size_t evaluations;   /* of the field so far; gauss: with the 8 that the next step begins with, whether it is taken or not;
                              taylor: of its jet, one a step */

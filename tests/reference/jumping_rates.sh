@@ -45,4 +45,63 @@ for soft in 1e-12 1e-20; do
             END { d = slope - (sqrt(9.25) - 2)/v*3/sqrt(9.25); exit !(found && d^2 < 1e-12) }' out || fail "$soft: $(cat out)"
     done
 done
+# Where a rate bends, as at a stop with play, tangent vectors have rates that jump. At the tightest tolerances steps across are as
+# short as time resolves, and are taken. Oracle: lengths scale with the force, so that all orbits of the branch are one.
+cat > stop.tt <<'TABLE'
+model stop
+param k > 0
+param F
+default k = 50, F = 1
+state x
+state v
+state phi
+root a = sqrt(x^2)
+angle c s = cos(phi) sin(phi)
+eq x = + v
+eq v = - x - k*(x + a)/2 - v/10 + F*c
+eq phi = + 3/2
+periodic phi = 2*pi
+TABLE
+for method in gauss dop853; do
+    expect 0 'the range ends' jellett continue ./stop.tt --section phi=0 --start x=0.2,v=1.5 --along F=1:1.5 --method $method
+    awk -F, '/^0,/ { rows++; bad += ($5/$2 - 0.21420765261538)^2 > 1e-24 || ($8 - 0.90687719831011)^2 > 1e-22 }
+        END { exit !(rows > 5 && !bad) }' out || fail "$method: not one orbit, scaled: $(grep ^0 out | cut -d, -f2,5,8 | head -3)"
+done
+for x in 0.02 0.18 0.35 0.38 0.4 0.43; do
+    for tolerance in 1e-13 1e-14; do
+        expect 0 '^3,' jellett lyapunov ./stop.tt --section phi=0 --start x=$x,v=1 --returns 3 --tol $tolerance
+    done
+done
+# So are jumps of a rate. Oracle: half circles about -1/2 while x rises, about 1/2 while it falls; in the time 1 it turns four
+# times.
+printf '%s\n' 'model block' 'state x' 'state v' 'root r = sqrt(v^2)' 'eq x = + v' 'eq v = - 100*x - 50*v/r' > block.tt
+for x in 5.3 5.6 5.9; do
+    for method in gauss dop853; do
+        expect 0 '' jellett simulate ./block.tt --start x=$x,v=0.1 --times 1 --tol 1e-15 --method $method
+        tail -1 out | awk -F, -v x=$x '{
+            pi = atan2(0, -1); top = sqrt((x + 1/2)^2 + 1e-4) - 1/2; begun = atan2(0.01, x + 1/2)
+            exit !(($2 - (-1/2 - (top - 7/2)*cos(10 - begun - 3*pi)))^2 < 1e-24) }' || fail "a block, $method: $(tail -1 out)"
+    done
+done
+# Where the domain ends at the jump, and an orbit only passes there, parts of steps across it need not be solved: shorter steps are.
+# Oracle: the orbit itself, at 1e-15.
+cat > forced.tt <<'TABLE'
+model forced
+state x
+state v
+state phi
+domain moves : v^2 > 0
+root r = sqrt(v^2)
+angle c s = cos(phi) sin(phi)
+eq x = + v
+eq v = - x - v/r/5 + c - v/10
+eq phi = + 6/5
+periodic phi = 2*pi
+TABLE
+for tolerance in 1e-10 1e-12; do
+    expect 0 '^35,30,.*,alive$' jellett section ./forced.tt --section phi=0 --grid x=-3:3:6,v=-3:3:6 --returns 30 --tol $tolerance
+    ! grep -q no_convergence out || fail "a pass, $tolerance: $(grep no_convergence out)"
+    awk -F, '/^1,2,/ { exit !(($4 + 0.47560081972464)^2 + ($5 - 1.66087104895163)^2 < 1e-18) }' out ||
+        fail "a pass, $tolerance: $(grep '^1,2,' out)"
+done
 exit $status
