@@ -174,23 +174,22 @@ static void guess(gauss *self, jlt_stepper *stepper, double h, double growth)
     self->guessed = h;
 }
 
-/* The inverse of the field's Lipschitz constant, relative to the states' sizes, estimated from a `small` change in an
- * arbitrary direction. Beside an unstable equilibrium a first step much longer than that may seem to be solved, where the growing
- * part of the start is so small that no sweep detects it. */
-static double time_of_change(gauss *self, jlt_stepper *stepper, double small)
+/* By how much slopes move, relative to the states' sizes, where states are moved by a part of their sizes, or of their values. */
+static double moved_by(gauss *self, jlt_stepper *stepper, double part, bool of_size)
 {
     const jlt_field *field = stepper->field;
-    double *x = self->scratch, *f = self->scratch + field->dim, change = 0;
+    double *x = self->scratch, *f = self->scratch + field->dim, moved = 0;
 
     for (unsigned c = 0; c < field->dim; c++) {
-        const double size = stepper->scale[c] < INFINITY ? jlt_larger(fabs(stepper->x[c]), stepper->scale[c]) : 0;
-        x[c] = stepper->x[c] + (c % 2 == 0 ? small : -small) * size;
+        const double value = fabs(stepper->x[c]), scale = stepper->scale[c];
+        const double size = !of_size ? value : scale < INFINITY ? jlt_larger(value, scale) : 0;
+        x[c] = stepper->x[c] + (c % 2 == 0 ? part : -part) * size;
     }
     field->call(x, field->p, f);
     stepper->evaluations++;
     for (unsigned c = 0; c < field->dim; c++)
-        change = jlt_larger(change, fabs(f[c] - stepper->f[c]) / jlt_larger(fabs(stepper->x[c]), stepper->scale[c]));
-    return change > 0 && change < INFINITY ? small / change : INFINITY;
+        moved = jlt_larger(moved, fabs(f[c] - stepper->f[c]) / jlt_larger(fabs(stepper->x[c]), stepper->scale[c]));
+    return moved;
 }
 
 /* Solve for the nodes of a step h, beginning with those in place. The field is evaluated before a sweep is judged, so that the two
@@ -213,8 +212,7 @@ static bool solve(gauss *self, jlt_stepper *stepper, const jlt_gauss_nodes *node
             return true;
         }
         if (sweeps > 2 && change > slowest_rate * before) {
-            const double noise = fabs(h) * rounding / time_of_change(self, stepper, rounding);
-            if (change < jlt_larger(1e-13, noise)) return true; /* rounding errors cycle */
+            if (change < jlt_larger(1e-13, fabs(h) * moved_by(self, stepper, rounding, false))) return true; /* rounding cycles */
             if (sweeps > 3 && !insist) return false;
         }
     }
@@ -301,6 +299,16 @@ static jlt_status step(jlt_stepper *stepper, double limit)
     return JLT_OK;
 }
 
+/* The inverse of the field's Lipschitz constant, estimated in an arbitrary direction. Beside an unstable equilibrium a first step
+ * much longer than that may seem to be solved, where the growing part of the start is so small that no sweep detects it. */
+static double time_of_change(gauss *self, jlt_stepper *stepper)
+{
+    static const double small = 1e-7;
+    const double change = moved_by(self, stepper, small, true);
+
+    return change > 0 && change < INFINITY ? small / change : INFINITY;
+}
+
 static jlt_status start(jlt_stepper *stepper)
 {
     gauss *self = stepper->state;
@@ -316,7 +324,7 @@ static jlt_status start(jlt_stepper *stepper)
     }
     const double unit = jlt_first_unit(speed);
     const double h = unit * (size < 1e-5 || speed == 0 ? 1e-3 : 0.1 * size / (speed * unit));
-    stepper->h_next = jlt_smaller(jlt_smaller(h, time_of_change(self, stepper, 1e-7)), stepper->max_step);
+    stepper->h_next = jlt_smaller(jlt_smaller(h, time_of_change(self, stepper)), stepper->max_step);
     return JLT_OK;
 }
 

@@ -56,13 +56,16 @@ static double missed(const jlt_gauss_step *step)
     return jlt_larger(most(step, start, step->before), most(step, end, step->after));
 }
 
-/* By how much the slopes at the end move where the state is changed by `left`, relative to it; a binary logarithm. */
-static double noise_of(const jlt_gauss_step *step, double left)
+/* By how much the slopes at the end move where states are changed by a part of their values, and by one of their sizes; a binary
+ * logarithm. */
+static double noise_of(const jlt_gauss_step *step, double of_value, double of_size)
 {
     double *x = step->work, *slope = step->work + step->columns;
 
-    for (unsigned c = 0; c < step->columns; c++)
-        x[c] = step->end[c] + (c % 2 == 0 ? left : -left) / step->weights[c];
+    for (unsigned c = 0; c < step->columns; c++) {
+        const double change = of_value * fabs(step->end[c]) + of_size / step->weights[c];
+        x[c] = step->end[c] + (c % 2 == 0 ? change : -change);
+    }
     jlt_field_rates(step->field, slope, x);
     return jlt_rough_log2(most(step, slope, step->after));
 }
@@ -91,7 +94,7 @@ unsigned jlt_gauss_error_see_tail(jlt_gauss_error *io, const jlt_gauss_step *ste
     const jlt_gauss_error strict = jlt_gauss_error_of(sizes, step->h, tolerance, -INFINITY);
     const bool limits = is_notable(strict.local, io->local);
 
-    *io = limits ? jlt_gauss_error_of(sizes, step->h, tolerance, noise_of(step, step->rounding)) : strict;
+    *io = limits ? jlt_gauss_error_of(sizes, step->h, tolerance, noise_of(step, step->rounding, 0)) : strict;
     return limits;
 }
 
@@ -104,6 +107,6 @@ unsigned jlt_gauss_error_see_ends(jlt_gauss_error *io, const jlt_gauss_step *ste
         io->dense = seen.dense;
         return 0;
     }
-    *io = corrected(*io, miss, noise_of(step, step->left));
+    *io = corrected(*io, miss, noise_of(step, 0, step->left));
     return 1;
 }
