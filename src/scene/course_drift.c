@@ -49,7 +49,7 @@ void jlt_course_drift_note(jlt_course_drift *self, const double *x)
 bool jlt_course_drift_tells(char *text, const jlt_course_drift *self, const char *tier, const jlt_orbit *orbit, double tolerance)
 {
     const double one = tolerance > 0 ? tolerance : JLT_ORBIT_TOLERANCE;
-    const double most = (100 + sqrt((double)jlt_orbit_stepper(orbit)->steps)) * one;
+    const double most = (100 + (double)jlt_orbit_stepper(orbit)->steps) * one;
     unsigned i = 0;
 
     while (i < self->count && !(self->value[i] > most)) i++;
