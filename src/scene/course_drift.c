@@ -49,7 +49,7 @@ void jlt_course_drift_note(jlt_course_drift *self, const double *x)
 bool jlt_course_drift_tells(char *text, const jlt_course_drift *self, const char *tier, const jlt_orbit *orbit, double tolerance)
 {
     const double one = tolerance > 0 ? tolerance : JLT_ORBIT_TOLERANCE;
-    const double most = (100 + (double)jlt_orbit_stepper(orbit)->steps) * one;
+    const double most = (100 + sqrt((double)jlt_orbit_stepper(orbit)->steps)) * one;
     unsigned i = 0;
 
     while (i < self->count && !(self->value[i] > most)) i++;
@@ -57,4 +57,17 @@ bool jlt_course_drift_tells(char *text, const jlt_course_drift *self, const char
     snprintf(text, JLT_TIER_TEXT_MAX, "%s, which stays the same, changes by %.2g of its size in the tier %s",
              self->watch->descriptor->integrals[i].name, self->value[i], tier);
     return true;
+}
+
+bool jlt_course_drift_is_less(const jlt_course_drift *self, jlt_leg *leg, double t)
+{
+    jlt_course_drift other = *self;
+    double x[JLT_PLAN_STATES_MAX];
+    jlt_outcome outcome;
+    unsigned edge;
+
+    if (jlt_leg_to(leg, t, &outcome, &edge) != JLT_OK || outcome.end != JLT_END_TIME) return false;
+    jlt_tier_extract(&leg->view, x, leg->y);
+    jlt_course_drift_note(&other, x);
+    return largest(other.value, other.count) < largest(self->value, self->count) / 10;
 }
