@@ -71,13 +71,15 @@ static bool is_noise(const place *from, const place *to, unsigned k)
 
 /* Whether the branch goes straight across the point where another one crosses it. Where the two only come near each other, both
  * turn away, and steps go from one to the other: as x*y = e does, whose chord from x = -s to s has the slope of the tangents at its
- * ends, but of the other sign. So where steps cease to converge, the branch must turn by as little as the bracket is small. */
+ * ends, but of the other sign. So where steps cease to converge, the branch must turn by as little as the bracket is small, or
+ * what lies straight between be orbits up to noise, as where branches cross at a small angle. */
 static bool crosses(const runner *self, const place *from, const place *to)
 {
     const bracket b = jlt_continuation_locate(self, from, from, to, BRANCH_TEST);
     const double width = b.after.arc - b.before.arc, part = width / (to->arc - from->arc);
 
-    return width < same_place || jlt_continuation_step_straight(&b.before, &b.after, 2 * turn_across * fmax(part, 0.01), self->d);
+    return b.joined || width < same_place ||
+           jlt_continuation_step_straight(&b.before, &b.after, 2 * turn_across * fmax(part, 0.01), self->d);
 }
 
 /* Whether the step from one place to the other stays on the branch, as far as angles show. The bordered determinant changes sign at

@@ -48,7 +48,7 @@ jlt_continuation_bracket jlt_continuation_locate(const runner *self, const place
 {
     const unsigned d = self->d;
     double a = before->arc - from->arc, b = after->arc - from->arc, fa = before->test[k], fb = after->test[k];
-    jlt_continuation_bracket found = { fabs(fa) < fabs(fb) ? *before : *after, *before, *after };
+    jlt_continuation_bracket found = { fabs(fa) < fabs(fb) ? *before : *after, *before, *after, false };
     bool ends = false;
     double failed = NAN; /* a step that did not arrive; the next trials are halfway from it to either end */
     place next;
@@ -75,8 +75,8 @@ jlt_continuation_bracket jlt_continuation_locate(const runner *self, const place
     if (isnan(failed)) return found;
     next = found.at;
     between(&next, from, &found.before, &found.after, fa / (fa - fb), d);
-    bool is_orbit = jlt_continuation_step_evaluate(self, &next.at, next.u) == JLT_OK;
-    for (unsigned i = 0; i < d; i++) is_orbit = is_orbit && fabs(next.at.f[i]) < next.at.noise;
-    if (is_orbit) found.at = next;
+    found.joined = jlt_continuation_step_evaluate(self, &next.at, next.u) == JLT_OK;
+    for (unsigned i = 0; i < d; i++) found.joined = found.joined && fabs(next.at.f[i]) < next.at.noise;
+    if (found.joined) found.at = next;
     return found;
 }

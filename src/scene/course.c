@@ -27,7 +27,7 @@ struct jlt_course {
     jlt_question question; /* its params and start point to told_params and told_start */
     jlt_course_options options;
     jlt_units units;
-    unsigned states, taken; /* of the asked model; taken: the candidate whose tier is integrated */
+    unsigned states, taken, judged; /* of the asked model; taken, judged - 1: candidates that are integrated, with a judged drift */
     int direction; /* of time: +1, -1; 0: not yet known */
     double t;
     bool is_rod;
@@ -307,31 +307,31 @@ static void tell_step(const jlt_course *self, jlt_course_row *row)
     row->stiff = jlt_stepper_is_held(stepper);
 }
 
-/* Whether the next larger tier goes on beyond the pole at which a smaller one has ended. */
-static bool is_passed(jlt_course *self)
+/* Whether the states of a smaller tier have led the orbit astray, as where they no longer tell the asked model's: the next larger
+ * one passes the pole at which this one ends, or keeps an integral that drifts. A drift is judged once in a tier. */
+static bool is_astray(jlt_course *self, const jlt_course_row *row)
 {
-    unsigned i = self->taken + 1, edge;
-    jlt_outcome outcome;
+    const jlt_tier *tier = &self->plan.candidates[self->taken].tier;
+    const bool at_pole = row->end == JLT_END_POLE;
+    unsigned i = self->taken + 1;
     jlt_leg leg;
     jlt_tier by;
 
+    if (self->is_rod || self->plan.forced || tier->dimension >= self->states || (!at_pole && self->judged > self->taken))
+        return false;
+    if (!at_pole && !jlt_course_drift_tells(self->edge, &self->drift, tier->name, self->leg->orbit, self->options.tolerance))
+        return false;
+    self->judged = self->taken + 1;
     while (i < self->plan.count && !jlt_plan_serves(&by, &self->plan.candidates[i], &self->question, self->told_start)) i++;
     if (i == self->plan.count || open_at(&leg, self, i, self->start, 0) != JLT_OK) return false;
-    const jlt_status st = jlt_leg_to(&leg, self->t * (1 + 1e-6), &outcome, &edge);
+    const bool astray = at_pole ? jlt_course_pole_is_passed(&leg, row, self->t, self->question.model, &self->units,
+                                                            self->options.tolerance)
+                                : jlt_course_drift_is_less(&self->drift, &leg, self->t);
     jlt_leg_close(&leg);
-    snprintf(self->edge, sizeof self->edge, "the tier %s passes the pole at which %s ends", self->plan.candidates[i].tier.name,
-             self->plan.candidates[self->taken].tier.name);
-    return st == JLT_OK && outcome.end == JLT_END_TIME;
-}
-
-/* Whether the states of a smaller tier have led the orbit astray, as where they no longer tell the asked model's. */
-static bool is_astray(jlt_course *self, jlt_end end)
-{
-    const jlt_tier *tier = &self->plan.candidates[self->taken].tier;
-
-    return !self->is_rod && !self->plan.forced && tier->dimension < self->states
-        && ((end == JLT_END_POLE && is_passed(self))
-            || jlt_course_drift_tells(self->edge, &self->drift, tier->name, self->leg->orbit, self->options.tolerance));
+    if (at_pole)
+        snprintf(self->edge, sizeof self->edge, "the tier %s passes the pole at which %s ends", self->plan.candidates[i].tier.name,
+                 tier->name);
+    return astray;
 }
 
 static jlt_status along_orbit(jlt_course *self, double t, jlt_course_row *row)
@@ -349,7 +349,7 @@ static jlt_status along_orbit(jlt_course *self, double t, jlt_course_row *row)
         }
         if (st != JLT_OK && outcome.x != NULL) row->unbounded = jlt_leg_unbounded(self->leg, outcome.t);
         if (st == JLT_ERR_BUDGET) tell_step(self, row);
-        if (st == JLT_OK && is_astray(self, outcome.end) && change_tier(self, true) == JLT_OK) {
+        if (st == JLT_OK && is_astray(self, row) && change_tier(self, true) == JLT_OK) {
             jlt_course_conditions_again(&self->conditions);
             note_conditions(self, 0, self->start);
             continue;

@@ -58,3 +58,16 @@ bool jlt_course_drift_tells(char *text, const jlt_course_drift *self, const char
              self->watch->descriptor->integrals[i].name, self->value[i], tier);
     return true;
 }
+
+bool jlt_course_drift_is_less(const jlt_course_drift *self, jlt_leg *leg, double t)
+{
+    jlt_course_drift other = *self;
+    double x[JLT_PLAN_STATES_MAX];
+    jlt_outcome outcome;
+    unsigned edge;
+
+    if (jlt_leg_to(leg, t, &outcome, &edge) != JLT_OK || outcome.end != JLT_END_TIME) return false;
+    jlt_tier_extract(&leg->view, x, leg->y);
+    jlt_course_drift_note(&other, x);
+    return largest(other.value, other.count) < largest(self->value, self->count) / 10;
+}

@@ -4,6 +4,7 @@
 
 #include "integrate/orbit.h"
 #include "kernel/instance.h"
+#include "scene/leg.h"
 #include "scene/plan.h"
 
 typedef struct {
@@ -25,5 +26,8 @@ void jlt_course_drift_note(jlt_course_drift *self, const double *x);
  *  tier divides by what is 0 up to rounding and leads the orbit astray. In: tier, its name; tolerance, 0: the default. Out: text,
  *  shape (JLT_TIER_TEXT_MAX,): what has drifted. */
 bool jlt_course_drift_tells(char *text, const jlt_course_drift *self, const char *tier, const jlt_orbit *orbit, double tolerance);
+
+/** Whether a leg, at its start, comes to time t with a tenth of the largest drift at most. */
+bool jlt_course_drift_is_less(const jlt_course_drift *self, jlt_leg *leg, double t);
 
 #endif

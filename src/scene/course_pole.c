@@ -35,3 +35,29 @@ void jlt_course_pole_settle(jlt_course_row *row, double *states, const jlt_descr
         states[row->pole] = ldexp(row->fate == JLT_FATE_POLE_PLUS ? q->high : q->low, -jlt_units_exponent(units, q->unit));
     }
 }
+
+/* How far x is from the pole of a row, as a part of the interval of its state. */
+static double distance(const jlt_course_row *row, const double *x, const jlt_descriptor *model, const jlt_units *units)
+{
+    const jlt_quantity *q = &model->states[row->pole];
+    const double told = ldexp(x[row->pole], jlt_units_exponent(units, q->unit));
+
+    return fabs(told - (row->fate == JLT_FATE_POLE_PLUS ? q->high : q->low)) / (q->high - q->low);
+}
+
+bool jlt_course_pole_is_passed(jlt_leg *leg, const jlt_course_row *row, double t, const jlt_descriptor *model,
+                               const jlt_units *units, double tolerance)
+{
+    static const double near = 1e-3;
+    const double room = fmin(0.1, fmax(1e-6, 1000 * tolerance));
+    double x[JLT_PLAN_STATES_MAX], off[2];
+    jlt_outcome outcome;
+    unsigned edge;
+
+    for (unsigned k = 0; k < 2; k++) {
+        if (jlt_leg_to(leg, k == 0 ? t : t * (1 + room), &outcome, &edge) != JLT_OK || outcome.end != JLT_END_TIME) return false;
+        jlt_tier_extract(&leg->view, x, leg->y);
+        off[k] = distance(row, x, model, units);
+    }
+    return off[0] < near && off[1] > off[0];
+}

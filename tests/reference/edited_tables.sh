@@ -38,6 +38,19 @@ done
 expect 0 'the range ends' jellett continue ./pitchfork.tt --section phi=0 --set a=-1/2,e=1e-6 --along a=-1:1 --start x=0,v=0
 rows | tail -1 | awk -F, '{ exit !(($2 - 1)^2 < 1e-26 && ($5^3 - $5 - 1e-6)^2 < 1e-26) }' ||
     fail "from a small orbit: $(rows | tail -1)"
+# Branches cross at a small angle, x = a and x = 1.01 a: each is followed, with its branch point at a = 0, in long steps too.
+sed 's/+ a\*x - x^3 /- x^2 + 2.01*a*x - 1.01*a^2 /' pitchfork.tt > oblique.tt
+for slope in 1 1.01; do
+    for range in -1:1 -10:0.9; do
+        for tolerance in 1e-9 1e-13 1e-14 1e-15; do
+            expect 0 'the range ends' jellett continue ./oblique.tt --section phi=0 --along a=$range --decreasing --tol $tolerance \
+                --start x="$(awk "BEGIN { print $slope/2 }")",v=0
+            rows | awk -F, -v s=$slope '$17 != "" { kinds = kinds $17; at = $2 } END { x = $5/$2 - s
+                exit !(kinds == "branch point" && at^2 < 1e-6 && x^2 < 1e-16) }' ||
+                fail "x = $slope a, $range, $tolerance: $(rows | grep point) $(rows | tail -1)"
+        done
+    done
+done
 
 # 2. Where a rate jumps on all ways, the map has nowhere a derivative, and the search for orbits says so.
 cat > dry.tt <<'TABLE'
