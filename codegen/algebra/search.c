@@ -37,8 +37,10 @@ static void choose_state(fmpq_t out, const ttc_graph *graph, const ttc_symbol_en
         fmpq_init(width);
         fmpq_sub(width, high, low);
         fmpq_set_si(out, attempt == 0 ? 1 : (slong)(random % 15) + 1, attempt == 0 ? 2 : 16);
-        if (attempt >= EARLY_ATTEMPTS && random >> 8 & 1) fmpq_div_2exp(out, out, random >> 9 & 31);
-        if (attempt >= EARLY_ATTEMPTS && random >> 16 & 1) { /* near the upper end as well */
+        /* In every other attempt near an end: in all, one of many states would always be near its end. */
+        const bool may_be_near = attempt >= EARLY_ATTEMPTS && attempt % 2 != 0;
+        if (may_be_near && random >> 8 & 1) fmpq_div_2exp(out, out, random >> 9 & 31);
+        if (may_be_near && random >> 16 & 1) { /* near the upper end as well */
             fmpq_sub_si(out, out, 1);
             fmpq_neg(out, out);
         }

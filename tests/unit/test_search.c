@@ -157,6 +157,39 @@ static void signals_stay_with_the_program(void **unused)
     assert_int_equal(strangers, 0);
 }
 
+/* Points near ends of intervals are tried, but not in so many attempts that of many states one is always near an end. */
+static void points_of_many_states_are_not_all_near_ends(void **unused)
+{
+    enum { STATES = 10, LEAST = 200 };
+    char text[1024] = "state x in (0, 1)\nstate y in (0, 1)\n";
+    unsigned attempt = 0, inside = 0, found = 0;
+    ttc_witness point;
+    (void)unused;
+    for (int i = 0; i < STATES; i++)
+        snprintf(text + strlen(text), sizeof text - strlen(text), "state z%d in (0, 1)\neq z%d = 0\n", i, i);
+    strcat(text, "let f = x + y");
+    for (int i = 0; i < STATES; i++) snprintf(text + strlen(text), sizeof text - strlen(text), " + z%d", i);
+    question q = ask(text);
+    require(&q, "f", TTC_IS_POSITIVE);
+    assert_true(ttc_witness_init(&point, q.valuation));
+    for (; ttc_search_next(&point, &q.conditions, &attempt); found++) {
+        bool is_near = false; /* others are sixteenths */
+        for (slong v = 0; v < (slong)point.ring->variable_count; v++) {
+            const size_t symbol = ttc_valuation_symbol(q.valuation, v);
+            const bool is_state = symbol < q.model->symbol_count && q.model->symbols[symbol].kind == TTC_STATE;
+            is_near |= is_state && fmpz_cmp_si(fmpq_denref(point.values + v), 16) > 0;
+        }
+        inside += !is_near;
+    }
+    assert_true(inside >= LEAST);
+    assert_true(found - inside >= LEAST);
+    ttc_witness_clear(&point);
+    ttc_conditions_clear(&q.conditions);
+    ttc_valuation_destroy(q.valuation);
+    ttc_model_destroy(q.model);
+    ttc_diagnostics_destroy(q.diagnostics);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -165,6 +198,7 @@ int main(void)
         cmocka_unit_test(the_solver_finds_what_signs_leave_open),
         cmocka_unit_test(an_irrational_point_that_cannot_be_checked_is_no_point),
         cmocka_unit_test(roots_and_functions_have_their_own_values),
+        cmocka_unit_test(points_of_many_states_are_not_all_near_ends),
         cmocka_unit_test(signals_stay_with_the_program),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
