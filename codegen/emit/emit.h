@@ -33,6 +33,10 @@ const char *ttc_emit_function_name(ttc_op op);
 /* Whether the program has such an instruction. */
 bool ttc_emit_uses(const ttc_program *program, ttc_op op);
 
+/** The constant 0 where more than 64 outputs have it, as in the Jacobian of a long chain; TTC_NO_VALUE elsewhere. One loop, before
+ *  the other outputs, sets all of these: one statement an output takes the C compiler minutes. */
+ttc_value ttc_emit_zeros(const ttc_program *program);
+
 /** The statements of a kernel, with temporaries t0, t1, ...
  *  prepared: what the program's parameters stand for; NULL: raw parameters. parameters: the C name of their array. offset: index
  *  of the first output. */

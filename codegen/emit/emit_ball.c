@@ -52,11 +52,14 @@ static void add_instruction(ttc_text *text, const ttc_program *program, ttc_valu
 
 static void add_function(ttc_text *text, const char *stem, const char *name, const ttc_program *program)
 {
-    size_t n = ttc_program_size(program);
+    const size_t n = ttc_program_size(program);
+    const ttc_value zero = ttc_emit_zeros(program);
     ttc_text_format(text, "static void %s_%s(arb_ptr out, arb_srcptr x, arb_srcptr params, slong prec)\n{\n", stem, name);
     ttc_text_format(text, "    arb_ptr t = _arb_vec_init(%zu);\n    (void)x;\n    (void)params;\n    (void)prec;\n", n);
     for (size_t k = 0; k < n; k++) add_instruction(text, program, (ttc_value)k);
+    if (zero != TTC_NO_VALUE) ttc_text_format(text, "    _arb_vec_zero(out, %zu);\n", ttc_program_output_count(program));
     for (size_t k = 0; k < ttc_program_output_count(program); k++) {
+        if (ttc_program_output_at(program, k) == zero) continue;
         ttc_text_format(text, "    arb_set(out + %zu, ", k);
         add_operand(text, program, ttc_program_output_at(program, k));
         ttc_text_add(text, ");\n");

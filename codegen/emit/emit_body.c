@@ -202,9 +202,31 @@ static void add_outputs(body *b, ttc_value value, size_t offset)
     }
 }
 
+ttc_value ttc_emit_zeros(const ttc_program *program)
+{
+    enum { MANY = 64 };
+    for (size_t v = 0; v < ttc_program_size(program); v++) {
+        const ttc_instruction *i = ttc_program_at(program, (ttc_value)v);
+        size_t count = 0;
+        if (i->op != TTC_OP_CONSTANT || !fmpq_is_zero(i->constant)) continue;
+        for (size_t k = 0; k < ttc_program_output_count(program); k++) count += ttc_program_output_at(program, k) == v;
+        if (count > MANY) return (ttc_value)v;
+    }
+    return TTC_NO_VALUE;
+}
+
+static void add_zeros(body *b, ttc_value zero, size_t offset, size_t outputs)
+{
+    ttc_text_format(b->text, "    for (size_t i = %zu; i < %zu; i++) %si%s", offset, offset + outputs, b->dialect->output,
+                    b->dialect->output_middle);
+    add_operand(b, zero);
+    ttc_text_format(b->text, "%s;\n", b->dialect->output_end);
+}
+
 void ttc_emit_body(ttc_text *text, const ttc_dialect *dialect, const ttc_program *program, const ttc_field *field,
                    const ttc_prepared *prepared, const char *parameters, size_t offset)
 {
+    const ttc_value zero = ttc_emit_zeros(program);
     size_t n = ttc_program_size(program), count = 0, outputs = ttc_program_output_count(program);
     body b = {
         .text = text, .dialect = dialect, .program = program, .field = field, .prepared = prepared, .parameters = parameters
@@ -218,7 +240,9 @@ void ttc_emit_body(ttc_text *text, const ttc_dialect *dialect, const ttc_program
         text->failed = true;
         goto done;
     }
+    if (zero != TTC_NO_VALUE) add_zeros(&b, zero, offset, outputs);
     for (size_t k = outputs; k-- > 0;) {
+        if (ttc_program_output_at(program, k) == zero) continue;
         b.next_output[k] = b.first_output[ttc_program_output_at(program, k)];
         b.first_output[ttc_program_output_at(program, k)] = k + 1;
     }

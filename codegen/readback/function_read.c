@@ -13,6 +13,7 @@ typedef struct {
     ttc_program *program;
     ttc_value *temporaries; /* t0, t1, ... */
     size_t count;
+    ttc_value unset;        /* of outputs that no line sets by themselves */
     bool rounded, failed;
 } reader;
 
@@ -144,6 +145,12 @@ static bool read_line(reader *r, ttc_value *outputs, size_t count)
         const ttc_value value = read_expression(r);
         if (!TTC_ARRAY_GROW(r->temporaries, r->count)) return false;
         r->temporaries[r->count++] = value;
+    } else if (take(r, "for (size_t i = 0; i < ")) { /* before any output is set: those that no later line sets are 0 */
+        if (read_index(r) != count) r->failed = true;
+        expect(r, "; i++) out[i] = ");
+        for (size_t i = 0; i < count; i++)
+            if (outputs[i] != TTC_NO_VALUE) r->failed = true;
+        r->unset = read_operand(r);
     } else {
         expect(r, "out[");
         const size_t index = read_index(r);
@@ -177,7 +184,7 @@ static const char *find_body(const char *text, const char *name)
 
 ttc_function_status ttc_function_read(ttc_program **out, const char *text, const char *name, size_t outputs)
 {
-    reader r = { .at = find_body(text, name), .program = ttc_program_create() };
+    reader r = { .at = find_body(text, name), .program = ttc_program_create(), .unset = TTC_NO_VALUE };
     ttc_value *set = malloc((outputs + 1) * sizeof *set);
     bool memory = r.program != NULL && set != NULL;
     *out = NULL;
@@ -186,8 +193,9 @@ ttc_function_status ttc_function_read(ttc_program **out, const char *text, const
     for (size_t i = 0; memory && i < outputs; i++) set[i] = TTC_NO_VALUE;
     while (memory && !r.failed && !r.rounded && !take(&r, "}\n")) memory = read_line(&r, set, outputs);
     for (size_t i = 0; memory && !r.failed && !r.rounded && i < outputs; i++) {
-        if (set[i] == TTC_NO_VALUE) r.failed = true;
-        else ttc_program_output(r.program, set[i]);
+        const ttc_value value = set[i] != TTC_NO_VALUE ? set[i] : r.unset;
+        if (value == TTC_NO_VALUE) r.failed = true;
+        else ttc_program_output(r.program, value);
     }
     free(set);
     free(r.temporaries);
