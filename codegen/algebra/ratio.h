@@ -45,7 +45,7 @@ typedef enum {
 } ttc_ring_status;
 
 enum {
-    TTC_GENERATOR_LIMIT = 16,
+    TTC_GENERATOR_LIMIT = 32,
     TTC_PRODUCT_LIMIT = 1 << 26, /* pairs of terms in one multiplication */
     TTC_DEGREE_LIMIT = 1 << 12,  /* of a polynomial, in all variables together */
     TTC_BITS_LIMIT = 1 << 17     /* of a coefficient */

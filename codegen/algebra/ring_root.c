@@ -6,6 +6,8 @@
 #include <stdint.h>
 #include <stdlib.h>
 
+enum { DEEPEST = 16 }; /* generators over which a search takes time exponential in their number */
+
 /* root = sqrt(a). Returns false if a is no square. The result is checked, because FLINT 2.9 reports a root of x y where the packed
  * exponents of both variables begin a word. */
 static bool polynomial_root(ttc_ring *ring, fmpz_mpoly_t root, const fmpz_mpoly_t a)
@@ -91,11 +93,11 @@ static bool square_class(ttc_ring *ring, size_t level, uint64_t *bits, const ttc
 static bool root_by_classes(ttc_ring *ring, size_t level, bool *found, ttc_ratio *root, const ttc_ratio *a)
 {
     uint64_t classes[TTC_GENERATOR_LIMIT + 1];
-    unsigned products[TTC_GENERATOR_LIMIT + 1];
+    uint64_t products[TTC_GENERATOR_LIMIT + 1];
     *found = false;
     for (size_t i = 0; i <= level; i++) {
         if (!square_class(ring, level, classes + i, i < level ? &ring->generators[i].square : a)) return false;
-        products[i] = 1u << i;
+        products[i] = UINT64_C(1) << i;
         for (size_t k = 0; k < i; k++) {
             if (!(classes[i] & classes[k] & -classes[k])) continue; /* the lowest bit of row k is its pivot */
             classes[i] ^= classes[k];
@@ -161,6 +163,10 @@ static bool field_root(ttc_ring *ring, size_t level, ttc_ratio *root, const ttc_
     const ttc_ratio *square = &ring->generators[level - 1].square;
     bool found = false;
     if (root_by_classes(ring, level, &found, root, a)) return found;
+    if (level > DEEPEST) {
+        ttc_ring_fail(ring, TTC_RING_MANY_ROOTS);
+        return false;
+    }
     ttc_ratio p, q, n;
     ttc_ratio_init(ring, &p);
     ttc_ratio_init(ring, &q);
@@ -191,20 +197,23 @@ static bool field_root(ttc_ring *ring, size_t level, ttc_ratio *root, const ttc_
 /* The sign of a, if it is evident for a or for its product with some positive generators; otherwise 0. */
 static int evident_sign(ttc_ring *ring, const ttc_ratio *a)
 {
+    slong used[DEEPEST];
+    size_t count = 0;
     int sign = 0;
     ttc_ratio product, generator;
     ttc_ratio_init(ring, &product);
     ttc_ratio_init(ring, &generator);
-    for (unsigned subset = 0; sign == 0 && subset < 1u << ring->generator_count; subset++) {
-        bool positive = true;
+    for (size_t i = 0; i < ring->generator_count && count < DEEPEST; i++)
+        if (ring->generators[i].positive && ttc_ratio_uses(ring, a, ring->generators[i].variable))
+            used[count++] = ring->generators[i].variable;
+    for (unsigned subset = 0; sign == 0 && subset < 1u << count; subset++) {
         ttc_ratio_set(ring, &product, a);
-        for (size_t i = 0; i < ring->generator_count && positive; i++)
+        for (size_t i = 0; i < count; i++)
             if (subset >> i & 1) {
-                positive = ring->generators[i].positive;
-                ttc_ratio_set_variable(ring, &generator, ring->generators[i].variable);
+                ttc_ratio_set_variable(ring, &generator, used[i]);
                 ttc_ratio_multiply(ring, &product, &product, &generator);
             }
-        if (positive) sign = ttc_ratio_sign(ring, &product);
+        sign = ttc_ratio_sign(ring, &product);
         ring->has_sign_of_quotient |= sign != 0 && !fmpz_mpoly_is_fmpz(product.denominator, ring->context);
     }
     ttc_ratio_clear(ring, &generator);

@@ -225,11 +225,11 @@ static void add_root(ttc_task *task, ttc_conditions *c, uint32_t symbol, ttc_rat
 }
 
 /* What the other table is subject to may use an angle that nothing here uses. Its signs are added if it has a value, which the
- * domain does not say that it has; and while its sine leaves half of the ring's generators to what the claim uses. */
+ * domain does not say that it has; and while its sine leaves most of the ring's generators to what the claim uses. */
 static void add_unused_angle(ttc_task *task, ttc_conditions *c, uint32_t cosine)
 {
     ttc_ring *ring = task->ring;
-    if (ring->status != TTC_RING_OK || ring->generator_count >= TTC_GENERATOR_LIMIT / 2) return;
+    if (ring->status != TTC_RING_OK || ring->generator_count >= TTC_GENERATOR_LIMIT / 4) return;
     ttc_domain_add_angle(task, c, cosine);
     if (ring->status != TTC_RING_NO_MEMORY) ring->status = TTC_RING_OK;
 }

@@ -349,15 +349,15 @@ static void a_claim_may_fall_into_512_cases_and_no_more(void **state)
 static void a_bound_that_is_passed_is_named(void **state)
 {
     (void)state;
-    char roots[4096] = "model roots\nstate x\neq x = 1\n", sum[512] = "";
-    for (int i = 0; i < 17; i++) {
+    char roots[4096] = "model roots\nstate x\neq x = 1\n", sum[1024] = "";
+    for (int i = 0; i < 33; i++) {
         const size_t used = strlen(roots), added = strlen(sum);
         snprintf(roots + used, sizeof roots - used, "root r%d = sqrt(%d + x^2)\n", i, i + 2);
         snprintf(sum + added, sizeof sum - added, " + r%d", i);
     }
     const size_t used = strlen(roots);
     snprintf(roots + used, sizeof roots - used, "positive all : 1 - 5*x%s\n", sum);
-    expect(roots, "positive", "all", TTC_UNSETTLED, "the limit of 16 roots");
+    expect(roots, "positive", "all", TTC_UNSETTLED, "the limit of 32 roots");
     expect("model multiples\nstate x\nexp e = exp(x)\nexp f = exp(65*x)\neq x = 1\nequal power : f = e^64*e\n", "equal", "power",
            TTC_UNSETTLED, "the limit of 64 multiples");
 }
