@@ -220,19 +220,19 @@ static bool check_name(ttc_parser *parser, const ttc_claim *claim, const ttc_tok
     return true;
 }
 
-/* Returns true if a name follows the keyword. That of a symmetry is optional, with a colon after it; a reversor has none. */
+/* Returns true if a name follows the keyword. That of a map is optional, with a colon after it. */
 static bool has_name(const ttc_parser *parser, ttc_claim_kind kind)
 {
-    if (!is_map(kind)) return true;
     const ttc_token *token = ttc_parse_peek(parser);
-    return kind == TTC_CLAIM_SYMMETRY && token[0].kind == TTC_TOKEN_NAME && token[1].kind == TTC_TOKEN_MARK &&
-           token[1].text[0] == ':';
+    return !is_map(kind) || (token[0].kind == TTC_TOKEN_NAME && token[1].kind == TTC_TOKEN_MARK && token[1].text[0] == ':');
 }
 
 static bool parse_parts(ttc_parser *parser, const ttc_token *keyword, ttc_claim *claim)
 {
     const ttc_token *name = has_name(parser, claim->kind) ? ttc_parse_name(parser, "the claim's name") : keyword;
     if (name == NULL) return false;
+    if (name != keyword && claim->kind == TTC_CLAIM_REVERSOR)
+        return ttc_parse_error(parser, ttc_token_place(name), "a reversor has no name (expected 'STATE -> expression')");
     claim->place = ttc_token_place(name);
     claim->name = ttc_parse_copy(parser, name->text, name->length);
     if (claim->name == NULL) return false;

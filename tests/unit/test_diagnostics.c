@@ -206,6 +206,7 @@ static const mistake mistakes[] = {
     { HEAD "integral E = x modulo E\n", "7:10: error: 'E' rests on itself through 'modulo': a circle" },
     { HEAD "integral E = x modulo F\n",
       "7:23: error: unknown claim 'F' (expected the name of an 'integral' or 'invariant' record)" },
+    { HEAD "reversor turn : x -> -x\n", "7:10: error: a reversor has no name (expected 'STATE -> expression')" },
     { HEAD "reversor x = -x\n", "7:12: error: unexpected '=' (expected '->' after the state)" },
     { HEAD "reversor x -> \n", "7:14: error: the table ends within a record (expected a number, a name or '(')" },
     { HEAD "reversor a -> -a\n", "7:10: error: 'a' is not a state (expected one)" },
