@@ -13,7 +13,7 @@ static void set_slopes(ttc_ring *ring, ttc_ratio *slopes, slong parameter)
         ttc_ratio_init(ring, &slopes[v]);
         if (v == parameter || ring->trust[v] != TTC_TRUST_FREE) continue;
         ttc_ratio_set_variable(ring, &slopes[v], parameter);
-        ttc_ratio_power(ring, &slopes[v], &slopes[v], v + 1);
+        fmpz_mpoly_pow_ui(slopes[v].numerator, slopes[v].numerator, (ulong)v + 1, ring->context);
     }
 }
 

@@ -39,8 +39,9 @@ static ttc_id image_of_state(const ttc_task *task, size_t state)
 static bool is_fixed(ttc_task *task, const ttc_ratio *value)
 {
     for (size_t v = 0; v < task->ring->variable_count; v++) {
-        size_t symbol = ttc_valuation_symbol(task->field, (slong)v);
-        if (symbol >= task->model->symbol_count || !ttc_ratio_uses(task->ring, value, (slong)v)) continue;
+        if (!ttc_ratio_uses(task->ring, value, (slong)v)) continue;
+        const size_t symbol = ttc_valuation_symbol(task->field, (slong)v);
+        if (symbol >= task->model->symbol_count) continue;
         const ttc_symbol_entry *entry = &task->model->symbols[symbol];
         for (size_t i = 0; i < task->model->state_count; i++)
             if (ttc_model_depends(task->model, entry->node, task->model->states[i])) return false;
