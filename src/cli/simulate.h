@@ -3,6 +3,7 @@
 #define JLT_CLI_SIMULATE_H
 
 #include "cli/session.h"
+#include "cli/simulate_times.h"
 
 enum { JLT_SIMULATE_COURSES_MAX = 9 };
 
@@ -12,8 +13,8 @@ typedef struct {
     double until, every; /* times, in the table's unit; NaN: not given */
     bool track, project;
 
-    double *times; /* shape (time_count,), owned */
-    size_t time_count, rows;
+    jlt_simulate_times times;
+    size_t rows;
     jlt_plan plans[JLT_SIMULATE_COURSES_MAX]; /* the orbit's own first, then those of --compare */
     jlt_course *courses[JLT_SIMULATE_COURSES_MAX];
     jlt_status broken[JLT_SIMULATE_COURSES_MAX]; /* why a course of --compare stopped; OK: it goes on */
