@@ -1,5 +1,6 @@
 /* `jellett simulate`: one orbit at given times, with drifts of integrals and observed quantities. */
 #include "base/options.h"
+#include "base/text.h"
 #include "cli/simulate.h"
 
 #include <math.h>
@@ -327,7 +328,7 @@ static jlt_exit run(int argc, char **argv)
     if (code == JLT_EXIT_DONE && r.session.common.plan) {
         jlt_planned_show(&r.plans[0], NULL);
         for (size_t k = 1; k < r.course_count; k++) jlt_planned_chosen(&r.plans[k]); /* of --compare */
-        printf("  one orbit, at %zu time%s; method %s, tolerance %.3g\n", r.times.count, r.times.count == 1 ? "" : "s",
+        printf("  one orbit, at %zu time%s; method %s, tolerance %.3g\n", r.times.count, ttc_text_plural(r.times.count),
                r.session.method->name, r.session.tolerance);
         code = JLT_EXIT_PLANNED;
     }

@@ -125,7 +125,7 @@ static unsigned list_units(const char *units[PANELS_MAX], const jlt_descriptor *
 static void draw_states(jlt_plot *plot, const jlt_simulate_request *r)
 {
     const jlt_descriptor *d = r->session.descriptor;
-    const char *units[PANELS_MAX];
+    const char *units[PANELS_MAX], *const time = jlt_plot_timed(d, "t [s]", "t");
     const unsigned drifts = jlt_course_integrals(r->courses[0]), panels = list_units(units, d);
     jlt_extent drift = JLT_EXTENT_NONE;
 
@@ -143,7 +143,7 @@ static void draw_states(jlt_plot *plot, const jlt_simulate_request *r)
             entries++;
         }
         key(plot, entries, panels + (drifts > 0), narrow);
-        jlt_plot_panel(plot, k, "t [s]", r->extents[0]);
+        jlt_plot_panel(plot, k, time, r->extents[0]);
         jlt_plot_axis(plot, 'y', label, jlt_extent_wider(range), 0);
         for (unsigned i = 0; i < d->state_count; i++)
             if (strcmp(units[k], d->states[i].unit) == 0) curve(plot, r, i + 2, series++, d->states[i].name);
@@ -151,7 +151,7 @@ static void draw_states(jlt_plot *plot, const jlt_simulate_request *r)
     }
     if (drifts == 0) return;
     key(plot, drifts, panels + 1, narrow);
-    jlt_plot_panel(plot, panels, "t [s]", r->extents[0]);
+    jlt_plot_panel(plot, panels, time, r->extents[0]);
     for (unsigned i = 0; i < drifts; i++) {
         jlt_extent_add(&drift, r->extents[first_drift(r) + i].low);
         jlt_extent_add(&drift, r->extents[first_drift(r) + i].high);
@@ -178,7 +178,7 @@ static jlt_quantity quantity_of(const jlt_simulate_request *r, unsigned column)
 
     jlt_course_observes(r->courses[0], &observed);
     jlt_course_tells_more(r->courses[0], &more, NULL);
-    if (column == 0) return (jlt_quantity){ .name = "t", .unit = "s" };
+    if (column == 0) return (jlt_quantity){ .name = "t", .unit = jlt_plot_timed(r->session.descriptor, "s", "") };
     if (column < first_drift(r)) return r->session.descriptor->states[column - 1];
     return column < first_of_more(r) ? observed[column - first_observed(r)] : more[column - first_of_more(r)];
 }
