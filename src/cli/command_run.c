@@ -23,7 +23,8 @@ typedef struct {
 enum { DRY = 1000 };
 
 static const struct argp_option option_table[] = {
-    { "into", 'C', "FOLDER", 0, "Write the scene's files to FOLDER, which is made if it is missing; default the current folder", 0 },
+    { "into", 'C', "FOLDER", 0,
+      "Write the scene's files to FOLDER, which is made if it is missing; default the current folder", 0 },
     { "set", 's', "PARAM=VALUE,...", TTC_OPTIONS_REPEATED,
       "Values of parameters in place of the scene's, in all of its commands", 0 },
     { "dry-run", DRY, NULL, 0, "Show the commands, but run none", 0 },

@@ -260,8 +260,8 @@ static void warn_of_letters(const jlt_plot *self)
     if (title == NULL || !jlt_picture_has_fonts(self->common->plot)) return;
     const char *missing = jlt_letters_missing(title, &length);
     if (missing != NULL)
-        fprintf(stderr, "jellett: warning: --title: no font here has '%.*s', and the box in its place may cover the picture: install "
-                        "a font, or draw .svg\n", (int)length, missing);
+        fprintf(stderr, "jellett: warning: --title: no font here has '%.*s', and the box in its place may cover the picture: "
+                        "install a font, or draw .svg\n", (int)length, missing);
 }
 
 jlt_exit jlt_plot_draw(jlt_plot *self)
