@@ -260,7 +260,7 @@ static void write_row(FILE *file, jlt_simulate_request *r, const jlt_course_row 
         values[count++] = row->end == JLT_END_TIME ? difference(r, k, row->x, row->t) : NAN;
     jlt_csv_more(file, values, count);
     write_fate(file, row, st);
-    if (r->session.common.points != NULL) jlt_simulate_point(r, row);
+    if (r->session.common.points != NULL) jlt_simulate_point(r, row, st != JLT_OK || row->end == JLT_END_POLE);
 }
 
 static const char too_stiff[] = ", in which no state moves by 1e-4 of its size: the motion is stiff, as rates limit steps that it "
@@ -344,6 +344,7 @@ static jlt_exit run(int argc, char **argv)
 done:
     for (size_t k = 0; k < JLT_SIMULATE_COURSES_MAX; k++) jlt_course_destroy(r.courses[k]);
     free(r.extents);
+    free(r.points);
     jlt_simulate_times_clear(&r.times);
     jlt_session_end(&r.session);
     return code;

@@ -136,6 +136,16 @@ s lyapunov --returns 4
 - eigen lorenz
 END
 
+# Neither memory nor gnuplot's time grows with the rows of an orbit; its end is drawn.
+jellett simulate --start gamma3=-0.6,v_nu=0.5,omega_tau=0.3,omega_n=1,omega3=0.8 --until 10 --every 1/20000 --axes t,gamma3 \
+    --plot p.svg --keep p.gp -o rows.csv 2> log || fail "an orbit of many rows: $(cat log)"
+grep -c '^[0-9]' rows.csv > rows
+sed -n '/^\$ROWS/,/^END/p' p.gp | grep '^[0-9]' > drawn
+[ "$(cat rows)" -gt 100000 ] && [ "$(wc -l < drawn)" -le 100001 ] && grep -q 'title .*one row in 2' p.gp ||
+    fail "of $(cat rows) rows $(wc -l < drawn) are drawn: $(grep title p.gp | head -1)"
+grep '^[0-9]' rows.csv | sed -n '3p;$p' | cut -d, -f 1,2 | tr , ' ' > wanted
+sed -n '2p;$p' drawn | cut -d ' ' -f 1,2 | cmp -s - wanted || fail "other rows are drawn: $(sed -n '2p;$p' drawn)"
+
 # A letter that no font has is named, where the picture is drawn here.
 base_title() { "${base[@]}" --title "$1" --plot p.$2 -o rows.csv 2> log || fail "--title '$1': $(cat log)"; }
 if command -v fc-list > fonts && [ -n "$(fc-list ':charset=3b3')" ]; then
