@@ -89,3 +89,8 @@ bool ttc_text_resembles(const char *a, size_t n, const char *b, size_t m)
     const bool swapped = n == 2 && m == 2 && lower(p[0]) == lower(q[1]) && lower(p[1]) == lower(q[0]);
     return head + tail > 0 && ((n <= 1 && m <= 1) || swapped);
 }
+
+const char *ttc_text_plural(size_t count)
+{
+    return count == 1 ? "" : "s";
+}

@@ -37,4 +37,7 @@ void ttc_text_add_comment(ttc_text *text, const char *bytes);
  * changed, dropped or added, or in two neighbours swapped. */
 bool ttc_text_resembles(const char *a, size_t n, const char *b, size_t m);
 
+/* Returns how a noun ends behind this number. */
+const char *ttc_text_plural(size_t count);
+
 #endif

@@ -1,5 +1,6 @@
 #include "command/command_challenge.h"
 
+#include "base/text.h"
 #include "challenge/challenge.h"
 
 #include <stdio.h>
@@ -16,11 +17,13 @@ static void print_text(const ttc_model *model, const ttc_challenge_report *repor
 {
     for (size_t i = 0; i < report->count; i++) {
         const ttc_challenge_result *result = &report->results[i];
-        printf("challenged %-8s %-11s %s: %zu points, %zu special, %zu skipped%s\n", ttc_proof_status_name(result->status),
-               result->kind, result->name, result->tried, result->special, result->skipped, remark(result));
+        printf("challenged %-8s %-11s %s: %zu point%s, %zu special, %zu skipped%s\n", ttc_proof_status_name(result->status),
+               result->kind, result->name, result->tried, ttc_text_plural(result->tried), result->special, result->skipped,
+               remark(result));
     }
-    printf("%s: %zu verdicts challenged at %zu points and %zu special ones, %zu skipped: %zu contradicted\n", model->name,
-           report->count, report->tried, report->special, report->skipped, report->contradictions);
+    printf("%s: %zu verdict%s challenged at %zu point%s and %zu special ones, %zu skipped: %zu contradicted\n", model->name,
+           report->count, ttc_text_plural(report->count), report->tried, ttc_text_plural(report->tried), report->special,
+           report->skipped, report->contradictions);
 }
 
 static void put_json(json_t *shown, const ttc_challenge_report *report)

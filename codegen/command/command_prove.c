@@ -1,4 +1,5 @@
 /* ttc prove: proves or refutes every claim of the tables, exactly. */
+#include "base/text.h"
 #include "command/command.h"
 #include "command/command_challenge.h"
 #include "command/command_guard.h"
@@ -50,7 +51,8 @@ static void print_text(const ttc_proof_report *report, bool verbose)
         print_backing(proof, verbose);
         printf("\n");
     }
-    printf("%s: %zu claims: %zu proved, %zu refuted", report->model, report->proof_count, report->proved, report->refuted);
+    printf("%s: %zu claim%s: %zu proved, %zu refuted", report->model, report->proof_count, ttc_text_plural(report->proof_count),
+           report->proved, report->refuted);
     if (report->unsettled > 0) printf(", %zu not settled", report->unsettled);
     printf("\n");
 }

@@ -3,6 +3,7 @@
 #include "base/exhaustion.h"
 #include "base/options.h"
 #include "base/output.h"
+#include "base/text.h"
 #include "challenge/challenge.h"
 #include "command/command.h"
 
@@ -301,8 +302,12 @@ int main(int argc, char **argv)
     }
     for (size_t i = 0; i < COMMAND_COUNT; i++)
         if (strcmp(commands[i].name, word) == 0) return run_command(commands + i, argc, argv);
-    if (argc > 1) fprintf(stderr, "ttc: unknown command '%s'\n", word);
-    else fprintf(stderr, "ttc: no command is given\n");
+    if (argc > 1) fprintf(stderr, "ttc: unknown command '%s'", word);
+    else fprintf(stderr, "ttc: no command is given");
+    for (size_t i = 0; i < COMMAND_COUNT; i++)
+        if (ttc_text_resembles(commands[i].name, strlen(commands[i].name), word, strlen(word)))
+            fprintf(stderr, " (did you mean '%s'?)", commands[i].name);
+    fputc('\n', stderr);
     fprintf(stderr, "Commands:");
     for (size_t i = 0; i < COMMAND_COUNT; i++) fprintf(stderr, " %s", commands[i].name);
     fprintf(stderr, ". Try 'ttc --help'.\n");

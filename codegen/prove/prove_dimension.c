@@ -317,7 +317,7 @@ static void require_dimension(ttc_task *task, const ttc_model *target, const lea
         if ((codimension <= 1 || rank_of_levels(task) == codimension) && (onto || has_dimension(task, NULL)))
             ttc_task_refute(task, NULL, "the image has dimension %zu, and %s has %zu%s", found,
                             onto ? target->name : task->model->name, wanted,
-                            onto || codimension == 0 ? " states" : " on the level");
+                            !onto && codimension > 0 ? " on the level" : wanted == 1 ? " state" : " states");
         ttc_task_unsettle(task, "a part of the level, which may lie in a larger one, has an image of dimension %zu, not %zu", found,
                           wanted);
         goto done;

@@ -153,8 +153,9 @@ static jlt_exit draw_history(const options *o, const jlt_system *system)
     for (unsigned k = 0; k < system->flow.chart->dim; k++) jlt_plot_value(&plot, system->flow.chart->names[k], q[k]);
     jlt_plot_words(&plot, "\n");
     jlt_motion_caption(&plot, system, NULL);
-    jlt_plot_log(&plot, 'x', "t [s]", JLT_EXTENT_OPEN, 10);
-    jlt_plot_axis(&plot, 'y', "λ [1/s]", JLT_EXTENT_OPEN, 0);
+    const jlt_descriptor *model = system->instance->descriptor;
+    jlt_plot_log(&plot, 'x', jlt_plot_timed(model, "t [s]", "t"), JLT_EXTENT_OPEN, 10);
+    jlt_plot_axis(&plot, 'y', jlt_plot_timed(model, "λ [1/s]", "λ"), JLT_EXTENT_OPEN, 0);
     fputs(JLT_LOOK_GRID "plot ", plot.stream);
     for (unsigned k = 0; k < system->flow.chart->dim; k++) {
         fprintf(plot.stream, "%s$HISTORY using 1:%u ", k == 0 ? "" : ", ", k + 2);

@@ -7,6 +7,7 @@
 #include <sys/stat.h>
 
 #include "base/options.h"
+#include "base/text.h"
 #include "cli/column_map.h"
 #include "cli/merged.h"
 #include "cli/study.h"
@@ -334,10 +335,9 @@ static jlt_exit merge_files(merge *self, const file_list *files)
     JLT_PASS(write_all(self));
     if (self->failed > 0)
         fprintf(stderr, "jellett: %zu of %zu pieces ended with another status than 0, the first of them number %zu: their rows "
-                        "tell, and table "
-                "pieces of SQLite\n", self->failed, jlt_gather_pieces(self->gather), self->first_failed);
+                        "tell, and table pieces of SQLite\n", self->failed, jlt_gather_pieces(self->gather), self->first_failed);
     if (self->checked == 0) return JLT_EXIT_DONE;
-    return jlt_command_fail(JLT_EXIT_FAILED, "the checks of %zu pieces failed", self->checked);
+    return jlt_command_fail(JLT_EXIT_FAILED, "the checks of %zu piece%s failed", self->checked, ttc_text_plural(self->checked));
 }
 
 static jlt_exit check_outputs(const options *o)

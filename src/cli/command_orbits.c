@@ -1,5 +1,6 @@
 /* `jellett orbits`: finds periodic orbits of the return map, with multipliers, type, symmetry and residual. */
 #include "base/options.h"
+#include "base/text.h"
 #include "cli/interrupt.h"
 #include "cli/motion.h"
 #include "cli/orbit_columns.h"
@@ -121,7 +122,7 @@ static void write_findings(FILE *file, const jlt_orbits *list, const jlt_chart *
         if (jlt_orbits_mirror(list, chart, i) == list->count) without_mirror++;
     }
     fprintf(file, "# %zu orbit%s; det DP against flux and divergence: worst relative defect %.2g\n", list->count,
-            list->count == 1 ? "" : "s", defect);
+            ttc_text_plural(list->count), defect);
     if (!chart->reversible) return;
     if (obstructions == 0)
         fputs("# no asymmetric orbit with det != 1 among them: nothing here excludes an invariant measure\n", file);

@@ -1,17 +1,16 @@
 /* `jellett simulate`: one orbit at given times, with drifts of integrals and observed quantities. */
 #include "base/options.h"
+#include "base/text.h"
 #include "cli/simulate.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "cli/grid.h"
 #include "cli/planned.h"
 #include "cli/progress.h"
 #include "cli/swept.h"
 #include "core/memory.h"
 #include "dynamics/section.h"
-#include "ext/number.h"
 #include "kernel/descriptor.h"
 #include "report/csv.h"
 
@@ -94,7 +93,7 @@ static jlt_exit open_course(jlt_simulate_request *r, const char *tier)
     const jlt_session *s = &r->session;
     const jlt_question question = { s->descriptor, s->params, s->x, r->track && r->course_count == 0, false, tier, &s->others };
     const jlt_course_options options = { .method = s->method, .tolerance = s->tolerance, .interrupt = s->interrupt,
-                                         .t_last = r->times[r->time_count - 1], .project = r->project && r->course_count == 0 };
+                                         .t_last = r->times.last, .project = r->project && r->course_count == 0 };
     jlt_plan *plan = &r->plans[r->course_count];
     jlt_status st;
 
@@ -174,51 +173,10 @@ static const char *list_unproved(char *claims, size_t size, const jlt_simulate_r
     return *claims != '\0' ? claims : NULL;
 }
 
-enum { TIMES_MAX = 100000000 };
-
-static jlt_exit listed_times(jlt_simulate_request *r)
-{
-    size_t room = 1;
-
-    for (const char *c = r->times_text; *c != '\0'; c++) room += *c == ',';
-    r->times = calloc(room, sizeof *r->times);
-    if (r->times == NULL) return jlt_session_fail(JLT_ERR_NOMEM, "--times");
-    for (const char *at = r->times_text;; at++) {
-        const size_t length = strcspn(at, ",");
-        JLT_PASS(jlt_grid_number(&r->times[r->time_count++], at, length, "--times"));
-        at += length;
-        if (*at == '\0') break;
-    }
-    for (size_t i = 1; i < r->time_count; i++) {
-        const bool forwards = r->times[i] >= r->times[i - 1] && r->times[0] >= 0;
-        const bool backwards = r->times[i] <= r->times[i - 1] && r->times[0] <= 0;
-        if (!(r->times[r->time_count - 1] >= 0 ? forwards : backwards))
-            return jlt_command_fail(JLT_EXIT_INPUT, "--times: they must go from 0 in one direction, in order");
-    }
-    return JLT_EXIT_DONE;
-}
-
-static jlt_exit regular_times(jlt_simulate_request *r)
-{
-    const double every = !isnan(r->every) ? r->every : fabs(r->until) / 100;
-    const double steps = r->until == 0 ? 0 : floor(fabs(r->until) / every * (1 + 4e-16));
-
-    if (!(steps < TIMES_MAX)) return jlt_command_fail(JLT_EXIT_INPUT, "--every: more than %d rows: take a larger step", TIMES_MAX);
-    r->time_count = (size_t)steps + 1;
-    r->times = calloc(r->time_count + 1, sizeof *r->times);
-    if (r->times == NULL) return jlt_session_fail(JLT_ERR_NOMEM, "--until");
-    const char *step = r->every_text != NULL ? r->every_text : r->until_text;
-    const jlt_status st = jlt_number_multiples(r->times, step, strlen(step), r->every_text != NULL ? 1 : 100, r->time_count);
-    if (st != JLT_OK) return jlt_session_fail(st, "--until");
-    for (size_t i = 1; i < r->time_count; i++) r->times[i] = copysign(r->times[i], r->until);
-    if (fabs(r->until) - fabs(r->times[r->time_count - 1]) > 1e-12 * every) r->times[r->time_count++] = r->until;
-    return JLT_EXIT_DONE;
-}
-
-/* Read --times, or --until and --every, into `times`. */
 static jlt_exit read_times(jlt_simulate_request *r)
 {
-    return r->times_text != NULL ? listed_times(r) : regular_times(r);
+    if (r->times_text != NULL) return jlt_simulate_times_list(&r->times, r->times_text);
+    return jlt_simulate_times_until(&r->times, r->until, r->until_text, r->every, r->every_text);
 }
 
 static void write_header(FILE *file, const jlt_simulate_request *r)
@@ -302,7 +260,7 @@ static void write_row(FILE *file, jlt_simulate_request *r, const jlt_course_row 
         values[count++] = row->end == JLT_END_TIME ? difference(r, k, row->x, row->t) : NAN;
     jlt_csv_more(file, values, count);
     write_fate(file, row, st);
-    if (r->session.common.points != NULL) jlt_simulate_point(r, row);
+    if (r->session.common.points != NULL) jlt_simulate_point(r, row, st != JLT_OK || row->end == JLT_END_POLE);
 }
 
 static const char too_stiff[] = ", in which no state moves by 1e-4 of its size: the motion is stiff, as rates limit steps that it "
@@ -333,8 +291,8 @@ static jlt_exit follow(jlt_simulate_request *r)
     jlt_course_row *row = &r->last;
 
     jlt_progress_start(&progress, "rows");
-    for (size_t i = 0; i < r->time_count; i++) {
-        const jlt_status st = jlt_course_to(r->courses[0], r->times[i], row);
+    for (size_t i = 0; i < r->times.count; i++) {
+        const jlt_status st = jlt_course_to(r->courses[0], jlt_simulate_times_at(&r->times, i), row);
         if (st != JLT_OK && row->x == NULL) return jlt_session_fail(st, "the start");
         if (st == JLT_OK && row->end == JLT_END_INTERRUPT) break;
         write_row(file, r, row, st);
@@ -344,7 +302,7 @@ static jlt_exit follow(jlt_simulate_request *r)
             break;
         }
         if (ferror(file) || row->end == JLT_END_POLE || jlt_session_interrupted(&r->session)) break;
-        jlt_progress_show(&progress, i + 1, r->time_count);
+        jlt_progress_show(&progress, i + 1, r->times.count);
     }
     jlt_progress_end(&progress);
     return code;
@@ -370,7 +328,7 @@ static jlt_exit run(int argc, char **argv)
     if (code == JLT_EXIT_DONE && r.session.common.plan) {
         jlt_planned_show(&r.plans[0], NULL);
         for (size_t k = 1; k < r.course_count; k++) jlt_planned_chosen(&r.plans[k]); /* of --compare */
-        printf("  one orbit, at %zu time%s; method %s, tolerance %.3g\n", r.time_count, r.time_count == 1 ? "" : "s",
+        printf("  one orbit, at %zu time%s; method %s, tolerance %.3g\n", r.times.count, ttc_text_plural(r.times.count),
                r.session.method->name, r.session.tolerance);
         code = JLT_EXIT_PLANNED;
     }
@@ -386,7 +344,8 @@ static jlt_exit run(int argc, char **argv)
 done:
     for (size_t k = 0; k < JLT_SIMULATE_COURSES_MAX; k++) jlt_course_destroy(r.courses[k]);
     free(r.extents);
-    free(r.times);
+    free(r.points);
+    jlt_simulate_times_clear(&r.times);
     jlt_session_end(&r.session);
     return code;
 }

@@ -10,6 +10,7 @@
 #endif
 
 #include "base/options.h"
+#include "base/text.h"
 #include "cli/common.h"
 #include "cli/interrupt.h"
 #include "cli/progress.h"
@@ -301,8 +302,9 @@ static jlt_exit compute_all(sweep *self, bool *interrupted)
                 self->before + done - self->lost,
                 self->own, self->path);
     else if (code == JLT_EXIT_DONE) {
-        fprintf(stderr, "jellett: %s has its %zu pieces%s; %zu of them now, in %.3g s\n", self->path, self->own - self->lost,
-                self->lost > 0 ? ", but for some" : "", done - self->lost, jlt_interrupt_clock() - begun);
+        fprintf(stderr, "jellett: %s has its %zu piece%s%s; %zu of them now, in %.3g s\n", self->path, self->own - self->lost,
+                ttc_text_plural(self->own - self->lost), self->lost > 0 ? ", but for some" : "", done - self->lost,
+                jlt_interrupt_clock() - begun);
         advise(self, done, jlt_interrupt_clock() - begun);
     }
     *interrupted = *interrupt != 0;
@@ -339,11 +341,13 @@ static jlt_exit run_shard(sweep *self)
             self->study.pieces, self->before);
     code = compute_all(self, &interrupted);
     if (code == JLT_EXIT_DONE && !interrupted && self->lost > 0)
-        code = jlt_command_fail(JLT_EXIT_NUMERICAL, "%zu pieces were ended by signals: --resume tries again", self->lost);
+        code = jlt_command_fail(JLT_EXIT_NUMERICAL, "%zu piece%s ended by signals: --resume tries again", self->lost,
+                                self->lost == 1 ? " was" : "s were");
     /* Fail if no point at all has rows. This needs all pieces: one of several shards may happen to have only such points. */
     if (code == JLT_EXIT_DONE && !interrupted && self->empty == self->study.pieces) code = JLT_EXIT_INPUT;
     else if (code == JLT_EXIT_DONE && !interrupted && self->own > 0 && self->empty == self->own)
-        fprintf(stderr, "jellett: the command refused every point of %s: its %zu pieces have no rows\n", self->path, self->own);
+        fprintf(stderr, "jellett: the command refused every point of %s: none of its pieces (%zu) has rows\n", self->path,
+                self->own);
     return code == JLT_EXIT_DONE ? self->worst : code;
 }
 

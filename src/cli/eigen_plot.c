@@ -42,8 +42,8 @@ static void write_script(jlt_plot *plot, const jlt_eigen_request *r, jlt_eigen_r
     }
     fputs("END\n", stream);
     write_caption(plot, r);
-    jlt_plot_axis(plot, 'x', "Re λ [1/s]", jlt_extent_wider(re), 0);
-    jlt_plot_axis(plot, 'y', "Im λ [1/s]", jlt_extent_wider(im), 0);
+    jlt_plot_axis(plot, 'x', jlt_plot_timed(r->question.descriptor, "Re λ [1/s]", "Re λ"), jlt_extent_wider(re), 0);
+    jlt_plot_axis(plot, 'y', jlt_plot_timed(r->question.descriptor, "Im λ [1/s]", "Im λ"), jlt_extent_wider(im), 0);
     fputs(JLT_LOOK_GRID "set zeroaxis lt -1\n", stream);
     if (axis == NULL) {
         fputs("plot $VALUES using 1:2 ", stream);

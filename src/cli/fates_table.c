@@ -1,5 +1,7 @@
 #include "cli/fates_table.h"
 
+#include "base/text.h"
+
 #include <string.h>
 
 #include "report/csv.h"
@@ -126,7 +128,7 @@ void jlt_fates_table_summary(FILE *stream, const jlt_motion_options *options, co
     double turned, error, kept, kept_error;
     bool first = true;
 
-    fprintf(stream, "%zu starts:", sum->all.starts);
+    fprintf(stream, "%zu start%s:", sum->all.starts, ttc_text_plural(sum->all.starts));
     for (int fate = JLT_FATE_ALIVE; fate < (int)JLT_FATE_COUNT; fate++) {
         const bool usual = fate <= (int)JLT_FATE_EQUILIBRIUM && can_be(system, (jlt_fate)fate)
                            && (fate != (int)JLT_FATE_INVALID || options->flow.end_where_invalid);
@@ -148,6 +150,6 @@ void jlt_fates_table_summary(FILE *stream, const jlt_motion_options *options, co
                 conditions(system));
     if (sum->all.unknown > 0)
         fprintf(stream, "; of %zu it is not known whether they do, as a condition has no value on the way", sum->all.unknown);
-    if (sum->empty > 0) fprintf(stream, "; %zu points of the grid have no state", sum->empty);
+    if (sum->empty > 0) fprintf(stream, "; at %zu point%s of the grid there is no state", sum->empty, ttc_text_plural(sum->empty));
     fputc('\n', stream);
 }

@@ -1,4 +1,5 @@
 /* The program `jellett`: runs the command that is named. */
+#include "base/text.h"
 #include "cli/program.h"
 #include "top/top.h"
 
@@ -34,6 +35,12 @@ static void print_help(FILE *stream)
           stream);
 }
 
+static bool is_one_of(const char *word, const char *const *words)
+{
+    while (*words != NULL && strcmp(*words, word) != 0) words++;
+    return *words != NULL;
+}
+
 int main(int argc, char **argv)
 {
     const jlt_exit begun = jlt_program_begin();
@@ -43,17 +50,20 @@ int main(int argc, char **argv)
         print_help(stderr);
         return JLT_EXIT_USAGE;
     }
-    if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0) {
+    if (is_one_of(argv[1], (const char *const[]){ "--help", "-h", "-?", "help", NULL })) {
         print_help(stdout);
         return JLT_EXIT_DONE;
     }
-    if (strcmp(argv[1], "--version") == 0) {
+    if (is_one_of(argv[1], (const char *const[]){ "--version", "-V", NULL })) {
         puts("jellett " JLT_VERSION);
         return JLT_EXIT_DONE;
     }
     const jlt_command *command = jlt_command_find(argv[1]);
     if (command != NULL) return (int)jlt_program_run(command, argc - 1, argv + 1);
-    fprintf(stderr, "jellett: there is no %s '%s'; 'jellett --help' lists what there is\n",
-            argv[1][0] == '-' ? "option" : "command", argv[1]);
+    fprintf(stderr, "jellett: there is no %s '%s'", argv[1][0] == '-' ? "option" : "command", argv[1]);
+    for (size_t i = 0; (command = jlt_command_at(i)) != NULL; i++)
+        if (ttc_text_resembles(command->name, strlen(command->name), argv[1], strlen(argv[1])))
+            fprintf(stderr, " (did you mean '%s'?)", command->name);
+    fputs("; 'jellett --help' lists what there is\n", stderr);
     return JLT_EXIT_USAGE;
 }

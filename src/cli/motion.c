@@ -159,6 +159,17 @@ static const jlt_section_point *named_start(const jlt_system *system, const char
     return NULL;
 }
 
+static jlt_exit no_start(const jlt_system *system, const char *text)
+{
+    const jlt_section_chart *section = system->surface != NULL ? system->surface->section : NULL;
+
+    fprintf(stderr, "jellett: --start: '%s' is no start (write NAME=VALUE,...", text);
+    for (unsigned i = 0; section != NULL && i < section->start_count; i++)
+        fprintf(stderr, "%s%s", i == 0 ? " or one of " : ", ", section->starts[i].name);
+    fputs(")\n", stderr);
+    return JLT_EXIT_USAGE;
+}
+
 jlt_exit jlt_motion_start(double *q, const jlt_system *system, const char *text)
 {
     const jlt_chart *chart = system->flow.chart;
@@ -167,7 +178,7 @@ jlt_exit jlt_motion_start(double *q, const jlt_system *system, const char *text)
     bool given[JLT_CHART_DIM_MAX] = { false };
     size_t count = 0;
     jlt_exit code = named != NULL ? JLT_EXIT_DONE : strchr(text, '=') == NULL || strchr(text, ':') != NULL
-                        ? jlt_command_fail(JLT_EXIT_USAGE, "--start: '%s' is no start (write NAME=VALUE,...)", text)
+                        ? no_start(system, text)
                         : jlt_grid_parse(axes, &count, JLT_CHART_DIM_MAX + 1, text, "--start");
 
     for (size_t i = 0; code == JLT_EXIT_DONE && i < count; i++) {

@@ -7,6 +7,8 @@
 #include "cli/interrupt.h"
 #include "core/memory.h"
 #include "kernel/descriptor.h"
+#include "kernel/units.h"
+#include "report/letters.h"
 #include "report/picture.h"
 #include "report/symbol.h"
 
@@ -87,6 +89,11 @@ void jlt_plot_label(char *label, const jlt_descriptor *model, const char *name)
                    jlt_descriptor_param(model, name, &index)   ? model->params[index].unit
                    : jlt_descriptor_state(model, name, &index) ? model->states[index].unit
                                                                : "");
+}
+
+const char *jlt_plot_timed(const jlt_descriptor *model, const char *in_seconds, const char *without)
+{
+    return jlt_units_has_time(model) ? in_seconds : without;
 }
 
 /* The least margin beside stacked panels, in units of the font size; on the right, that of keys. */
@@ -245,6 +252,18 @@ static jlt_status write_script(jlt_command_output *whole, const jlt_plot *self, 
     return jlt_command_close(whole);
 }
 
+static void warn_of_letters(const jlt_plot *self)
+{
+    const char *title = self->look->title;
+    size_t length;
+
+    if (title == NULL || !jlt_picture_has_fonts(self->common->plot)) return;
+    const char *missing = jlt_letters_missing(title, &length);
+    if (missing != NULL)
+        fprintf(stderr, "jellett: warning: --title: no font here has '%.*s', and the box in its place may cover the picture: "
+                        "install a font, or draw .svg\n", (int)length, missing);
+}
+
 jlt_exit jlt_plot_draw(jlt_plot *self)
 {
     const jlt_common *common = self->common;
@@ -275,7 +294,8 @@ jlt_exit jlt_plot_draw(jlt_plot *self)
     for (int y = 0; y < 2 && code == JLT_EXIT_DONE; y++)
         if (self->apart[y] && !self->met[y])
             fprintf(stderr, "jellett: warning: --plot: the picture is empty, as nothing lies within --%crange\n", "xy"[y]);
-    if (code != JLT_EXIT_DONE && !jlt_command_is_standard_output(common->output))
+    if (code == JLT_EXIT_DONE) warn_of_letters(self);
+    else if (!jlt_command_is_standard_output(common->output))
         fprintf(stderr, "jellett: the table is saved in %s\n", common->output);
     jlt_command_discard(&whole);
     jlt_command_discard(&kept);

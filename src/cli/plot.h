@@ -41,6 +41,9 @@ void jlt_plot_block(jlt_plot *self, const char *name, const char *rows);
  *  (JLT_LOOK_LABEL_MAX,). */
 void jlt_plot_label(char *label, const jlt_descriptor *model, const char *name);
 
+/** The label of a time or a rate: with its unit if the model's table has units of time, else without. */
+const char *jlt_plot_timed(const jlt_descriptor *model, const char *in_seconds, const char *without);
+
 /** Write the axis 'x' or 'y' of the panel that is drawn next, as jlt_look_axis does. Returns its range. */
 jlt_extent jlt_plot_axis(jlt_plot *self, char axis, const char *label, jlt_extent range, double period);
 

@@ -1,6 +1,9 @@
 #include "cli/progress.h"
 
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include "cli/interrupt.h"
@@ -8,8 +11,17 @@
 void jlt_progress_start(jlt_progress *self, const char *unit)
 {
     *self = (jlt_progress){ .unit = unit };
-    self->visible = isatty(STDERR_FILENO) == 1;
+    const char *terminal = getenv("TERM");
+    self->visible = isatty(STDERR_FILENO) == 1 && (terminal == NULL || strcmp(terminal, "dumb") != 0);
     self->started = self->shown = jlt_interrupt_clock();
+}
+
+/* The columns of the terminal, less one, as the cursor would go to the next line. */
+static int columns(void)
+{
+    struct winsize size;
+
+    return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col - 1 : 79;
 }
 
 void jlt_progress_show(jlt_progress *self, size_t done, size_t all)
@@ -18,11 +30,11 @@ void jlt_progress_show(jlt_progress *self, size_t done, size_t all)
     const double now = jlt_interrupt_clock(), seconds = now - self->started, rate = (double)done / seconds;
     if (now - self->shown < 0.2) goto done;
     self->shown = now;
-    fprintf(stderr, "%zu", done);
-    if (all > 0) fprintf(stderr, " of %zu", all);
-    fprintf(stderr, " %s, %.*f a second", self->unit, rate < 1 ? 3 : rate < 100 ? 1 : 0, rate);
-    if (all > done && done > 0) fprintf(stderr, ", %.0f s to go", seconds * (double)(all - done) / (double)done);
-    fputs("\033[K\r", stderr); /* what else is printed begins on this line */
+    char line[256], of[32] = "", left[64] = "";
+    if (all > 0) snprintf(of, sizeof of, " of %zu", all);
+    if (all > done && done > 0) snprintf(left, sizeof left, ", %.0f s to go", seconds * (double)(all - done) / (double)done);
+    snprintf(line, sizeof line, "%zu%s %s, %.*f a second%s", done, of, self->unit, rate < 1 ? 3 : rate < 100 ? 1 : 0, rate, left);
+    fprintf(stderr, "%.*s\033[K\r", columns(), line); /* what else is printed begins on this line */
 done:
     __atomic_clear(&self->showing, __ATOMIC_RELEASE);
 }

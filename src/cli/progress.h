@@ -1,4 +1,5 @@
-/** A progress line on standard error, with share, rate and remaining time; nothing is written if that is not a terminal. */
+/** A progress line on standard error, with share, rate and remaining time, cut to the terminal's width; nothing is written if that
+ *  is no terminal, or one that cannot rewrite a line (TERM=dumb). */
 #ifndef JLT_CLI_PROGRESS_H
 #define JLT_CLI_PROGRESS_H
 

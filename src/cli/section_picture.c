@@ -1,9 +1,10 @@
 #include "cli/section_picture.h"
 
+#include "base/text.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
 
 /* POINTS bounds the points of a picture, so that memory does not grow with the returns; more than DOTS points are drawn as dots,
  * unless --style says how large they are. */
@@ -127,8 +128,8 @@ jlt_exit jlt_section_picture_draw(jlt_section_picture *self, const jlt_common *c
         jlt_look_row(stream, (const double[]){ point->at[0], point->at[1], (double)point->fate }, 3);
     }
     fputs("END\n", stream);
-    jlt_plot_words(&plot, "Poincaré map: %zu orbit%s of up to %zu return%s", self->orbits, self->orbits == 1 ? "" : "s", returns,
-                   returns == 1 ? "" : "s");
+    jlt_plot_words(&plot, "Poincaré map: %zu orbit%s of up to %zu return%s", self->orbits, ttc_text_plural(self->orbits), returns,
+                   ttc_text_plural(returns));
     if (self->halvings > 0) jlt_plot_words(&plot, ", one in %llu drawn", 1ULL << self->halvings);
     jlt_plot_words(&plot, "\n");
     jlt_motion_caption(&plot, system, NULL);

@@ -1,5 +1,7 @@
 #include "cli/section_run.h"
 
+#include "base/text.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -112,7 +114,8 @@ jlt_exit jlt_section_run_verdict(const jlt_section_run *f)
         fprintf(stderr, "jellett: interrupted; %zu whole rows of %zu orbits are saved in %s\n", sum->rows, sum->orbits,
                 f->o->motion.common.table.path);
     if (sum->empty > 0)
-        fprintf(stderr, "jellett: %zu points of the grid have no state on these levels\n", sum->empty);
+        fprintf(stderr, "jellett: at %zu point%s of the grid there is no state on these levels\n", sum->empty,
+                ttc_text_plural(sum->empty));
     jlt_section_table_lost(lost, sizeof lost, sum->lost, sum->invalid, f->table.system->observed);
     if (sum->invalid > 0 && !o->motion.flow.end_where_invalid)
         fprintf(stderr,

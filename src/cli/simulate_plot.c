@@ -7,7 +7,8 @@
 #include "core/memory.h"
 #include "report/symbol.h"
 
-enum { PANELS_MAX = JLT_PLAN_STATES_MAX };
+/* POINTS bounds the rows of a picture, so that neither memory nor gnuplot's time grows with those of the table. */
+enum { PANELS_MAX = JLT_PLAN_STATES_MAX, POINTS = 100000 };
 
 /* The first column of each kind: t, states, drifts, what the table observes, and with --track what the larger table adds. */
 static unsigned first_drift(const jlt_simulate_request *r)
@@ -35,22 +36,44 @@ static double value_of(const jlt_simulate_request *r, const jlt_course_row *row,
     return column < more ? row->observed[column - observed] : row->more[column - more];
 }
 
-void jlt_simulate_point(jlt_simulate_request *request, const jlt_course_row *row)
+static unsigned columns(const jlt_simulate_request *r)
 {
-    FILE *points = request->session.common.points;
-    const unsigned count = first_of_more(request) + jlt_course_tells_more(request->courses[0], NULL, NULL);
+    return first_of_more(r) + jlt_course_tells_more(r->courses[0], NULL, NULL);
+}
 
-    if (request->extents == NULL) {
-        request->extents = malloc(count * sizeof *request->extents);
-        for (unsigned k = 0; request->extents != NULL && k < count; k++) request->extents[k] = JLT_EXTENT_NONE;
+static void open_points(jlt_simulate_request *r)
+{
+    r->extents = malloc(columns(r) * sizeof *r->extents);
+    r->points = malloc((POINTS + 1) * columns(r) * sizeof *r->points);
+    r->spacing = 1;
+    for (unsigned k = 0; r->extents != NULL && k < columns(r); k++) r->extents[k] = JLT_EXTENT_NONE;
+}
+
+void jlt_simulate_point(jlt_simulate_request *request, const jlt_course_row *row, bool ends)
+{
+    const unsigned count = columns(request);
+
+    if (request->extents == NULL) open_points(request);
+    if (request->extents == NULL || request->points == NULL) return;
+    double *const points = request->points;
+    if (request->held == POINTS && !ends) {
+        for (size_t i = 0; i < POINTS / 2; i++) memmove(points + i * count, points + 2 * i * count, count * sizeof *points);
+        request->held = POINTS / 2;
+        request->spacing *= 2;
     }
-    for (unsigned k = 0; request->extents != NULL && k < count; k++) {
-        const double value = value_of(request, row, k);
-        if (k > 0) fputc(' ', points);
-        jlt_look_value(points, value);
-        jlt_extent_add(&request->extents[k], value);
+    if (request->rows % request->spacing != 0 && !ends) return;
+    for (unsigned k = 0; k < count; k++) {
+        points[request->held * count + k] = value_of(request, row, k);
+        jlt_extent_add(&request->extents[k], points[request->held * count + k]);
     }
-    fputc('\n', points);
+    request->held++;
+}
+
+static void write_points(FILE *stream, const jlt_simulate_request *r)
+{
+    fputs("$ROWS << END\n", stream);
+    for (size_t i = 0; i < r->held; i++) jlt_look_row(stream, r->points + i * columns(r), columns(r));
+    fputs("END\n", stream);
 }
 
 static void caption(jlt_plot *plot, const jlt_simulate_request *r)
@@ -63,6 +86,7 @@ static void caption(jlt_plot *plot, const jlt_simulate_request *r)
     for (unsigned i = 0; i < d->state_count; i++) jlt_plot_value(plot, d->states[i].name, r->session.x[i]);
     jlt_plot_words(plot, "; tier %s, ", jlt_plan_tier(&r->plans[0]));
     jlt_plot_value(plot, "tolerance", r->session.tolerance);
+    if (r->spacing > 1) jlt_plot_words(plot, "; one row in %zu", r->spacing);
 }
 
 /* Write one curve of `plot`: a column against t, of which a single row is a point. series: the number of the curve in its panel. */
@@ -125,7 +149,7 @@ static unsigned list_units(const char *units[PANELS_MAX], const jlt_descriptor *
 static void draw_states(jlt_plot *plot, const jlt_simulate_request *r)
 {
     const jlt_descriptor *d = r->session.descriptor;
-    const char *units[PANELS_MAX];
+    const char *units[PANELS_MAX], *const time = jlt_plot_timed(d, "t [s]", "t");
     const unsigned drifts = jlt_course_integrals(r->courses[0]), panels = list_units(units, d);
     jlt_extent drift = JLT_EXTENT_NONE;
 
@@ -143,7 +167,7 @@ static void draw_states(jlt_plot *plot, const jlt_simulate_request *r)
             entries++;
         }
         key(plot, entries, panels + (drifts > 0), narrow);
-        jlt_plot_panel(plot, k, "t [s]", r->extents[0]);
+        jlt_plot_panel(plot, k, time, r->extents[0]);
         jlt_plot_axis(plot, 'y', label, jlt_extent_wider(range), 0);
         for (unsigned i = 0; i < d->state_count; i++)
             if (strcmp(units[k], d->states[i].unit) == 0) curve(plot, r, i + 2, series++, d->states[i].name);
@@ -151,7 +175,7 @@ static void draw_states(jlt_plot *plot, const jlt_simulate_request *r)
     }
     if (drifts == 0) return;
     key(plot, drifts, panels + 1, narrow);
-    jlt_plot_panel(plot, panels, "t [s]", r->extents[0]);
+    jlt_plot_panel(plot, panels, time, r->extents[0]);
     for (unsigned i = 0; i < drifts; i++) {
         jlt_extent_add(&drift, r->extents[first_drift(r) + i].low);
         jlt_extent_add(&drift, r->extents[first_drift(r) + i].high);
@@ -178,7 +202,7 @@ static jlt_quantity quantity_of(const jlt_simulate_request *r, unsigned column)
 
     jlt_course_observes(r->courses[0], &observed);
     jlt_course_tells_more(r->courses[0], &more, NULL);
-    if (column == 0) return (jlt_quantity){ .name = "t", .unit = "s" };
+    if (column == 0) return (jlt_quantity){ .name = "t", .unit = jlt_plot_timed(r->session.descriptor, "s", "") };
     if (column < first_drift(r)) return r->session.descriptor->states[column - 1];
     return column < first_of_more(r) ? observed[column - first_observed(r)] : more[column - first_of_more(r)];
 }
@@ -256,10 +280,10 @@ jlt_exit jlt_simulate_draw(const jlt_simulate_request *request)
 {
     jlt_plot plot;
 
-    JLT_PASS(request->extents == NULL ? jlt_command_no_memory() : check_shown(request));
+    JLT_PASS(request->extents == NULL || request->points == NULL ? jlt_command_no_memory() : check_shown(request));
     if (jlt_plot_open(&plot, &request->session.common) != JLT_OK) return jlt_command_no_memory();
     fputs(JLT_LOOK_GRID, plot.stream);
-    jlt_plot_block(&plot, "ROWS", request->session.common.drawn);
+    write_points(plot.stream, request);
     caption(&plot, request);
     if (request->session.common.axes != NULL) draw_pair(&plot, request, request->shown, false);
     else if (request->track) draw_more(&plot, request);

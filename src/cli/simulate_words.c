@@ -16,7 +16,7 @@ static void tell_pole(const jlt_simulate_request *r)
 
     if (row->fate == JLT_FATE_LEFT_DOMAIN) {
         fprintf(stderr, "jellett: at t = %.17g the orbit ends at a pole of the tier; %s names none (record 'pole'); of %zu times "
-                        "%zu lie before it\n", row->t, d->model, r->time_count, r->rows - 1);
+                        "%zu lie before it\n", row->t, d->model, r->times.count, r->rows - 1);
         return;
     }
     fprintf(stderr, "jellett: the orbit reaches the pole %s = %+.10g at t = %.17g and ends there, with the limits ",
@@ -30,7 +30,7 @@ static void tell_pole(const jlt_simulate_request *r)
     }
     for (unsigned i = 0; i < count; i++)
         fprintf(stderr, "%s%s%s", i == 0 ? " (there the tier does not tell " : ", ", untold[i], i + 1 == count ? ")" : "");
-    fprintf(stderr, "; of %zu times %zu lie before it\n", r->time_count, r->rows - 1);
+    fprintf(stderr, "; of %zu times %zu lie before it\n", r->times.count, r->rows - 1);
 }
 
 /* Name the proved integrals whose drifts have no column. */
@@ -66,7 +66,7 @@ void jlt_simulate_closing_words(const jlt_simulate_request *r)
     const jlt_course_row *row = &r->last;
 
     if (jlt_session_interrupted(&r->session))
-        fprintf(stderr, "jellett: interrupted; %zu whole rows of %zu are saved in %s\n", r->rows, r->time_count,
+        fprintf(stderr, "jellett: interrupted; %zu whole rows of %zu are saved in %s\n", r->rows, r->times.count,
                 r->session.common.table.path);
     else if (row->end == JLT_END_POLE) tell_pole(r);
     for (unsigned i = 0; i < jlt_course_changes(r->courses[0]); i++) {

@@ -166,7 +166,8 @@ jlt_status jlt_number_between(double *value, const char *low, size_t low_length,
     return st;
 }
 
-jlt_status jlt_number_multiples(double *values, const char *text, size_t length, size_t parts, size_t count)
+jlt_status jlt_number_multiples(double *values, const char *text, size_t length, size_t parts, size_t first,
+                                size_t count)
 {
     JLT_SCOPED(fmpq, part);
     JLT_SCOPED(fmpz, multiple);
@@ -176,7 +177,7 @@ jlt_status jlt_number_multiples(double *values, const char *text, size_t length,
     fmpz_set_ui(multiple, parts);
     fmpq_div_fmpz(part, part, multiple);
     for (size_t k = 0; k < count; k++) {
-        fmpz_mul_ui(multiple, fmpq_numref(part), k);
+        fmpz_mul_ui(multiple, fmpq_numref(part), first + k);
         values[k] = nearest(multiple, fmpq_denref(part));
     }
     return JLT_OK;

@@ -26,10 +26,11 @@ JLT_CHECKED jlt_status jlt_number_parse(double *value, const char *text, size_t 
 JLT_CHECKED jlt_status jlt_number_between(double *value, const char *low, size_t low_length, const char *high,
                                           size_t high_length, size_t index, size_t parts);
 
-/** The first multiples of a part of a number, k text/parts for k = 0 .. count - 1, each computed exactly and rounded once, also
+/** Multiples of a part of a number, k text/parts for k = first .. first + count - 1, each computed exactly and rounded once, also
  *  to 0, a subnormal or an infinity. Out: values, shape (count,). Errors: ARG, not a number, or parts is 0; NONFINITE, a multiple
  *  of pi beyond the range. */
-JLT_CHECKED jlt_status jlt_number_multiples(double *values, const char *text, size_t length, size_t parts, size_t count);
+JLT_CHECKED jlt_status jlt_number_multiples(double *values, const char *text, size_t length, size_t parts, size_t first,
+                                            size_t count);
 
 /** Convert a number to an exact fraction in lowest terms, "p/q" or "p". Out: *fraction, a string that the caller frees, NULL on
  *  failure. Errors: ARG, as jlt_number_parse; NONFINITE, a multiple of pi beyond the range; NOMEM. */

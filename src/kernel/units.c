@@ -59,6 +59,16 @@ int jlt_units_exponent(const jlt_units *units, const char *unit)
     return sum;
 }
 
+bool jlt_units_has_time(const jlt_descriptor *d)
+{
+    const jlt_units second = { .time = 1 };
+    bool has = false;
+
+    for (unsigned i = 0; i < d->param_count; i++) has = has || jlt_units_exponent(&second, d->params[i].unit) != 0;
+    for (unsigned i = 0; i < d->state_count; i++) has = has || jlt_units_exponent(&second, d->states[i].unit) != 0;
+    return has;
+}
+
 void jlt_units_count(double *out, const double *in, const jlt_quantity *of, unsigned count, const jlt_units *units)
 {
     for (unsigned i = 0; i < count; i++) out[i] = ldexp(in[i], -jlt_units_exponent(units, of[i].unit));

@@ -22,6 +22,9 @@ bool jlt_units_is_table(const jlt_units *units);
  *  "kg m^2", "1/(m*s^2)", "rad/s", "1" or "". Any other name, such as rad, counts as 1. */
 int jlt_units_exponent(const jlt_units *units, const char *unit);
 
+/** Whether the table counts time in s: a parameter or state has a unit in which s remains. */
+bool jlt_units_has_time(const jlt_descriptor *d);
+
 /** Convert values, shape (count,), whose units are in of[i].unit: jlt_units_count from the table's units to these,
  *  jlt_units_restore back. out and in may be the same array. Exact, unless a value over- or underflows. */
 void jlt_units_count(double *out, const double *in, const jlt_quantity *of, unsigned count, const jlt_units *units);

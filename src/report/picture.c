@@ -33,7 +33,8 @@ static void pdf(FILE *stream, const jlt_look *look)
 static const struct format {
     const char *extension;
     void (*terminal)(FILE *stream, const jlt_look *look);
-} formats[] = { { ".svg", svg }, { ".png", png }, { ".pdf", pdf } };
+    bool has_fonts;
+} formats[] = { { ".svg", svg, false }, { ".png", png, true }, { ".pdf", pdf, true } };
 
 static const struct format *format_of(const char *path)
 {
@@ -47,6 +48,11 @@ static const struct format *format_of(const char *path)
 bool jlt_picture_known(const char *path)
 {
     return format_of(path) != NULL;
+}
+
+bool jlt_picture_has_fonts(const char *path)
+{
+    return format_of(path)->has_fonts;
 }
 
 /* Read `descriptor` to its end. Returns the data, for the caller to free; NULL when memory is out. */

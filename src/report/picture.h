@@ -8,6 +8,9 @@
 /* Whether the path's extension is one that jlt_picture_terminal knows: .svg, .png, .pdf. */
 bool jlt_picture_known(const char *path);
 
+/* Whether such a picture is drawn in fonts of this machine: not so .svg, which leaves letters to who shows it. */
+bool jlt_picture_has_fonts(const char *path);
+
 /** Write the first lines of a script: the terminal for this look and the extension of `path`, for which jlt_picture_known is
  *  true. */
 void jlt_picture_terminal(FILE *stream, const char *path, const jlt_look *look);

@@ -17,7 +17,7 @@ typedef enum {
     JLT_KEY_WHOLE,   /* a whole number >= 0 */
     JLT_KEY_NUMBERS, /* (0, 0.5, "1/3") -> 0,0.5,1/3 */
     JLT_KEY_GROUP,   /* { a = 1; b = 2; } -> a=1,b=2 */
-    JLT_KEY_POINT,   /* the same, with multiples of pi: { a = "2*pi/3"; } -> a=2*pi/3 */
+    JLT_KEY_POINT,   /* the same, with multiples of pi: { a = "2*pi/3"; } -> a=2*pi/3; of coordinates also the name of a start */
     JLT_KEY_RANGES,  /* { a = 1; b = (-1, 1, 21); } -> a=1,b=-1:1:21 (first, last, count); or a text such as "24x16" */
     JLT_KEY_INTERVAL /* { a = (0, 1); } -> a=0:1 */
 } jlt_key_kind;

@@ -209,7 +209,9 @@ static jlt_status append_group(const jlt_value_reader *r, const config_setting_t
 
     if (r->named != NULL && strcmp(name, "section") == 0) return append(r, at, v, r->named);
     if (config_setting_is_group(at) == CONFIG_FALSE)
-        return jlt_value_complain(r, jlt_value_line(at), "'%s' takes names and numbers in braces, { a = 1; b = 2; }", name);
+        return jlt_value_complain(r, jlt_value_line(at), "'%s' takes names and numbers in braces, %s", name,
+                                  key->kind == JLT_KEY_INTERVAL ? "{ a = (0, 1); }"
+                                  : key->kind == JLT_KEY_RANGES ? "{ a = (-1, 1, 21); b = 2; }" : "{ a = 1; b = 2; }");
     for (int i = 0; i < config_setting_length(at); i++) {
         const config_setting_t *member = config_setting_get_elem(at, (unsigned)i);
         const bool several = config_setting_is_array(member) == CONFIG_TRUE || config_setting_is_list(member) == CONFIG_TRUE;
@@ -219,11 +221,30 @@ static jlt_status append_group(const jlt_value_reader *r, const config_setting_t
         JLT_PASS(append(r, member, v, "="));
         if (key->kind == JLT_KEY_INTERVAL) JLT_PASS(append_interval(r, member, v, config_setting_name(member)));
         else if (key->kind == JLT_KEY_RANGES && several) JLT_PASS(append_range(r, member, v, config_setting_name(member)));
-        else if (key->kind == JLT_KEY_POINT || key->kind == JLT_KEY_RANGES)
-            JLT_PASS(append_number(r, member, v, config_setting_name(member)));
         else JLT_PASS(append_number(r, member, v, config_setting_name(member)));
     }
     return JLT_OK;
+}
+
+/* The name of a start. A command that finds no section says why. */
+static jlt_status append_start(const jlt_value_reader *r, const config_setting_t *at, jlt_value *v, const jlt_key *key)
+{
+    const char *const word = config_setting_get_string(at);
+    char text[256] = "";
+    names sought = { .word = word }, known = { .list = text, .size = sizeof text };
+    const jlt_claim *broken;
+    jlt_surface surface;
+
+    if (lacks_section(r, key)) return append(r, at, v, word);
+    if (r->section != NULL || jlt_surface_find(&surface, &broken, r->model, &r->others, r->named) != JLT_OK)
+        return append_group(r, at, v, key);
+    for (unsigned i = 0; i < surface.section->start_count; i++) {
+        meet(&sought, surface.section->starts[i].name);
+        meet(&known, surface.section->starts[i].name);
+    }
+    if (sought.found) return append(r, at, v, word);
+    return jlt_value_complain(r, jlt_value_line(at), "the section has no start '%s' (it has %s)", word,
+                              text[0] != '\0' ? text : "none");
 }
 
 jlt_status jlt_value_read(const jlt_value_reader *r, const config_setting_t *at, jlt_value *v, const jlt_key *key)
@@ -233,8 +254,11 @@ jlt_status jlt_value_read(const jlt_value_reader *r, const config_setting_t *at,
     case JLT_KEY_COUNT: return append_whole(r, at, v, key->key, 1);
     case JLT_KEY_WHOLE: return append_whole(r, at, v, key->key, 0);
     case JLT_KEY_NUMBERS: return append_list(r, at, v, key->key);
-    case JLT_KEY_GROUP:
     case JLT_KEY_POINT:
+        if ((key->names & JLT_NAMES_COORDINATES) != 0 && config_setting_type(at) == CONFIG_TYPE_STRING)
+            return append_start(r, at, v, key);
+        return append_group(r, at, v, key);
+    case JLT_KEY_GROUP:
     case JLT_KEY_INTERVAL: return append_group(r, at, v, key);
     case JLT_KEY_RANGES:
         if (config_setting_type(at) == CONFIG_TYPE_STRING) return append(r, at, v, config_setting_get_string(at));

@@ -56,6 +56,11 @@ interrupt "INT INT" jellett eigen --set a3=0 --at v_nu=0.7,omega3=1.1 --sweep ga
 expect 130 "t.csv " "eigen"
 rows=$(sed -n 's/.*the first \([0-9]*\) of 900000 rows are saved in t.csv$/\1/p' "$scratch/err")
 [ "$(grep -vc '^#' "$scratch/d/t.csv")" = $((rows + 1)) ] || fail "eigen: says '$(cat "$scratch/err")'"
+# The first row waits for no other's time.
+interrupt "INT INT" jellett simulate lorenz --start x=1,y=1,z=1 --until 1e6 --every 1/50 -o t.csv
+expect 130 "t.csv " "simulate"
+rows=$(sed -n 's/.*; \([0-9]*\) whole rows of 50000001 are saved in t.csv$/\1/p' "$scratch/err")
+[ "$rows" -gt 1 ] && [ "$(grep -vc '^#' "$scratch/d/t.csv")" = $((rows + 1)) ] || fail "simulate: says '$(cat "$scratch/err")'"
 # The process that computes points of a sweep ends, too, and leaves the table to the one that writes it.
 interrupt TERM jellett measure --set I3=0 --sweep I1=0.2:0.6:100000 -o t.csv
 expect 143 "t.csv " "measure --sweep"

@@ -215,5 +215,10 @@ expect 3 'that of straight keeps other lines' jellett orbits ./straight.tt --lin
 # A start that the tables name is the point that they give.
 for start in saddle eta=0,gamma3=-0.61; do jellett section --start $start --returns 1 2> err | grep -v '^#' > "$start"; done
 cmp -s saddle eta=0,gamma3=-0.61 && [ "$(wc -l < saddle)" -eq 3 ] || fail "a start by its name: $(cat saddle err)"
-expect 2 'is no start' jellett section --start saddles
+expect_text 2 "'saddles' is no start (write NAME=VALUE,... or one of regular, chaotic, saddle)" jellett section --start saddles
+echo 'compute = ( { what = "section"; start = "saddle"; returns = 1; } );' > start.scene
+expect 0 '' jellett run start.scene
+grep -v '^#' out | cmp -s - saddle || fail "a start by its name in a scene: $(cat out err)"
+sed -i 's/saddle/saddles/' start.scene
+expect_text 3 "start.scene:1: error: the section has no start 'saddles' (it has regular, chaotic, saddle)" jellett run start.scene
 exit $status

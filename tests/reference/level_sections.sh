@@ -112,7 +112,7 @@ expect 4 "an iteration did not converge" jellett lyapunov ./henon_heiles.tt "${l
     --returns 3
 expect 0 "^0,1," "${section[@]}" --level E=1/12 --solve px=-1 --returns 1
 awk -F, '/^0,0,/ { exit !($6 < 0) }' out || fail "the guess's sign does not choose the branch: $(cat out)"
-expect 0 "points of the grid have no state" jellett section ./henon_heiles.tt "${level[@]}" --grid y=0:2:5,py=0 --returns 1
+expect 0 "at 1 point of the grid there is no state" jellett section ./henon_heiles.tt "${level[@]}" --grid y=0:2:5,py=0 --returns 1
 expect 2 "--project: roessler has no integrals" jellett section roessler --section y=0 --start x=-7,z=0.02 --project
 expect 2 "--project cannot be used with the multistep method msadams" \
     jellett section ./henon_heiles.tt --section x=0 --start y=0.1,py=0,px=1 --project --method msadams

@@ -92,7 +92,7 @@ same_fates() { # OPTION...
 same_fates --grid 12x9 --returns 6
 grep -q ',pole-$' many.csv && grep -q ',pole+$' many.csv || fail "no orbit ended at a pole"
 same_fates --level E=0.8 --grid eta=-3:3:6,gamma3=-0.95:0.95:20 --returns 4
-grep -q 'points of the grid have no state' err || fail "no start was passed over"
+grep -q 'points of the grid there is no state' err || fail "no start was passed over"
 same_fates --set a3=0 --start eta=1.0471975511965974,gamma3=0.3 --start eta=0.3,gamma3=0.2 --returns 1000
 grep -q ',equilibrium$' many.csv || fail "no orbit came to rest"
 same_fates --direction both --grid 3x3 --returns 5

@@ -78,6 +78,8 @@ expect 'jellett section --grid ' eta= gamma3=
 expect 'jellett section --grid 24' ''
 expect 'jellett simulate --method rk' rk8pd rkf45
 expect 'jellett orbits --hold eta,' eta,gamma3
+expect 'jellett section --style=grey,' --style=grey,{dots,nokey,points=,lines=}
+expect 'jellett section --style l' lines=
 expect 'jellett simulate lorenz --axes ' t x y z
 expect 'jellett section lorenz --section z=27 --axes x,' x,y
 expect 'jellett plan section --dir' --direction

@@ -32,3 +32,11 @@ script -qec "jellett orbits restricted_three_body --section y=0 --direction both
     { echo "orbits on a line end with $?"; exit 1; }
 tr '\r' '\n' < "$scratch/terminal" | sed -n 's/^\([0-9]*\) of [0-9]* zeros, .*/\1/p' > "$scratch/shown"
 sort -nuc "$scratch/shown" && [ -s "$scratch/shown" ] || { echo "zeros on a line:"; cat "$scratch/shown"; exit 1; }
+
+# A line fits the terminal, which would go on with it on the next; a terminal that cannot rewrite a line gets none.
+grid="jellett section --grid 100x100 --returns 100 --output '$scratch/section.csv'"
+script -qec "stty cols 30; $grid" "$scratch/terminal" < /dev/null > /dev/null || { echo "section ends with $?"; exit 1; }
+tr '\r' '\n' < "$scratch/terminal" | sed -n 's/\x1b\[K//; /^[0-9]* of 1000000 returns/p' > "$scratch/shown"
+awk 'length($0) > 29 { print "30 columns: " $0; bad = 1 } END { exit bad || NR == 0 }' "$scratch/shown" || exit 1
+script -qec "TERM=dumb $grid" "$scratch/terminal" < /dev/null > /dev/null || { echo "section ends with $?"; exit 1; }
+! grep -q "$(printf '\033')" "$scratch/terminal" || { echo "TERM=dumb: $(cat -v "$scratch/terminal")"; exit 1; }

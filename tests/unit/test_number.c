@@ -119,6 +119,19 @@ static void multiples_of_pi_are_numbers(void **unused)
     }
 }
 
+/* Oracle: IEEE division, which is correctly rounded when both sides are exact. */
+static void multiples_begin_anywhere(void **unused)
+{
+    double values[3];
+
+    (void)unused;
+    for (size_t first = 0; first < 1000000; first += 99991) {
+        assert_ok(jlt_number_multiples(values, "0.07", 4, 3, first, 3));
+        for (size_t k = 0; k < 3; k++) assert_true(values[k] == (double)(7 * (first + k)) / 300);
+    }
+    assert_int_equal(jlt_number_multiples(values, "0.07", 4, 0, 0, 3), JLT_ERR_ARG);
+}
+
 static void fractions_are_kept_exactly(void **unused)
 {
     static const char *const pairs[][2] = {
@@ -158,6 +171,7 @@ int main(void)
         cmocka_unit_test(ties_go_to_even),
         cmocka_unit_test(what_is_no_finite_normal_number_is_refused),
         cmocka_unit_test(multiples_of_pi_are_numbers),
+        cmocka_unit_test(multiples_begin_anywhere),
         cmocka_unit_test(fractions_are_kept_exactly),
         cmocka_unit_test(no_character_beyond_the_length_is_read),
     };
