@@ -3,7 +3,7 @@
  * all nodes, x <- x0 + h A f(x), which a vector processor does for the price of one evaluation; the first guess is the
  * last step's polynomial, continued, and the field there is asked for at the end of that step already, so that it is evaluated
  * while events are looked for.
- * Errors of steps are estimated in gauss_error.h.
+ * Errors of steps are estimated in gauss_error.h and gauss_between.h.
  *
  * Sweeps. They contract by a factor proportional to h. They end when what is left, change * rate/(1 - rate), is below a
  * twentieth of the tolerance or at the rounding level; a step that contracts slower than 0.7 is halved. */
@@ -14,8 +14,9 @@
 
 #include "core/memory.h"
 #include "integrate/gauss_batch.h"
+#include "integrate/gauss_between.h"
 #include "integrate/gauss_coefficients.h"
-#include "integrate/gauss_error.h"
+#include "integrate/gauss_nodes.h"
 #include "integrate/leap.h"
 #include "kernel/batch_isa.h"
 
@@ -29,7 +30,7 @@ typedef struct {
     double *block;             /* all arrays below */
     const jlt_gauss_batch *batch;
     jlt_gauss_nodes nodes;     /* of the step being tried */
-    jlt_gauss_nodes inside;    /* of a partial step */
+    jlt_gauss_nodes inside;    /* of a partial step; between nodes */
     double *past;              /* (dim, N): states at the nodes of the last accepted step */
     double guessed;            /* length of the step from the point for which `nodes` holds a guess; 0: none */
     double *clock;             /* (N,): dt/dtau at nodes */
@@ -111,28 +112,10 @@ static void destroy(jlt_stepper *stepper)
     free(self);
 }
 
-static __attribute__((noinline)) void evaluate_by_one(gauss *self, const jlt_field *field, const jlt_gauss_nodes *nodes)
-{
-    double *x = self->scratch, *f = self->scratch + field->dim;
-
-    for (unsigned i = 0; i < N; i++) {
-        for (unsigned c = 0; c < field->dim; c++) x[c] = nodes->x[c * N + i];
-        field->call(x, field->p, f);
-        for (unsigned c = 0; c < field->dim; c++) nodes->f[c * N + i] = f[c];
-    }
-}
-
 static void evaluate(gauss *self, jlt_stepper *stepper, const jlt_gauss_nodes *nodes)
 {
-    const jlt_field *field = stepper->field;
-    const unsigned lanes = self->batch->lanes;
-
     stepper->evaluations += N;
-    if (field->batch == NULL) {
-        evaluate_by_one(self, field, nodes);
-        return;
-    }
-    for (unsigned i = 0; i < N; i += lanes) field->batch->rhs(nodes->x + i, self->p, nodes->f + i, N);
+    jlt_gauss_nodes_evaluate(self->batch, stepper->field, self->p, self->scratch, nodes);
 }
 
 /* Legendre coefficients of the solved step. */
@@ -264,8 +247,11 @@ static jlt_status step(jlt_stepper *stepper, double limit)
                     .rounding = rounding, .left = jlt_larger(left_by_sweeps * stepper->tolerance, rounding)
                 };
                 if (!falls) stepper->evaluations += jlt_gauss_error_see_tail(&seen, &made, self->sizes, stepper->tolerance);
+                /* where a step that is too long would have led tells nothing of a shorter one */
                 if (seen.local <= 0) stepper->evaluations += jlt_gauss_error_see_ends(&seen, &made);
-                else defect = 0; /* where a step that is too long would have led tells nothing of a shorter one */
+                else defect = 0;
+                if (seen.local <= 0)
+                    stepper->evaluations += jlt_gauss_between_see(&seen, &self->inside, &made, self->batch, self->p, &self->nodes);
                 error = seen.local;
                 self->dense_error = jlt_rough_exp2(jlt_larger(jlt_smaller(seen.dense, 999), -999));
                 leaps = defect == 0 && error > 0 && jlt_leap_is_taken(stepper, h, self->end);

@@ -22,6 +22,11 @@ typedef struct {
     void (*transform)(double *out, const double *in, const double (*table)[JLT_GAUSS_BATCH_NODES], unsigned rows);
     /* x <- origin + h * (sum over m of power[c][m] a^(m + 1)), a = length * node. */
     void (*follow)(const jlt_gauss_nodes *nodes, const double *power, double h, double length);
+    /* between->x <- origin + h * (integral to the points between the nodes of the polynomial through f). */
+    void (*enter)(const jlt_gauss_nodes *between, const jlt_gauss_nodes *nodes, double h);
+    /* The largest of |the integral over the step, its length being 1, of the slopes less that of the polynomial|, relative, of the
+     * columns; before, after, (dim,): the slopes at the ends. */
+    double (*missed)(const jlt_gauss_nodes *between, const jlt_gauss_nodes *nodes, const double *before, const double *after);
     /* out (8,): binary logarithms, within 0.05, of the root of the sum over the rows c of (in[c][k] weight[c])^2; -511 or less for
      * all that is below 2^-511, and JLT_GAUSS_SIZE_MAX or more for what is that large, infinite or NaN. */
     void (*sizes)(double *out, const double *in, const double *weight, unsigned rows);

@@ -110,3 +110,12 @@ unsigned jlt_gauss_error_see_ends(jlt_gauss_error *io, const jlt_gauss_step *ste
     *io = corrected(*io, miss, noise_of(step, 0, step->left));
     return 1;
 }
+
+unsigned jlt_gauss_error_raise(jlt_gauss_error *io, const jlt_gauss_step *step, double miss)
+{
+    const double error = io->units + miss;
+
+    if (!is_notable(error, io->local)) return 0;
+    if (miss > noise_of(step, 0, step->left)) io->local = error;
+    return 1;
+}

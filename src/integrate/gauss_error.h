@@ -51,4 +51,8 @@ unsigned jlt_gauss_error_see_tail(jlt_gauss_error *io, const jlt_gauss_step *ste
 /** Let the slopes at the ends correct both errors. Returns the number of evaluations: 1 where a miss would limit steps, else 0. */
 unsigned jlt_gauss_error_see_ends(jlt_gauss_error *io, const jlt_gauss_step *step);
 
+/** Raise the error at the end to that of a slope, relative to the states, that is missed all along the step: `miss`, its binary
+ *  logarithm. Returns the number of evaluations, as above. */
+unsigned jlt_gauss_error_raise(jlt_gauss_error *io, const jlt_gauss_step *step, double miss);
+
 #endif

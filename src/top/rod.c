@@ -37,56 +37,58 @@ static double force_at(const jlt_rod *rod, double side, double d)
     const double u = side * (1 - side * rod->start - d); /* gamma3 minus its value at the start */
 
     if (fabs(u) < (1 - fabs(rod->start)) / 2) return rod->force + u * (rod->slope + u * (rod->bend + u * 2 * rod->weight));
-    return 2 * d * (2 - d) * (rod->E2 - side * rod->weight + side * rod->weight * d) - rod->barrier;
+    return 2 * d * (2 - d) * (rod->kinetic + rod->weight * (rod->start - side) + side * rod->weight * d) - rod->barrier;
 }
 
-/* The distance from the pole of the root of P between the pole, where P is negative, and the distance `inside`, where it is not,
- * by bisection down to neighbouring doubles. */
-static double turning_point(const jlt_rod *rod, double side, double inside)
+/* The distance from the pole `side` of the root of P between the distance `outside`, where P is negative, and `inside`, where it is
+ * not, by bisection down to neighbouring doubles. */
+static double turning_point(const jlt_rod *rod, double side, double outside, double inside)
 {
-    double low = 0, high = inside;
-
     for (;;) {
-        const double middle = low + (high - low) / 2;
-        if (middle <= low || middle >= high) return high;
-        if (force_at(rod, side, middle) < 0) low = middle;
-        else high = middle;
+        const double middle = outside + (inside - outside) / 2;
+        if (middle == outside || middle == inside) return inside;
+        if (force_at(rod, side, middle) < 0) outside = middle;
+        else inside = middle;
     }
 }
 
-/* gamma3 and s^2 at the angle u. */
-static void tilt(const jlt_rod *rod, double *gamma3, double *s2, double u)
+/* A tilt, by its distances from the poles. */
+typedef struct {
+    double below, above; /* 1 + gamma3, 1 - gamma3 */
+} tilt;
+
+static double gamma3_of(tilt at) { return at.below < at.above ? at.below - 1 : 1 - at.above; }
+
+static double s2_of(tilt at) { return at.below * at.above; }
+
+/* The tilt at the angle u. */
+static tilt tilt_at(const jlt_rod *rod, double u)
 {
     const double sine = sin(u / 2), cosine = cos(u / 2);
-    const double from_below = rod->below + 2 * rod->half * sine * sine;
-    const double from_above = rod->above + 2 * rod->half * cosine * cosine;
-    *gamma3 = from_below < from_above ? from_below - 1 : 1 - from_above;
-    *s2 = from_below * from_above;
+    return (tilt){ rod->below + 2 * rod->half * sine * sine, rod->above + 2 * rod->half * cosine * cosine };
 }
 
-static double pace(const jlt_rod *rod, double gamma3, double s2)
+/* dt/du = sqrt(D/Q). */
+static double pace(const jlt_rod *rod, tilt at)
 {
-    const double D = rod->inertia_pole * gamma3 * gamma3 + rod->inertia_equator * s2;
-    const double Q = 2 * rod->E2 - 2 * rod->weight * (gamma3 + rod->below - rod->above);
-    return sqrt(D / Q);
+    const double gamma3 = gamma3_of(at), across = 2 * rod->half;
+    const double D = rod->inertia_pole * gamma3 * gamma3 + rod->inertia_equator * s2_of(at);
+    const double upper = at.below / (rod->above * (rod->above + across)), lower = at.above / (rod->below * (rod->below + across));
+    return sqrt(D / (rod->barrier / 2 * (upper + lower)));
 }
 
 static jlt_status time_rate(void *context, double *value, double u)
 {
-    double gamma3, s2;
-
-    tilt(context, &gamma3, &s2, u);
-    *value = pace(context, gamma3, s2);
+    *value = pace(context, tilt_at(context, u));
     return isfinite(*value) ? JLT_OK : JLT_ERR_NONFINITE;
 }
 
 static jlt_status turn_rate(void *context, double *value, double u)
 {
     const jlt_rod *rod = context;
-    double gamma3, s2;
+    const tilt at = tilt_at(rod, u);
 
-    tilt(rod, &gamma3, &s2, u);
-    *value = -rod->turning / s2 * pace(rod, gamma3, s2);
+    *value = -rod->turning / s2_of(at) * pace(rod, at);
     return isfinite(*value) ? JLT_OK : JLT_ERR_NONFINITE;
 }
 
@@ -96,7 +98,6 @@ static jlt_rod seen_from(const jlt_rod *rod, double side)
     jlt_rod seen = *rod;
 
     if (side > 0) return seen;
-    seen.weight = -rod->weight;
     seen.below = rod->above;
     seen.above = rod->below;
     return seen;
@@ -121,18 +122,25 @@ static void find_turning_points(jlt_rod *rod, const double *x)
 {
     const double weight = rod->weight, gamma3 = x[JLT_TOP_GAMMA3], s = jlt_top_sine(gamma3);
     const double rate = s * x[JLT_TOP_OMEGA_TAU];
+    jlt_top weightless = rod->top;
 
+    weightless.g = 0;
+    rod->kinetic = jlt_top_integral(&weightless, variant, "E2", x);
     rod->start = gamma3;
     rod->force = (rod->inertia_pole * gamma3 * gamma3 + rod->inertia_equator * s * s) * rate * rate;
-    rod->slope = 6 * weight * gamma3 * gamma3 - 4 * rod->E2 * gamma3 - 2 * weight;
-    rod->bend = 6 * weight * gamma3 - 2 * rod->E2;
+    rod->slope = -4 * gamma3 * rod->kinetic - 2 * s * s * weight;
+    rod->bend = 4 * gamma3 * weight - 2 * rod->kinetic;
     /* the gamma3 at which P is largest */
     const double crest = -weight / (rod->E2 + sqrt(rod->E2 * rod->E2 + 3 * weight * weight));
     const double inside = force_at(rod, 1, 1 - crest) > 0 ? crest : gamma3;
 
-    rod->below = turning_point(rod, -1, 1 + inside);
-    rod->above = turning_point(rod, 1, 1 - inside);
-    rod->half = fmax(0, (2 - rod->below - rod->above) / 2);
+    rod->below = turning_point(rod, -1, 0, 1 + inside);
+    rod->above = turning_point(rod, 1, 0, 1 - inside);
+    /* the difference of distances from the pole that is near, where both turning points are near it */
+    double across = 2 - rod->below - rod->above;
+    if (rod->above > 1) across = turning_point(rod, -1, 2, 1 + inside) - rod->below;
+    if (rod->below > 1) across = turning_point(rod, 1, 2, 1 - inside) - rod->above;
+    rod->half = fmax(0, across / 2);
 }
 
 /* E2 if only `state` is 1 and the others are 0 at this gamma3; without gravity, unless `state` is gamma3. */
@@ -193,7 +201,7 @@ static jlt_status measure(jlt_rod *out, const double *x)
     jlt_rod rod = *out, seen;
     const jlt_top *top = &rod.top;
     const double gamma3 = x[JLT_TOP_GAMMA3], s = jlt_top_sine(gamma3), v_tau = jlt_top_v_tau(top, x);
-    double s2, u, turned;
+    double u, turned;
 
     if (top->I3 != 0) return JLT_ERR_ARG;
     if (!(s > 0)) return JLT_ERR_DOMAIN;
@@ -205,12 +213,12 @@ static jlt_status measure(jlt_rod *out, const double *x)
     take_coefficients(&rod);
     if (!isfinite(rod.E1) || !isfinite(rod.E2) || !isfinite(rod.G)) return JLT_ERR_NONFINITE;
     find_turning_points(&rod, x);
-    s2 = s * s;
     /* from the nearer turning point, where doubles tell u best: gamma3' = half sin u / pace, and gamma3 = mid - half cos u */
     rod.side = gamma3 > (rod.below - rod.above) / 2 ? -1 : 1;
     seen = seen_from(&rod, rod.side);
-    u = atan2(rod.side * s * x[JLT_TOP_OMEGA_TAU] * pace(&seen, rod.side * gamma3, s2),
-              (seen.below - seen.above) / 2 - rod.side * gamma3);
+    const tilt at = { 1 + rod.side * gamma3, 1 - rod.side * gamma3 };
+    u = atan2(rod.side * s * x[JLT_TOP_OMEGA_TAU] * pace(&seen, at),
+              at.below < 1 ? seen.below + seen.half - at.below : at.above - seen.above - seen.half);
     rod.psi = atan2(v_tau, x[JLT_TOP_V_NU]); /* at the start; converted to that turning point below */
     JLT_PASS(over(&seen, &rod.period, time_rate, acos(-1)));
     JLT_PASS(over(&seen, &rod.turn, turn_rate, acos(-1)));
@@ -289,17 +297,17 @@ jlt_status jlt_rod_at(jlt_rod *rod, double *x, double t)
     const double since = rod->elapsed + t;
     const double periods = nearbyint(since / rod->period);
     jlt_rod seen = seen_from(rod, rod->side);
-    double u, psi, gamma3, s2, s, of_top[JLT_TOP_STATES];
+    double u, psi, s, of_top[JLT_TOP_STATES];
 
     if (!isfinite(t)) return JLT_ERR_NONFINITE;
     JLT_PASS(locate(&seen, &u, fma(-periods, rod->period, since)));
     JLT_PASS(over(&seen, &psi, turn_rate, u));
     psi += rod->psi + periods * rod->turn;
-    tilt(&seen, &gamma3, &s2, u);
-    s = sqrt(s2);
+    const tilt at = tilt_at(&seen, u);
+    s = sqrt(s2_of(at));
     find_state(rod, of_top,
-               (const double[LEVEL_STATES]){ rod->side * gamma3, rod->speed * cos(psi),
-                                             rod->side * rod->half * sin(u) / (pace(&seen, gamma3, s2) * s),
+               (const double[LEVEL_STATES]){ rod->side * gamma3_of(at), rod->speed * cos(psi),
+                                             rod->side * rod->half * sin(u) / (pace(&seen, at) * s),
                                              rod->speed * sin(psi), s });
     jlt_counterpart_return(&rod->counterpart, x, of_top);
     return JLT_OK;

@@ -5,10 +5,11 @@
  *  and the substitution gamma3 = mid - half cos u, mid = (low + high)/2, half = (high - low)/2, removes the singularities at the
  *  turning points:
  *      dt = sqrt(D/Q) du,      dpsi = -G/(I1 R s^2) dt,      (v_nu, v_tau) = sqrt(2 E1/m) (cos psi, sin psi).
- *  The turning points are stored as their distances from the poles, so that 1/s^2 keeps its digits where an orbit passes close to
- *  a pole. Near the start, which may be a double root of P, P is expanded about the start, where it is D (s omega_tau)^2. Orbits
- *  with G = 0 run through the poles and are refused. Only this form of the equations is written here; coefficients, integrals and
- *  states are values of kernels, and tables with equations of another form are refused. */
+ *  The turning points are stored as their distances from the poles, so that 1/s^2 keeps its digits where an orbit passes
+ *  close to a pole. Q is linear, and found from P = -c at both poles: a sum of positive terms, as E2 - m g a3 gamma3 is at
+ *  the start. Near the start, which may be a double root of P, P is expanded about the start, where it is D (s omega_tau)^2.
+ *  Orbits with G = 0 run through the poles and are refused. Only this form of the equations is written here; coefficients,
+ *  integrals and states are values of kernels, and tables with equations of another form are refused. */
 #ifndef JLT_TOP_ROD_H
 #define JLT_TOP_ROD_H
 
@@ -21,7 +22,8 @@ typedef struct {
     double weight, barrier; /* m g a3; c */
     double inertia_pole, inertia_equator; /* D at s = 0, D at s = 1 */
     double turning;         /* G/(I1 R) */
-    double start, force, slope, bend; /* gamma3 at the start; P, P' and P''/2 there */
+    double start, kinetic;  /* gamma3 and E2 - m g a3 gamma3 at the start, */
+    double force, slope, bend; /* P, P' and P''/2 there */
     double below, above;    /* 1 + low, 1 - high: distances of the turning points from the poles */
     double half;            /* (high - low)/2 */
     double period;          /* of gamma3, and if E1 = 0 of all states */

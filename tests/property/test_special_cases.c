@@ -121,6 +121,22 @@ static void rod_stays_at_relative_equilibria(void **unused)
     }
 }
 
+/* Hanging in a plane but for omega_n = 1e-12, it passes beside the pole at 1e-12 of the swing: half a turn, but for about as much.
+ * A period is half a pendulum's, by whose series it is longer by at most twice the swing's s^2. */
+static void rod_that_swings_beside_the_pole_turns_by_half(void **unused)
+{
+    (void)unused;
+    for (double below = 1e-10; below < 1e-3; below *= 10)
+        for (double side = -1; side <= 1; side += 2) {
+            const jlt_top top = { 1, 1, 1, -0.51 * side, 0.7, 0 };
+            const double x[STATES] = { side * (1 - below), 0.6, 0, 1e-12, 0 }, small = pi * sqrt(top.I1 / fabs(top.a3));
+            jlt_rod orbit;
+            assert_int_equal(open_rod(&orbit, &top, x), JLT_OK);
+            assert_true(fabs(fabs(jlt_rod_rotation(&orbit)) - 0.5) <= 1e-14);
+            assert_true(fabs(orbit.period / small - 1) <= 1e-14 + 4 * below);
+        }
+}
+
 static void rod_refuses_what_it_does_not_describe(void **unused)
 {
     const double x[STATES] = { 0.2, 0.6, 0.4, 1.3, -0.8 }, flat[STATES] = { 0.2, 0.6, 0.4, 0, -0.8 };
@@ -257,6 +273,7 @@ int main(void)
         cmocka_unit_test(rod_period_and_rotation_by_quadrature_are_those_of_integration),
         cmocka_unit_test(rod_orbits_without_translation_are_periodic),
         cmocka_unit_test(rod_stays_at_relative_equilibria),
+        cmocka_unit_test(rod_that_swings_beside_the_pole_turns_by_half),
         cmocka_unit_test(rod_refuses_what_it_does_not_describe),
         cmocka_unit_test(levels_and_coordinates_on_the_balanced_surface_are_inverse),
         cmocka_unit_test(balanced_fixed_points_are_those_of_the_field),

@@ -109,5 +109,42 @@ for tolerance in 1e-12 1e-13 1e-14 1e-15; do
         awk 'NR == 1 { x = $2; v = $3 } END { exit !(($1 - x)^2 < 1e-9^2 && ($2 - v)^2 < 3e-10^2) }' ||
         fail "cancelling, $tolerance: $(tail -1 out), not $(cat exact)"
 done
+# A small part of the rates that turns between two nodes of gauss is seen there: smoothed friction, a pulse; exactly by small steps.
+cat > friction.tt << 'T'
+model friction
+state x
+state v
+state phi
+angle C S = cos(phi) sin(phi)
+exp N = exp(-8*v)
+eq x = v
+eq v = - 0.7*x - 0.0001*(1 - N)/(1 + N) + C
+eq phi = 1
+T
+sed 's/-8\*v/-18*v^2/; s/0.7\*x.*/1.7*x - 0.33*N + 1.5*C - 0.066*v/; s/= 1$/= 1.36/; s/friction/pulse/' friction.tt > pulse.tt
+python3 - > exact << 'P'
+from math import cos, exp, tanh
+def follow(rate, v):
+    x, n = 0.3, 60000
+    h = 15 / n
+    for i in range(n):
+        t = i * h
+        a = rate(t, x, v)
+        b = rate(t + h / 2, x + h / 2 * v, v + h / 2 * a)
+        c = rate(t + h / 2, x + h / 2 * v + h * h / 4 * a, v + h / 2 * b)
+        d = rate(t + h, x + h * v + h * h / 2 * b, v + h * c)
+        x, v = x + h * v + h * h / 6 * (a + b + c), v + h / 6 * (a + 2 * b + 2 * c + d)
+    return x
+for v in (-0.9, -0.2, 0.1, 0.4):
+    print("friction", v, follow(lambda t, x, v: -0.7 * x - 1e-4 * tanh(4 * v) + cos(t), v))
+    print("pulse", v, follow(lambda t, x, v: -1.7 * x - 0.33 * exp(-18 * v * v) + 1.5 * cos(1.36 * t) - 0.066 * v, v))
+P
+while read -r model v x; do
+    for tolerance in 1e-7 1e-9 1e-12; do
+        jellett simulate "./$model.tt" --start "x=0.3,v=$v,phi=0" --times 15 --tol $tolerance > out || fail "$model: status $?"
+        tail -1 out | awk -F, -v x="$x" -v t="$tolerance" '{ exit !(($2 - x)^2 < (50 * t + 1e-11)^2) }' ||
+            fail "$model from $v at $tolerance: $(tail -1 out), not $x"
+    done
+done < exact
 expect 3 "'0' is no whole number from 1" jellett section ./pol.tt --section x=0 --start y=200 --max-steps 0
 exit $status
