@@ -2,6 +2,7 @@
 #include <errno.h>
 #include <stdbool.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "base/options.h"
@@ -22,7 +23,7 @@ typedef struct {
 enum { DRY = 1000 };
 
 static const struct argp_option option_table[] = {
-    { "into", 'C', "FOLDER", 0, "Write the scene's files to FOLDER; default the current folder", 0 },
+    { "into", 'C', "FOLDER", 0, "Write the scene's files to FOLDER, which is made if need be; default the current folder", 0 },
     { "set", 's', "PARAM=VALUE,...", TTC_OPTIONS_REPEATED,
       "Values of parameters in place of the scene's, in all of its commands", 0 },
     { "dry-run", DRY, NULL, 0, "Show the commands, but run none", 0 },
@@ -115,7 +116,7 @@ static jlt_exit run_jobs(int *ending, const jlt_scene *scene, const options *o)
     JLT_FREED char *scene_path = realpath(o->scene, NULL);
     jlt_exit code = JLT_EXIT_DONE;
 
-    if (o->into != NULL && !o->dry && chdir(o->into) != 0)
+    if (o->into != NULL && !o->dry && ((mkdir(o->into, 0777) != 0 && errno != EEXIST) || chdir(o->into) != 0))
         code = jlt_command_fail(JLT_EXIT_IO, "--into %s: %s", o->into, strerror(errno));
     else if (!o->dry) code = check_files(scene, scene_path);
     for (size_t k = 0; code == JLT_EXIT_DONE && *ending == 0 && k < scene->count; k++) {
