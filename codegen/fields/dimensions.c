@@ -3,6 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "fields/ends.h"
+
 enum { UNITS = 3, WHOLE = 1 << 10 /* stands for the exponent 1, so that roots can halve it ten times */ };
 
 typedef struct {
@@ -158,12 +160,24 @@ static dimension of_record(reader *self, ttc_id expression)
     return own == TTC_NONE ? wrong : visit(self, own);
 }
 
-static bool ends_agree(reader *self, const ttc_symbol_entry *state)
+/* Whether some field of the model has a condition for this end. All fields are to agree on whether they may be scaled. */
+static bool is_condition(const ttc_model *model, uint32_t state, ttc_id end)
 {
-    const dimension own = of_unit(state->unit);
-    const ttc_id ends[] = { state->low, state->high };
+    bool is = ttc_end_is_condition(model, NULL, NULL, state, end);
+    for (size_t i = 0; i < model->time_count; i++) is |= ttc_end_is_condition(model, model->times + i, NULL, state, end);
+    for (size_t i = 0; i < model->elimination_count; i++)
+        is |= ttc_end_is_condition(model, NULL, model->eliminations + i, state, end);
+    return is;
+}
+
+/* A number to which callers compare a state is scaled with it; one in a condition is not. */
+static bool ends_agree(reader *self, uint32_t state)
+{
+    const ttc_symbol_entry *entry = &self->field->model->symbols[state];
+    const dimension own = of_unit(entry->unit);
+    const ttc_id ends[] = { entry->low, entry->high };
     for (int i = 0; i < 2; i++) {
-        if (ends[i] == TTC_NONE || ttc_kind_of(self->field->graph, ends[i]) == TTC_NUMBER) continue;
+        if (!is_condition(self->field->model, state, ends[i])) continue;
         const dimension end = of_record(self, ends[i]);
         if (sum(&own, &end).state == WRONG) return false;
     }
@@ -180,10 +194,9 @@ static bool equations_agree(reader *self)
         multiply(&wanted, &second, -1);
         multiply(&wanted, &factor, 1);
         if (sum(&wanted, &rate).state == WRONG) return false;
-        if (field->states[i] < field->model->symbol_count && field->model->symbols[field->states[i]].kind == TTC_STATE &&
-            !ends_agree(self, &field->model->symbols[field->states[i]]))
-            return false;
     }
+    for (size_t i = 0; i < field->model->state_count; i++)
+        if (!ends_agree(self, field->model->states[i])) return false;
     return true;
 }
 

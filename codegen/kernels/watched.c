@@ -13,38 +13,6 @@ static bool is_radicand(ttc_field *field, ttc_id value)
     return false;
 }
 
-typedef struct {
-    uint32_t state;
-    ttc_id end;
-} replacement;
-
-static ttc_id put_end(void *context, uint32_t symbol)
-{
-    const replacement *self = context;
-    return symbol == self->state ? self->end : TTC_NONE;
-}
-
-bool ttc_watched_is_lifted(const ttc_field *field, uint32_t state, ttc_id end)
-{
-    replacement at = { state, end };
-    for (size_t i = 0; i < ttc_field_lifted_count(field); i++) {
-        const ttc_id radicand = ttc_model_expand(field->model, field->model->symbols[field->time->lifted[i]].definition);
-        const ttc_id there = ttc_substitute(field->graph, radicand, put_end, &at);
-        if (there == TTC_NONE) ttc_graph_clear_error(field->graph);
-        else if (ttc_is_number(field->graph, there, 0)) return true;
-    }
-    return false;
-}
-
-/* Whether an end needs no condition: there is none, or it is watched without a kernel. */
-static bool is_kept(const ttc_field *field, uint32_t state, ttc_id end)
-{
-    if (end == TTC_NONE) return true;
-    if (field->elimination != NULL && field->elimination->state == state) return false;
-    if (ttc_field_lifted_count(field) > 0) return ttc_watched_is_lifted(field, state, end);
-    return ttc_kind_of(field->graph, end) == TTC_NUMBER;
-}
-
 static bool add_record(ttc_watched *condition, const ttc_region *region)
 {
     *condition = (ttc_watched){ region->name, strdup(region->text), region->expression };
@@ -72,8 +40,10 @@ bool ttc_watched_find(ttc_watched **list, size_t *count, ttc_field *field)
     }
     for (size_t i = 0; i < model->state_count; i++) {
         const uint32_t state = model->states[i];
-        if (good && !is_kept(field, state, model->symbols[state].low)) good = add_end(*list + (*count)++, field, state, false);
-        if (good && !is_kept(field, state, model->symbols[state].high)) good = add_end(*list + (*count)++, field, state, true);
+        const ttc_id ends[] = { model->symbols[state].low, model->symbols[state].high };
+        for (int k = 0; k < 2; k++)
+            if (good && ttc_end_is_condition(model, field->time, field->elimination, state, ends[k]))
+                good = add_end(*list + (*count)++, field, state, k == 1);
     }
     return good;
 }

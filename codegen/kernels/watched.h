@@ -3,7 +3,7 @@
 #ifndef TTC_WATCHED_H
 #define TTC_WATCHED_H
 
-#include "fields/field.h"
+#include "fields/ends.h"
 
 typedef struct {
     const char *name; /* of the record `domain`, or of the state whose interval ends */
@@ -11,13 +11,9 @@ typedef struct {
     ttc_id expression; /* positive where the condition holds */
 } ttc_watched;
 
-/** Find the conditions: records `domain` that do not follow from others, and ends of intervals that are no numbers, belong to the
- *  eliminated state or, beside lifted roots, are zeros of none. Out: *list, shape (*count,), for ttc_watched_destroy, also on
- *  failure. Returns false when memory is out or an expression is too large. */
+/** Find the conditions: records `domain` that do not follow from others, and ends of intervals (fields/ends.h). Out: *list, shape
+ *  (*count,), for ttc_watched_destroy, also on failure. Returns false when memory is out or an expression is too large. */
 bool ttc_watched_find(ttc_watched **list, size_t *count, ttc_field *field);
-/** Whether some root that the field lifts is zero at this end of the state's interval. A radicand that divides by zero there is
- *  not. */
-bool ttc_watched_is_lifted(const ttc_field *field, uint32_t state, ttc_id end);
 void ttc_watched_destroy(ttc_watched *list, size_t count);
 
 #endif

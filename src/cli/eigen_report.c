@@ -62,7 +62,8 @@ void jlt_eigen_reason(char *text, const jlt_eigen_row *row)
     else if (e->status == JLT_ERR_NONFINITE)
         snprintf(text, size, "a value overflows or underflows on the way: use units in which parameters and states are nearer "
                              "one");
-    else if (e->status == JLT_ERR_DOMAIN) snprintf(text, size, "the field divides here by what is 0, or underflows");
+    else if (e->status == JLT_ERR_DOMAIN)
+        snprintf(text, size, "the field or its Jacobian divides here by what is 0, or underflows");
     else snprintf(text, size, "%s", jlt_status_text(e->status));
 }
 

@@ -26,6 +26,17 @@ static double end_of(const jlt_field *field, unsigned state, double end, double 
     return is_kept_from(field, state, end) ? -side * JLT_STEPPER_SCALE_LEAST : end;
 }
 
+static bool is_lost_at(const jlt_stepper *stepper, unsigned state, double end)
+{
+    return is_kept_from(stepper->field, state, end) && (stepper->lost >> state & 1) != 0;
+}
+
+/* What is lost may not come back as errors that have grown: its end is where it would. */
+static double below_return(double x)
+{
+    return 2 * JLT_STEPPER_SCALE_LEAST - fabs(x);
+}
+
 /* How far x is from an end of this state's interval. A kept state may be as near to 0 as it likes: its distance is in units of what
  * it is at the step's start. */
 static double distance(const jlt_stepper *stepper, unsigned state, double x, double end, double side)
@@ -33,6 +44,7 @@ static double distance(const jlt_stepper *stepper, unsigned state, double x, dou
     const jlt_field *field = stepper->field;
 
     if (!isfinite(end)) return INFINITY;
+    if (is_lost_at(stepper, state, end)) return below_return(x) / JLT_STEPPER_SCALE_LEAST;
     const double unit = is_kept_from(field, state, end) ? fabs(stepper->x_start[state]) : jlt_stepper_unit(stepper, state);
     return margin(x, end_of(field, state, end, side), side) / jlt_larger(fabs(end), unit);
 }
@@ -127,6 +139,15 @@ bool jlt_edge_reached(const jlt_stepper *stepper)
     return least_of_conditions(stepper, stepper->x) <= near(stepper) && is_soon(stepper);
 }
 
+/* The time in which state i comes to this end of its interval. */
+static double time_to_end(const jlt_stepper *stepper, unsigned i, double end, double side)
+{
+    const double x = stepper->x[i], rate = stepper->direction * stepper->f[i];
+
+    if (is_lost_at(stepper, i, end)) return time_to_zero(below_return(x), x < 0 ? rate : -rate);
+    return time_to_zero(margin(x, end, side), side * rate);
+}
+
 /* The time in which the orbit comes to the end *out, the first one, if it goes straight on; INFINITY if it comes to none. */
 static double time_ahead(jlt_edge_part *out, const jlt_stepper *stepper)
 {
@@ -135,9 +156,8 @@ static double time_ahead(jlt_edge_part *out, const jlt_stepper *stepper)
     double values[JLT_REGION_CONDITIONS_MAX], first = INFINITY;
 
     for (unsigned i = 0; domain->intervals != NULL && i < domain->states; i++) {
-        const double low = domain->intervals[i].low, high = domain->intervals[i].high;
-        const double below = time_to_zero(margin(x[i], low, 1), ahead_of * f[i]);
-        const double above = time_to_zero(margin(x[i], high, -1), -ahead_of * f[i]);
+        const double below = time_to_end(stepper, i, domain->intervals[i].low, 1);
+        const double above = time_to_end(stepper, i, domain->intervals[i].high, -1);
         if (!(fmin(below, above) < first)) continue;
         first = fmin(below, above);
         *out = (jlt_edge_part){ .index = i, .is_upper = above < below };
@@ -172,7 +192,8 @@ static jlt_status leave_interval(double *theta, jlt_stepper *stepper, unsigned s
 {
     const jlt_event event = { .column = state, .level = end_of(stepper->field, state, end, side) };
 
-    return isfinite(end) ? jlt_loss_zero(theta, stepper, &event, side) : JLT_OK;
+    if (!isfinite(end) || is_lost_at(stepper, state, end)) return JLT_OK;
+    return jlt_loss_zero(theta, stepper, &event, side);
 }
 
 typedef struct {

@@ -2,7 +2,8 @@
  *
  *  Both are functions that are positive inside. At the ends of steps they are evaluated. Within a step they are looked
  *  at as loss.h says, so that an orbit which leaves and comes back within one step is detected if it is outside by more than
- *  jlt_locate_noise, or a condition is negative by more than rounding. */
+ *  jlt_locate_noise, or a condition is negative by more than rounding. A kept state that has been below the least scale is
+ *  outside where it comes back above twice that. */
 #ifndef JLT_INTEGRATE_EDGE_H
 #define JLT_INTEGRATE_EDGE_H
 

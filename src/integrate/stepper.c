@@ -118,6 +118,12 @@ static void forget_step(jlt_stepper *self)
     memcpy(self->f_start, self->f, size);
 }
 
+static void note_lost(jlt_stepper *self)
+{
+    for (unsigned i = 0; i < self->field->dim; i++)
+        self->lost |= (uint64_t)(jlt_field_keeps(self->field, i) && fabs(self->x[i]) < JLT_STEPPER_SCALE_LEAST) << i % 64;
+}
+
 jlt_status jlt_stepper_start(jlt_stepper *self, double t, const double *x, double direction, double first_step)
 {
     const unsigned dim = self->field->dim;
@@ -138,6 +144,8 @@ jlt_status jlt_stepper_start(jlt_stepper *self, double t, const double *x, doubl
     self->evaluations++;
     forget_step(self);
     set_scales(self);
+    self->lost = 0;
+    note_lost(self);
     self->at_edge = jlt_edge_is_outside(self);
     if (!all_finite(self->f, self->columns)) return JLT_ERR_NONFINITE;
     JLT_PASS(self->method->start(self));
@@ -263,6 +271,7 @@ jlt_status jlt_stepper_advance(jlt_stepper *self, double limit)
     self->tau = tau + move;
     self->tau_low = (tau - self->tau) + move;
     self->steps++;
+    note_lost(self);
     if (fabs(self->h) > long_again * fabs(tau)) self->leaps = 0;
     return JLT_OK;
 }

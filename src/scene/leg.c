@@ -83,13 +83,16 @@ void jlt_leg_end_text(char *text, const jlt_leg *self, unsigned edge)
     const int used = snprintf(text, JLT_TIER_TEXT_MAX, "the orbit comes to the edge of the domain of %s", kernel->model);
     if (used < 0 || used >= JLT_TIER_TEXT_MAX || !jlt_edge_ahead(&part, jlt_orbit_stepper(self->orbit))) return;
     const size_t left = JLT_TIER_TEXT_MAX - (size_t)used;
-    if (part.is_condition)
+    if (part.is_condition) {
         snprintf(text + used, left, ": %s needs %s", kernel->domains[part.index].name, kernel->domains[part.index].text);
-    else
-        snprintf(text + used, left, ": %s is at the end %.10g of its interval%s", kernel->states[part.index].name,
-                 part.is_upper ? kernel->states[part.index].high : kernel->states[part.index].low,
-                 rests_at(self, &part) ? ", as near as digits tell: it may never come there, as its rate is 0 at that end; to go "
-                                         "on, take the distance from it as the state" : "");
+        return;
+    }
+    const jlt_quantity *state = &kernel->states[part.index];
+    const double end = part.is_upper ? state->high : state->low;
+    const int told = snprintf(text + used, left, ": %s is at the end %.10g of its interval", state->name, end);
+    if (rests_at(self, &part) && told >= 0 && (size_t)told < left)
+        snprintf(text + used + told, left - (size_t)told, ", as near as digits tell: it may never come there, as its rate is 0 at "
+                 "that end; to go on, take %s as the state", end == 0 ? "the logarithm of its size" : "the distance from it");
 }
 
 const char *jlt_leg_unbounded(const jlt_leg *self, double t)

@@ -66,7 +66,7 @@ static bool is_left_out(const jlt_formulas *self, const ttc_field *field, uint32
     const ttc_symbol_entry *entry = &self->model->symbols[state];
 
     return self->lifted_count > 0 && state == self->model->states[self->pole]
-           && ttc_watched_is_lifted(field, state, is_high ? entry->high : entry->low);
+           && !ttc_end_is_condition(self->model, field->time, NULL, state, is_high ? entry->high : entry->low);
 }
 
 /* Collect records `domain` and distances from the ends of intervals. Returns their number. */

@@ -138,6 +138,24 @@ for method in gauss dop853 taylor rk8pd rkf45 msadams; do
     expect 0 '^1000,' jellett simulate ./over.tt --start S=3,I=1e-3,z=0,w=1 --times 1000 --method $method
     awk -F, '/^1000,/ { i = $3 + 0; exit !(i < 1e-290 && i > -1e-290 && /alive$/) }' out || fail "over, $method: $(tail -1 out)"
 done
+# What comes back from there is no state any more: x = exp(-a sin t) is 1 again after t = pi, or its orbit ends on the way.
+printf '%s\n' 'model regrown' 'param a' 'default a = 600' 'state x in (0, inf)' 'state z' 'state w' 'eq x = -a*x*w' 'eq z = w' \
+    'eq w = -z' > regrown.tt
+is_back() { # COLUMNS of t and x, HOW
+    awk -F, '{ off = $x - 1 } END { exit !(/alive/ ? off*off < 1e-20 : /left_domain|nonfinite/ && $t > 1.3 && $t < 3) }' \
+        t="$1" x="$2" out || fail "regrown, $3: $(tail -1 out)"
+}
+for a in 600 660 690 705 740; do
+    for method in gauss dop853 taylor rk8pd rkf45 msadams; do
+        jellett simulate ./regrown.tt --set a=$a --start x=1,z=0,w=1 --times 3.141592653589793 --method $method > out 2> err
+        is_back 1 2 "a = $a by $method"
+    done
+    for how in "" "--method gauss"; do
+        jellett section ./regrown.tt --set a=$a --section z=0 --grid x=1:1:1,w=1 --returns 1 $how > out 2> err
+        is_back 3 4 "a = $a ${how:-in lanes}"
+    done
+done
+expect 4 'x is at the end 0 .*the logarithm of its size' jellett simulate ./regrown.tt --set a=700 --start x=1,z=0,w=1 --times 3
 # A state that looks as if it never came to 0, as rates are 0 at all T < 10, ends where it does, though it would soon be back:
 # c = 9.07 - K (1 - cos t), K = 1e5 exp(-10). An error of a step, 9e-12 or less, counts 1/(K sin t) = 3.3 times in that time.
 printf '%s\n' 'model burnt' 'state c in (0, inf)' 'state T in (0, inf)' 'state z' 'state w' 'exp e = exp(-1e4/T)' \

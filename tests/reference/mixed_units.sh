@@ -142,4 +142,32 @@ for command in 'simulate TABLE --start x=1,y=3,px=10,py=20 --times 1,5' 'section
 done
 run 0 simulate ./quartic.tt --start x=1,y=3,px=10,py=20 --times 1,5
 tail -1 out | awk -F, '{ exit !($6 < 1e-11 && $7 < 1e-11) }' || fail "drifts: $(tail -1 out)"
+
+# The end of an interval beside a lifted root is a condition, whose number no units scale: v = t/2 comes to 1 at t = 2, and from 1/4
+# at t = 3/2, whatever the length that sets the unit.
+cat > lifted.tt <<'TABLE'
+model lifted
+param a > 0 [m/s^2]
+param L > 0 [m]
+default a = 1/2, L = 1
+state c in (-1, 1)
+state w [1/s]
+state v in (-1, 1) [m/s]
+root s = sqrt(1 - c^2)
+eq c = - s*w
+eq w = - w*v/(1000*L)
+eq v = a
+pole c
+time regular : s lifting s
+TABLE
+for L in 1e-3 1 1e3; do
+    jellett simulate ./lifted.tt --set L=$L --start c=0.1,w=0.01,v=0 --times 5 > out 2> err
+    tail -1 out | awk -F, '{ off = $1 - 2 } END { exit !(off*off < 1e-22 && /left_domain/) }' ||
+        fail "v at its end, L = $L: $(tail -1 out)"
+    for how in "" "--method gauss"; do
+        jellett section ./lifted.tt --section v=1/4 --set L=$L --grid c=0.1,w=0.01:0.02:2 --returns 1 $how > out 2> err
+        grep '^[01],1,' out | awk -F, '{ off = $3 - 3/2; n += off*off < 1e-22 && /left_domain/ } END { exit n != 2 }' ||
+            fail "v at its end, L = $L ${how:-in lanes}: $(tail -2 out)"
+    done
+done
 exit $status

@@ -213,6 +213,13 @@ expect 3 "bad.scene:2: error: 'start' does not know 'gamma4'" jellett plan "$scr
 printf 'compute = (\n { what = "simulate"; until = 1; } );\n' > "$scratch/bad.scene"
 expect 3 'bad.scene:2: error: simulate ended with status 3' jellett run "$scratch/bad.scene"
 expect 5 'No such file' jellett run "$scratch/none.scene"
+printf '%s\n' 'compute = ( { what = "section"; start = { eta = 0.1; gamma3 = -0.6; }; returns = 1; output = "r.csv"; } );' \
+    > "$scratch/anew.scene"
+for again in "" " again"; do
+    jellett run "$scratch/anew.scene" --into "$scratch/made" 2> "$scratch/err"
+    [ -s "$scratch/made/r.csv" ] || fail "--into a folder made$again: $(cat "$scratch/err")"
+    rm -f "$scratch/made/r.csv"
+done
 
 # Kepler's orbits have more integrals than are independent: each is kept by --project all the same, and so in an oscillator of any
 # size whose second integral is the square of the first. Rows of lanes, which are put back once a return, err by what one return

@@ -222,4 +222,9 @@ printf '%s\n' 'model doubted' 'param k > 0' 'default k = 2' 'state x' 'state y' 
     'equilibria rest : x = 0, y = 0' '  trace rest = -k' '  charpoly rest = lambda^2 + (k + 1)*lambda + k' > doubted.tt
 says 'trace -3, exactly; formula -2, a refuted claim' doubted.tt --at x=0,y=0
 says ' lambda^1 3 formula 3' doubted.tt --at x=0,y=0
+
+# Where |x| has no derivative the field has a value, and its Jacobian has none.
+printf '%s\n' 'model bent' 'state x' 'root r = sqrt(x^2)' 'eq x = -r' > bent.tt
+jellett eigen bent.tt --at x=0 > out 2> err && fail "a Jacobian at the bend of |x|: $(cat out)"
+grep -q 'the field or its Jacobian divides here by what is 0' err || fail "at the bend of |x|: $(tail -1 err)"
 exit $status
