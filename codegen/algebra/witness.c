@@ -17,7 +17,7 @@ enum { UNKNOWN, BUSY, ENCLOSED, EXACT };
 
 bool ttc_witness_init(ttc_witness *point, ttc_valuation *valuation)
 {
-    *point = (ttc_witness){ .valuation = valuation, .ring = ttc_valuation_ring(valuation) };
+    *point = (ttc_witness){ .valuation = valuation, .ring = ttc_valuation_ring(valuation), .wide = -1 };
     size_t count = point->ring->variable_count;
     struct ttc_witness_balls *balls = calloc(1, sizeof *balls);
     point->values = calloc(count + 1, sizeof *point->values);
@@ -266,7 +266,8 @@ static void enclose_variable(ttc_witness *point, slong variable, slong precision
     } else {
         fmpq_set(balls->exact + variable, point->values + variable);
         arb_set_fmpq(balls->ball + variable, point->values + variable, precision);
-        balls->state[variable] = EXACT;
+        if (variable == point->wide) arb_add_error_2exp_si(balls->ball + variable, TTC_WITNESS_WIDTH);
+        balls->state[variable] = variable == point->wide ? ENCLOSED : EXACT;
     }
 }
 

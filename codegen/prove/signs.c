@@ -175,6 +175,24 @@ bool ttc_signs_are_one(ttc_task *task, ttc_id id)
            (signs & (TTC_CAN_BE_POSITIVE | TTC_CAN_BE_NEGATIVE)) != (TTC_CAN_BE_POSITIVE | TTC_CAN_BE_NEGATIVE);
 }
 
+/* A product is not positive where the base of an even power in it is zero. */
+static void refute_at_square(ttc_task *task, ttc_valuation *valuation, ttc_id id, const char *what)
+{
+    const ttc_graph *graph = ttc_valuation_model(valuation)->graph;
+    ttc_ratio base;
+    if (task->has_left_out || ttc_kind_of(graph, id) != TTC_PRODUCT) return;
+    ttc_ratio_init(task->ring, &base);
+    for (size_t i = 0; i < ttc_part_count(graph, id) && ttc_task_open(task); i++) {
+        const ttc_part part = ttc_part_at(graph, id, i);
+        char *point = NULL;
+        if (part.exponent < 0 || part.exponent % 2 != 0) continue;
+        ttc_evaluate(valuation, &base, part.id);
+        if (!ttc_task_open(task) || ttc_task_search_against(task, &base, TTC_IS_NONZERO, &point) != TTC_POINT_FOUND) free(point);
+        else ttc_task_refute_at(task, point, NULL, "%s = 0", what);
+    }
+    ttc_ratio_clear(task->ring, &base);
+}
+
 static void require(ttc_task *task, ttc_valuation *valuation, ttc_id id, ttc_relation relation, const char *what)
 {
     const ttc_graph *graph = ttc_valuation_model(valuation)->graph;
@@ -183,6 +201,7 @@ static void require(ttc_task *task, ttc_valuation *valuation, ttc_id id, ttc_rel
     for (size_t i = 0; i < factors; i++) require(task, valuation, ttc_part_at(graph, id, i).id, relation, what);
     if (factors > 0 || !ttc_task_open(task)) return;
     if (task->tested == NULL && ttc_signs_tell(task, valuation, id, relation)) return;
+    if (relation == TTC_IS_POSITIVE) refute_at_square(task, valuation, id, what);
     ttc_ratio_init(task->ring, &value);
     ttc_evaluate(valuation, &value, id);
     const bool is_first = task->unexcluded == TTC_NONE;

@@ -170,6 +170,25 @@ ttc_search_result ttc_task_search(ttc_task *task, const ttc_ratio *ratio, ttc_re
     return search(task, ratio, relation, false, false, text);
 }
 
+/* Search for a point at which a ratio, or one of its squares, is zero between two signs. */
+static bool has_zero(ttc_task *task, const ttc_ratio *ratio, bool of_squares, char **text)
+{
+    bool found = false;
+    ttc_witness point;
+    ttc_ratio below;
+    const size_t mark = ttc_conditions_mark(&task->domain);
+    const bool contradictory = task->domain.contradictory;
+    ttc_ratio_init(task->ring, &below);
+    ttc_ratio_set_polynomial(task->ring, &below, ratio->denominator);
+    ttc_conditions_add(&task->domain, &below, TTC_IS_NONZERO);
+    if (ttc_witness_init(&point, task->field)) found = ttc_search_zero(&point, &task->domain, ratio->numerator, of_squares);
+    if (found && text != NULL) *text = ttc_witness_text(&point);
+    ttc_witness_clear(&point);
+    ttc_conditions_rewind(&task->domain, mark, contradictory);
+    ttc_ratio_clear(task->ring, &below);
+    return found;
+}
+
 ttc_search_result ttc_task_search_against(ttc_task *task, const ttc_ratio *ratio, ttc_relation relation, char **text)
 {
     static const ttc_relation opposite[] = { [TTC_IS_POSITIVE] = TTC_IS_NONNEGATIVE, [TTC_IS_NONNEGATIVE] = TTC_IS_POSITIVE,
@@ -177,7 +196,11 @@ ttc_search_result ttc_task_search_against(ttc_task *task, const ttc_ratio *ratio
     const ttc_claim_kind kind = task->claim->kind;
     const bool of_all_points = kind != TTC_CLAIM_INVARIANT && kind != TTC_CLAIM_OBSTRUCTS;
     const bool of_opposite = relation == TTC_IS_POSITIVE || relation == TTC_IS_NONNEGATIVE;
-    return search(task, ratio, opposite[relation], of_opposite, of_all_points, text);
+    const ttc_search_result result = search(task, ratio, opposite[relation], of_opposite, of_all_points, text);
+    const bool is_at_zero = relation == TTC_IS_POSITIVE || relation == TTC_IS_NONZERO;
+    if (result == TTC_POINT_NOT_DECIDED && is_at_zero && has_zero(task, ratio, relation == TTC_IS_POSITIVE, text))
+        return TTC_POINT_FOUND;
+    return result;
 }
 
 bool ttc_task_may_have_point(ttc_task *task) { return !says_none(ttc_task_search(task, NULL, TTC_IS_ZERO, NULL)); }
