@@ -107,6 +107,16 @@ bool ttc_search_next(ttc_witness *point, const ttc_conditions *conditions, unsig
     return try_numbers(point, conditions, attempt, LATE_ATTEMPTS);
 }
 
+bool ttc_search_with(ttc_witness *point, const ttc_conditions *conditions, slong variable, const fmpq_t value)
+{
+    for (unsigned attempt = 0; attempt < EARLY_ATTEMPTS; attempt++) {
+        choose(point, attempt);
+        fmpq_set(point->values + variable, value);
+        if (ttc_search_meets(point, conditions)) return true;
+    }
+    return false;
+}
+
 ttc_search_result ttc_search_point(ttc_witness *point, const ttc_conditions *conditions)
 {
     if (ttc_conditions_clash(conditions)) return TTC_POINT_IMPOSSIBLE;

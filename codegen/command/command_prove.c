@@ -50,7 +50,8 @@ static void print_text(const ttc_proof_report *report, bool verbose)
         print_backing(proof, verbose);
         printf("\n");
     }
-    printf("%s: %zu claims: %zu proved, %zu refuted", report->model, report->proof_count, report->proved, report->refuted);
+    printf("%s: %zu claim%s: %zu proved, %zu refuted", report->model, report->proof_count, report->proof_count == 1 ? "" : "s",
+           report->proved, report->refuted);
     if (report->unsettled > 0) printf(", %zu not settled", report->unsettled);
     printf("\n");
 }

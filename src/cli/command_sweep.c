@@ -301,8 +301,9 @@ static jlt_exit compute_all(sweep *self, bool *interrupted)
                 self->before + done - self->lost,
                 self->own, self->path);
     else if (code == JLT_EXIT_DONE) {
-        fprintf(stderr, "jellett: %s has its %zu pieces%s; %zu of them now, in %.3g s\n", self->path, self->own - self->lost,
-                self->lost > 0 ? ", but for some" : "", done - self->lost, jlt_interrupt_clock() - begun);
+        fprintf(stderr, "jellett: %s has its %zu piece%s%s; %zu of them now, in %.3g s\n", self->path, self->own - self->lost,
+                self->own - self->lost == 1 ? "" : "s", self->lost > 0 ? ", but for some" : "", done - self->lost,
+                jlt_interrupt_clock() - begun);
         advise(self, done, jlt_interrupt_clock() - begun);
     }
     *interrupted = *interrupt != 0;
@@ -343,7 +344,8 @@ static jlt_exit run_shard(sweep *self)
     /* Fail if no point at all has rows. This needs all pieces: one of several shards may happen to have only such points. */
     if (code == JLT_EXIT_DONE && !interrupted && self->empty == self->study.pieces) code = JLT_EXIT_INPUT;
     else if (code == JLT_EXIT_DONE && !interrupted && self->own > 0 && self->empty == self->own)
-        fprintf(stderr, "jellett: the command refused every point of %s: its %zu pieces have no rows\n", self->path, self->own);
+        fprintf(stderr, "jellett: the command refused every point of %s: its %zu %s no rows\n", self->path, self->own,
+                self->own == 1 ? "piece has" : "pieces have");
     return code == JLT_EXIT_DONE ? self->worst : code;
 }
 

@@ -325,7 +325,7 @@ levels = { G = -0.56; };
 compute = ( { what = "lyapunov"; start = { eta = 0.1; gamma3 = -0.6; }; returns = 3; } );
 END
 for i in 1 2; do expect 0 "no state with" jellett sweep exponents.scene --shard=$i/2; done
-expect 0 "refused every point of refused/1-of-8.shard: its 1 pieces have no rows" \
+expect 0 "refused every point of refused/1-of-8.shard: its 1 piece has no rows" \
     jellett sweep exponents.scene --shard=1/8 --into=refused
 expect 0 "4 of 8 pieces" jellett merge exponents.shards -o exponents.csv -o exponents.sqlite
 for a3 in 0.3 0.4 0.5 0.6; do
