@@ -334,7 +334,8 @@ static ttc_truth values_have_their_signs(ttc_witness *point, const ttc_condition
     ttc_ratio_init(point->ring, &variable);
     arb_init(ball);
     for (slong v = 0; truth != TTC_FAILS && v < (slong)point->ring->variable_count; v++) {
-        if (point->angles[v] == 0 && !ttc_witness_is_free(point, v)) continue;
+        const ttc_symbol_kind kind = kind_of(point, v);
+        if (point->angles[v] == 0 && (!ttc_witness_is_free(point, v) || (kind != TTC_STATE && kind != TTC_PARAM))) continue;
         ttc_ratio_set_variable(point->ring, &variable, v);
         const unsigned signs = ttc_conditions_signs(conditions, variable.numerator);
         ttc_witness_enclose(ball, point, &variable, FIRST_PRECISION);
