@@ -88,7 +88,7 @@ static void choose(ttc_witness *point, unsigned attempt)
     ttc_witness_changed(point);
 }
 
-static bool meets_all(ttc_witness *point, const ttc_conditions *conditions)
+bool ttc_search_meets(ttc_witness *point, const ttc_conditions *conditions)
 {
     return ttc_witness_meets_all(point, conditions) == TTC_HOLDS && ttc_witness_sines(point) == TTC_HOLDS;
 }
@@ -97,7 +97,7 @@ static bool try_numbers(ttc_witness *point, const ttc_conditions *conditions, un
 {
     while (*attempt < end) {
         choose(point, (*attempt)++);
-        if (meets_all(point, conditions)) return true;
+        if (ttc_search_meets(point, conditions)) return true;
     }
     return false;
 }
@@ -105,6 +105,16 @@ static bool try_numbers(ttc_witness *point, const ttc_conditions *conditions, un
 bool ttc_search_next(ttc_witness *point, const ttc_conditions *conditions, unsigned *attempt)
 {
     return try_numbers(point, conditions, attempt, LATE_ATTEMPTS);
+}
+
+bool ttc_search_with(ttc_witness *point, const ttc_conditions *conditions, slong variable, const fmpq_t value)
+{
+    for (unsigned attempt = 0; attempt < EARLY_ATTEMPTS; attempt++) {
+        choose(point, attempt);
+        fmpq_set(point->values + variable, value);
+        if (ttc_search_meets(point, conditions)) return true;
+    }
+    return false;
 }
 
 ttc_search_result ttc_search_point(ttc_witness *point, const ttc_conditions *conditions)
@@ -116,11 +126,11 @@ ttc_search_result ttc_search_point(ttc_witness *point, const ttc_conditions *con
     choose(point, 0); /* simple values for variables that no condition uses, which the solver leaves as they are */
     ttc_solver_answer answer = ttc_solver_ask(point, conditions, false);
     if (answer == TTC_SOLVER_NO_POINT) return TTC_POINT_EXCLUDED;
-    if (answer == TTC_SOLVER_POINT && meets_all(point, conditions)) return TTC_POINT_FOUND;
+    if (answer == TTC_SOLVER_POINT && ttc_search_meets(point, conditions)) return TTC_POINT_FOUND;
     if (ttc_search_next(point, conditions, &attempt)) return TTC_POINT_FOUND;
     if (answer == TTC_SOLVER_SILENT) return TTC_POINT_NOT_DECIDED;
     choose(point, 0);
     answer = ttc_solver_ask(point, conditions, true); /* what it named was a point but for the values of functions */
     if (answer == TTC_SOLVER_NO_POINT) return TTC_POINT_EXCLUDED;
-    return answer == TTC_SOLVER_POINT && meets_all(point, conditions) ? TTC_POINT_FOUND : TTC_POINT_NOT_DECIDED;
+    return answer == TTC_SOLVER_POINT && ttc_search_meets(point, conditions) ? TTC_POINT_FOUND : TTC_POINT_NOT_DECIDED;
 }

@@ -19,4 +19,17 @@ ttc_search_result ttc_search_point(ttc_witness *point, const ttc_conditions *con
  * Returns false if there is none up to the last attempt. */
 bool ttc_search_next(ttc_witness *point, const ttc_conditions *conditions, unsigned *attempt);
 
+/* The same, with a variable that keeps its value. */
+bool ttc_search_with(ttc_witness *point, const ttc_conditions *conditions, slong variable, const fmpq_t value);
+
+/* Returns true if a point is known to meet the conditions, and cosines and sines have the signs that were chosen. */
+bool ttc_search_meets(ttc_witness *point, const ttc_conditions *conditions);
+
+/** Search for a point that meets the conditions and at which a polynomial is zero, where it changes its sign along one variable,
+ *  or where one of its factors does; of_squares: one of even exponent. The variable is then known to lie within an interval. */
+bool ttc_search_zero(ttc_witness *point, const ttc_conditions *conditions, const fmpz_mpoly_t polynomial, bool of_squares);
+
+/** Search for a point that meets the conditions, of which those from domain_count on say that a ratio is not positive. */
+bool ttc_search_downhill(ttc_witness *point, const ttc_conditions *conditions, size_t domain_count, const ttc_ratio *ratio);
+
 #endif

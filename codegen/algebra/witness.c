@@ -17,7 +17,7 @@ enum { UNKNOWN, BUSY, ENCLOSED, EXACT };
 
 bool ttc_witness_init(ttc_witness *point, ttc_valuation *valuation)
 {
-    *point = (ttc_witness){ .valuation = valuation, .ring = ttc_valuation_ring(valuation) };
+    *point = (ttc_witness){ .valuation = valuation, .ring = ttc_valuation_ring(valuation), .wide = -1 };
     size_t count = point->ring->variable_count;
     struct ttc_witness_balls *balls = calloc(1, sizeof *balls);
     point->values = calloc(count + 1, sizeof *point->values);
@@ -266,7 +266,8 @@ static void enclose_variable(ttc_witness *point, slong variable, slong precision
     } else {
         fmpq_set(balls->exact + variable, point->values + variable);
         arb_set_fmpq(balls->ball + variable, point->values + variable, precision);
-        balls->state[variable] = EXACT;
+        if (variable == point->wide) arb_add_error_2exp_si(balls->ball + variable, TTC_WITNESS_WIDTH);
+        balls->state[variable] = variable == point->wide ? ENCLOSED : EXACT;
     }
 }
 
@@ -324,27 +325,27 @@ static ttc_truth roots_are_real(ttc_witness *point)
     return truth;
 }
 
-/* Check the sign that is known of a state or parameter which an angle tells. Conditions omit such signs, as other values are chosen
- * with them. */
-static ttc_truth angles_have_their_signs(ttc_witness *point, const ttc_conditions *conditions)
+/* Check the signs that are known of states and parameters, also of those that an angle tells: conditions omit them. */
+static ttc_truth values_have_their_signs(ttc_witness *point, const ttc_conditions *conditions)
 {
     ttc_truth truth = TTC_HOLDS;
-    ttc_ratio angle;
+    ttc_ratio variable;
     arb_t ball;
-    ttc_ratio_init(point->ring, &angle);
+    ttc_ratio_init(point->ring, &variable);
     arb_init(ball);
     for (slong v = 0; truth != TTC_FAILS && v < (slong)point->ring->variable_count; v++) {
-        if (point->angles[v] == 0) continue;
-        ttc_ratio_set_variable(point->ring, &angle, v);
-        const unsigned signs = ttc_conditions_signs(conditions, angle.numerator);
-        ttc_witness_enclose(ball, point, &angle, FIRST_PRECISION);
+        const ttc_symbol_kind kind = kind_of(point, v);
+        if (point->angles[v] == 0 && (!ttc_witness_is_free(point, v) || (kind != TTC_STATE && kind != TTC_PARAM))) continue;
+        ttc_ratio_set_variable(point->ring, &variable, v);
+        const unsigned signs = ttc_conditions_signs(conditions, variable.numerator);
+        ttc_witness_enclose(ball, point, &variable, FIRST_PRECISION);
         const bool may_be_zero = arb_contains_zero(ball) && !arb_is_zero(ball);
         const unsigned nonzero = arb_is_positive(ball) ? TTC_CAN_BE_POSITIVE : TTC_CAN_BE_NEGATIVE;
         if (signs != TTC_CAN_BE_ANY && may_be_zero) truth = TTC_UNCLEAR;
         else if (!may_be_zero && !(signs & (arb_is_zero(ball) ? (unsigned)TTC_CAN_BE_ZERO : nonzero))) truth = TTC_FAILS;
     }
     arb_clear(ball);
-    ttc_ratio_clear(point->ring, &angle);
+    ttc_ratio_clear(point->ring, &variable);
     return truth;
 }
 
@@ -373,7 +374,7 @@ ttc_truth ttc_witness_meets_all(ttc_witness *point, const ttc_conditions *condit
     if (conditions->contradictory) return TTC_FAILS;
     if (point->has_obscure_angle) return TTC_UNCLEAR;
     ttc_truth truth = roots_are_real(point);
-    if (truth == TTC_HOLDS) truth = angles_have_their_signs(point, conditions);
+    if (truth == TTC_HOLDS) truth = values_have_their_signs(point, conditions);
     for (size_t i = 0; truth != TTC_FAILS && i < conditions->count; i++) {
         ttc_truth one = meets(point, &conditions->items[i]);
         if (one != TTC_HOLDS) truth = one;

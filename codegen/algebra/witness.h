@@ -12,10 +12,13 @@
 #include <arb.h>
 #endif
 
+enum { TTC_WITNESS_WIDTH = -128 };
+
 typedef struct {
     ttc_valuation *valuation; /* borrowed */
     ttc_ring *ring;
     fmpq *values;      /* by variable; used for free variables only */
+    slong wide;        /* the variable that may differ from its value by 2^TTC_WITNESS_WIDTH; -1: none */
     unsigned negative; /* bit i: generator number i is negative, if it may have either sign */
     uint32_t *angles;  /* by variable: the bound cosine whose angle tells its value; 0: none */
     bool has_obscure_angle; /* a bound cosine has an angle that tells no variable: nothing is decided at a point then */
@@ -33,7 +36,7 @@ bool ttc_witness_is_free(const ttc_witness *point, slong variable);
 /* Returns true if the variable is a function whose value follows from its argument, or pi. */
 bool ttc_witness_is_function(const ttc_witness *point, slong variable);
 
-/* Discard computed values. Call this after changing `values` or `negative`. */
+/* Discard computed values. Call this after changing `values`, `negative` or `wide`. */
 void ttc_witness_changed(ttc_witness *point);
 
 /* HOLDS if all conditions and the relations of the ring hold and bound symbols have values, FAILS if one is known to fail, UNCLEAR

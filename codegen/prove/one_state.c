@@ -8,7 +8,7 @@
 
 #include <stdlib.h>
 
-enum { PRECISION = 256, PIECES = 400, DIVISIONS = 24, DERIVATIVES = 6, FAR = 16, NODES = 100000, WORK = 20000 };
+enum { PRECISION = 256, PIECES = 400, DIVISIONS = 48, DERIVATIVES = 6, FAR = 16, FARTHEST = 9, NODES = 100000, WORK = 20000 };
 
 /* An open piece of the interval; `known` says which of its ends, 0 and 1, are numbers. */
 typedef struct {
@@ -25,6 +25,7 @@ typedef struct {
     size_t state;
     bool has_root; /* or angle: a normal form may hold only on a part of the interval, or bring another function into the ring */
     unsigned pieces, work; /* that may still be looked at, expressions on pieces */
+    ttc_state_value *negative;
 } one_state;
 
 static unsigned signs_on(one_state *s, ttc_id id, const piece *p, unsigned derivatives);
@@ -192,6 +193,46 @@ static void set_inside(fmpq_t out, const piece *p)
     }
 }
 
+/* The signs at a number, which is noted if the expression is not positive there. */
+static unsigned signs_at(one_state *s, ttc_id id, const fmpq_t number)
+{
+    const unsigned signs = signs_between(s, id, number, number);
+    if (!(signs & TTC_CAN_BE_POSITIVE) && s->negative != NULL && !s->negative->is_known) {
+        fmpq_set(s->negative->value, number);
+        s->negative->symbol = s->symbol;
+        s->negative->is_known = true;
+    }
+    return signs;
+}
+
+/* Whether an expression has the same sign at numbers all over the interval, and ever closer to its ends, or farther out. */
+static bool has_sign_at_numbers(one_state *s, ttc_id id, unsigned sign, const piece *p)
+{
+    static const ulong powers[] = { 1, 2, 3, 4, 6, 9, 13, 19, 28, 42, 63, 95, 142 };
+    bool has = true;
+    fmpq_t number, length;
+    fmpq_init(number);
+    fmpq_init(length);
+    for (size_t i = 0; has && i < 2 * sizeof powers / sizeof *powers; i++) {
+        const int end = i % 2 == 0 ? 0 : 1;
+        fmpq_one(length);
+        if (p->known[0] && p->known[1]) fmpq_sub(length, p->end[1], p->end[0]);
+        fmpq_div_2exp(length, length, powers[i / 2]);
+        if (!p->known[end]) fmpq_inv(length, length);
+        if (!p->known[end] && powers[i / 2] > FARTHEST) continue;
+        if (p->known[end]) fmpq_set(number, p->end[end]);
+        else if (p->known[1 - end]) fmpq_set(number, p->end[1 - end]);
+        else fmpq_zero(number);
+        const bool upwards = p->known[end] ? end == 0 : end == 1;
+        if (upwards) fmpq_add(number, number, length);
+        else fmpq_sub(number, number, length);
+        has = (signs_at(s, id, number) & sign) != 0;
+    }
+    fmpq_clear(length);
+    fmpq_clear(number);
+    return has;
+}
+
 /* Whether an expression is of one sign on a piece, which is divided as often as needed. */
 static bool has_sign(one_state *s, ttc_id id, unsigned sign, const piece *p, unsigned divisions)
 {
@@ -202,7 +243,7 @@ static bool has_sign(one_state *s, ttc_id id, unsigned sign, const piece *p, uns
     if (divisions == 0) return false;
     fmpq_init(inside);
     set_inside(inside, p);
-    bool has = signs_between(s, id, inside, inside) == sign;
+    bool has = signs_at(s, id, inside) == sign;
     for (int end = 0; has && end < 2; end++) {
         piece part = *p; /* which borrows its ends */
         part.known[end] = true;
@@ -253,9 +294,10 @@ static bool find_state(one_state *s, ttc_id id)
     return true;
 }
 
-unsigned ttc_one_state_signs(ttc_task *task, ttc_valuation *valuation, ttc_id id)
+unsigned ttc_one_state_signs(ttc_task *task, ttc_valuation *valuation, ttc_id id, ttc_state_value *negative)
 {
-    one_state s = { .task = task, .valuation = valuation, .model = ttc_valuation_model(valuation), .pieces = PIECES, .work = WORK };
+    one_state s = { .task = task, .valuation = valuation, .model = ttc_valuation_model(valuation), .pieces = PIECES, .work = WORK,
+                    .negative = negative };
     const ttc_graph_status graph_status = ttc_graph_error(s.model->graph);
     const ttc_ring_status ring_status = task->ring->status;
     unsigned signs = TTC_CAN_BE_ANY;
@@ -268,8 +310,10 @@ unsigned ttc_one_state_signs(ttc_task *task, ttc_valuation *valuation, ttc_id id
     set_end(&s, &p, 0, s.model->symbols[s.symbol].low);
     set_end(&s, &p, 1, s.model->symbols[s.symbol].high);
     set_inside(inside, &p);
-    const unsigned there = signs_between(&s, id, inside, inside);
-    if ((there == TTC_CAN_BE_POSITIVE || there == TTC_CAN_BE_NEGATIVE) && has_sign(&s, id, there, &p, DIVISIONS)) signs = there;
+    const unsigned there = signs_at(&s, id, inside);
+    if ((there == TTC_CAN_BE_POSITIVE || there == TTC_CAN_BE_NEGATIVE) && has_sign_at_numbers(&s, id, there, &p)
+        && has_sign(&s, id, there, &p, DIVISIONS))
+        signs = there;
     fmpq_clear(inside);
     for (int end = 0; end < 2; end++) fmpq_clear(p.end[end]);
     ttc_ball_destroy(s.ball);

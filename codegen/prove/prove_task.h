@@ -102,6 +102,8 @@ ttc_search_result ttc_task_search(ttc_task *task, const ttc_ratio *ratio, ttc_re
 /* Search for a point of the leaf at which a ratio does not stand in this relation to zero. That there is none may hold but for
  * points put `aside`. */
 ttc_search_result ttc_task_search_against(ttc_task *task, const ttc_ratio *ratio, ttc_relation relation, char **text);
+/* The text of a point of the leaf at which a state has this value and a ratio is not positive; NULL if none is found. */
+char *ttc_task_point_with(ttc_task *task, const ttc_ratio *ratio, uint32_t state, const fmpq_t value);
 /* A polynomial as an expression of the table; TTC_NONE if it uses spare symbols, which have no value on other leaves. */
 ttc_id ttc_task_expression(ttc_task *task, const fmpz_mpoly_struct *polynomial);
 /* Note that where this denominator of a normal form is zero the claim, one of all points, is still to be proved, on leaves of their

@@ -12,6 +12,7 @@ typedef struct {
     unsigned char *signs; /* by expression, 0: not yet known */
     ttc_id whole;         /* which is looked at as a ratio in the end */
     bool looks_closer, may_search;
+    ttc_state_value *negative; /* NULL, or gets a place at which the whole is not positive, if one is met */
 } signs_of_parts;
 
 static unsigned signs_of(signs_of_parts *s, ttc_id id);
@@ -114,7 +115,8 @@ static unsigned signs_of_sum(signs_of_parts *s, ttc_id id)
         signs = ttc_conditions_signs_of_sum(signs, own);
         simple = simple && is_simple(graph, part.id);
     }
-    if (signs == TTC_CAN_BE_ANY && s->looks_closer) signs = ttc_one_state_signs(s->task, s->valuation, id);
+    if (signs == TTC_CAN_BE_ANY && s->looks_closer)
+        signs = ttc_one_state_signs(s->task, s->valuation, id, id == s->whole ? s->negative : NULL);
     if (signs != TTC_CAN_BE_ANY || !s->may_search) return signs;
     if (simple) return signs_of_value(s, id, true);
     if (has_sign_without(s, id, TTC_CAN_BE_POSITIVE)) return TTC_CAN_BE_POSITIVE;
@@ -147,24 +149,30 @@ static unsigned signs_of(signs_of_parts *s, ttc_id id)
     return s->signs[id];
 }
 
-static bool follows(ttc_task *task, ttc_valuation *valuation, ttc_id id, ttc_relation relation, bool may_search)
+static bool follows(ttc_task *task, ttc_valuation *valuation, ttc_id id, ttc_relation relation, bool may_search,
+                    ttc_state_value *negative)
 {
     const size_t size = ttc_graph_size(ttc_valuation_model(valuation)->graph) + 1;
-    signs_of_parts s = { task, valuation, calloc(size, 1), id, !may_search, may_search };
+    signs_of_parts s = { task, valuation, calloc(size, 1), id, !may_search, may_search, negative };
     const bool result = s.signs != NULL && (signs_of(&s, id) & ~ttc_conditions_signs_in(relation)) == 0;
     free(s.signs);
     return result;
 }
 
+static bool tell(ttc_task *task, ttc_valuation *valuation, ttc_id id, ttc_relation relation, ttc_state_value *negative)
+{
+    return follows(task, valuation, id, relation, false, negative) || follows(task, valuation, id, relation, true, NULL);
+}
+
 bool ttc_signs_tell(ttc_task *task, ttc_valuation *valuation, ttc_id id, ttc_relation relation)
 {
-    return follows(task, valuation, id, relation, false) || follows(task, valuation, id, relation, true);
+    return tell(task, valuation, id, relation, NULL);
 }
 
 bool ttc_signs_are_one(ttc_task *task, ttc_id id)
 {
     const ttc_graph *graph = task->model->graph;
-    signs_of_parts s = { task, task->field, calloc(ttc_graph_size(graph) + 1, 1), id, false, false };
+    signs_of_parts s = { task, task->field, calloc(ttc_graph_size(graph) + 1, 1), id, false, false, NULL };
     unsigned signs = 0;
     for (size_t i = 0; s.signs != NULL && ttc_kind_of(graph, id) == TTC_SUM && i < ttc_part_count(graph, id); i++) {
         const ttc_part part = ttc_part_at(graph, id, i);
@@ -175,20 +183,52 @@ bool ttc_signs_are_one(ttc_task *task, ttc_id id)
            (signs & (TTC_CAN_BE_POSITIVE | TTC_CAN_BE_NEGATIVE)) != (TTC_CAN_BE_POSITIVE | TTC_CAN_BE_NEGATIVE);
 }
 
+/* A product is not positive where the base of an even power in it is zero. */
+static void refute_at_square(ttc_task *task, ttc_valuation *valuation, ttc_id id, const char *what)
+{
+    const ttc_graph *graph = ttc_valuation_model(valuation)->graph;
+    ttc_ratio base;
+    if (task->has_left_out || ttc_kind_of(graph, id) != TTC_PRODUCT) return;
+    ttc_ratio_init(task->ring, &base);
+    for (size_t i = 0; i < ttc_part_count(graph, id) && ttc_task_open(task); i++) {
+        const ttc_part part = ttc_part_at(graph, id, i);
+        char *point = NULL;
+        if (part.exponent < 0 || part.exponent % 2 != 0) continue;
+        ttc_evaluate(valuation, &base, part.id);
+        if (!ttc_task_open(task) || ttc_task_search_against(task, &base, TTC_IS_NONZERO, &point) != TTC_POINT_FOUND) free(point);
+        else ttc_task_refute_at(task, point, NULL, "%s = 0", what);
+    }
+    ttc_ratio_clear(task->ring, &base);
+}
+
+static void require_value(ttc_task *task, ttc_valuation *valuation, ttc_id id, ttc_relation relation, const char *what,
+                          const ttc_state_value *negative)
+{
+    ttc_ratio value;
+    char *point = NULL;
+    if (relation == TTC_IS_POSITIVE) refute_at_square(task, valuation, id, what);
+    ttc_ratio_init(task->ring, &value);
+    ttc_evaluate(valuation, &value, id);
+    const bool is_first = task->unexcluded == TTC_NONE;
+    if (negative->is_known && valuation == task->field && relation == TTC_IS_POSITIVE && !task->has_left_out)
+        point = ttc_task_point_with(task, &value, negative->symbol, negative->value);
+    if (point != NULL) ttc_task_refute_at(task, point, &value, "%s", what);
+    ttc_task_require(task, &value, relation, "%s", what);
+    if (is_first && task->unexcluded != TTC_NONE && valuation == task->field && ttc_signs_are_one(task, id)) task->unexcluded = id;
+    ttc_ratio_clear(task->ring, &value);
+}
+
 static void require(ttc_task *task, ttc_valuation *valuation, ttc_id id, ttc_relation relation, const char *what)
 {
     const ttc_graph *graph = ttc_valuation_model(valuation)->graph;
     const size_t factors = relation == TTC_IS_NONZERO && ttc_kind_of(graph, id) == TTC_PRODUCT ? ttc_part_count(graph, id) : 0;
-    ttc_ratio value;
     for (size_t i = 0; i < factors; i++) require(task, valuation, ttc_part_at(graph, id, i).id, relation, what);
     if (factors > 0 || !ttc_task_open(task)) return;
-    if (task->tested == NULL && ttc_signs_tell(task, valuation, id, relation)) return;
-    ttc_ratio_init(task->ring, &value);
-    ttc_evaluate(valuation, &value, id);
-    const bool is_first = task->unexcluded == TTC_NONE;
-    ttc_task_require(task, &value, relation, "%s", what);
-    if (is_first && task->unexcluded != TTC_NONE && valuation == task->field && ttc_signs_are_one(task, id)) task->unexcluded = id;
-    ttc_ratio_clear(task->ring, &value);
+    ttc_state_value negative = { .is_known = false };
+    fmpq_init(negative.value);
+    if (task->tested != NULL || !tell(task, valuation, id, relation, &negative))
+        require_value(task, valuation, id, relation, what, &negative);
+    fmpq_clear(negative.value);
 }
 
 void ttc_signs_require(ttc_task *task, ttc_valuation *valuation, ttc_id id, ttc_relation relation, const char *format, ...)

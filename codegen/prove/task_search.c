@@ -170,14 +170,63 @@ ttc_search_result ttc_task_search(ttc_task *task, const ttc_ratio *ratio, ttc_re
     return search(task, ratio, relation, false, false, text);
 }
 
+static const ttc_relation opposite[] = { [TTC_IS_POSITIVE] = TTC_IS_NONNEGATIVE, [TTC_IS_NONNEGATIVE] = TTC_IS_POSITIVE,
+                                         [TTC_IS_NONZERO] = TTC_IS_ZERO, [TTC_IS_ZERO] = TTC_IS_NONZERO };
+
+/* Search further for a point at which a ratio does not stand in this relation to zero: a zero between two signs of the ratio or, of
+ * inequalities, of what it has a square of; and a lower value. */
+static bool is_found_further(ttc_task *task, const ttc_ratio *ratio, ttc_relation relation, char **text)
+{
+    bool found = false;
+    ttc_witness point;
+    ttc_ratio below;
+    const size_t mark = ttc_conditions_mark(&task->domain);
+    const bool contradictory = task->domain.contradictory;
+    ttc_ratio_init(task->ring, &below);
+    ttc_ratio_set_polynomial(task->ring, &below, ratio->denominator);
+    ttc_conditions_add(&task->domain, &below, TTC_IS_NONZERO);
+    const size_t domain = ttc_conditions_mark(&task->domain);
+    if (ttc_witness_init(&point, task->field)) {
+        if (relation == TTC_IS_POSITIVE || relation == TTC_IS_NONZERO)
+            found = ttc_search_zero(&point, &task->domain, ratio->numerator, relation == TTC_IS_POSITIVE);
+        if (!found && relation != TTC_IS_NONZERO) {
+            ttc_conditions_add_negative(&task->domain, ratio, opposite[relation]);
+            found = ttc_search_downhill(&point, &task->domain, domain, ratio);
+        }
+    }
+    if (found && text != NULL) *text = ttc_witness_text(&point);
+    ttc_witness_clear(&point);
+    ttc_conditions_rewind(&task->domain, mark, contradictory);
+    ttc_ratio_clear(task->ring, &below);
+    return found;
+}
+
 ttc_search_result ttc_task_search_against(ttc_task *task, const ttc_ratio *ratio, ttc_relation relation, char **text)
 {
-    static const ttc_relation opposite[] = { [TTC_IS_POSITIVE] = TTC_IS_NONNEGATIVE, [TTC_IS_NONNEGATIVE] = TTC_IS_POSITIVE,
-                                             [TTC_IS_NONZERO] = TTC_IS_ZERO, [TTC_IS_ZERO] = TTC_IS_NONZERO };
     const ttc_claim_kind kind = task->claim->kind;
     const bool of_all_points = kind != TTC_CLAIM_INVARIANT && kind != TTC_CLAIM_OBSTRUCTS;
     const bool of_opposite = relation == TTC_IS_POSITIVE || relation == TTC_IS_NONNEGATIVE;
-    return search(task, ratio, opposite[relation], of_opposite, of_all_points, text);
+    const ttc_search_result result = search(task, ratio, opposite[relation], of_opposite, of_all_points, text);
+    if (result == TTC_POINT_NOT_DECIDED && relation != TTC_IS_ZERO && is_found_further(task, ratio, relation, text))
+        return TTC_POINT_FOUND;
+    return result;
+}
+
+char *ttc_task_point_with(ttc_task *task, const ttc_ratio *ratio, uint32_t state, const fmpq_t value)
+{
+    char *text = NULL;
+    ttc_witness point;
+    const slong variable = ttc_valuation_variable(task->field, state);
+    const size_t mark = ttc_conditions_mark(&task->domain);
+    const bool contradictory = task->domain.contradictory;
+    add_new_roots(task);
+    ttc_conditions_add_negative(&task->domain, ratio, TTC_IS_NONNEGATIVE);
+    if (ttc_witness_init(&point, task->field) && variable >= 0 && ttc_witness_is_free(&point, variable)
+        && ttc_search_with(&point, &task->domain, variable, value))
+        text = ttc_witness_text(&point);
+    ttc_witness_clear(&point);
+    ttc_conditions_rewind(&task->domain, mark, contradictory);
+    return text;
 }
 
 bool ttc_task_may_have_point(ttc_task *task) { return !says_none(ttc_task_search(task, NULL, TTC_IS_ZERO, NULL)); }

@@ -69,13 +69,17 @@ static bool parse_param(ttc_parser *parser)
     return parse_unit_and_meaning(parser, symbol);
 }
 
-/* An end of an interval: an expression, or inf with an optional sign, which leaves *end as it is. */
-static bool parse_interval_end(ttc_parser *parser, ttc_id *end)
+/* An end of an interval: an expression, or inf with the sign of this end, which leaves *end as it is. */
+static bool parse_interval_end(ttc_parser *parser, ttc_id *end, bool is_lower)
 {
     const ttc_token *token = ttc_parse_peek(parser);
-    bool has_sign = ttc_parse_at_mark(parser, '-') || ttc_parse_at_mark(parser, '+');
+    const bool is_negative = ttc_parse_at_mark(parser, '-'), has_sign = is_negative || ttc_parse_at_mark(parser, '+');
     const ttc_token *word = token + (has_sign ? 1 : 0);
-    if (word->kind == TTC_TOKEN_NAME && word->length == 3 && memcmp(word->text, "inf", 3) == 0) {
+    uint32_t symbol;
+    if (ttc_token_is(word, "inf") && !ttc_parse_find(parser, word, &symbol)) {
+        if (is_negative != is_lower)
+            return ttc_parse_error(parser, ttc_token_place(token), "no number is %s (expected '%s' as the %s end)",
+                                   is_lower ? "above it" : "below it", is_lower ? "-inf" : "inf", is_lower ? "lower" : "upper");
         parser->at += has_sign ? 2 : 1;
         return true;
     }
@@ -120,8 +124,8 @@ static bool parse_state(ttc_parser *parser)
     if (ttc_parse_accept_keyword(parser, TTC_KEYWORD_IN)) {
         ttc_id ends[2] = { TTC_NONE, TTC_NONE };
         ttc_place place = ttc_token_place(ttc_parse_peek(parser));
-        if (!ttc_parse_expect_mark(parser, '(', "'in'") || !parse_interval_end(parser, ends) ||
-            !ttc_parse_expect_mark(parser, ',', "the lower end") || !parse_interval_end(parser, ends + 1) ||
+        if (!ttc_parse_expect_mark(parser, '(', "'in'") || !parse_interval_end(parser, ends, true) ||
+            !ttc_parse_expect_mark(parser, ',', "the lower end") || !parse_interval_end(parser, ends + 1, false) ||
             !ttc_parse_expect_mark(parser, ')', "the upper end") || !check_interval(parser, ends, place))
             return false;
         parser->model->symbols[symbol].low = ends[0];

@@ -98,6 +98,14 @@ static const ttc_token *record_of(const ttc_token *token)
     return token;
 }
 
+static bool is_infinity(const ttc_token *name)
+{
+    static const char *const words[] = { "inf", "Inf", "INF", "infinity", "Infinity", "oo" };
+    bool is = false;
+    for (size_t i = 0; !is && i < sizeof words / sizeof *words; i++) is = ttc_token_is(name, words[i]);
+    return is;
+}
+
 void ttc_parse_unknown(ttc_parser *parser, const ttc_token *name)
 {
     ttc_place place = ttc_token_place(name);
@@ -116,6 +124,9 @@ void ttc_parse_unknown(ttc_parser *parser, const ttc_token *name)
     } else if (ttc_token_is(name, "lambda")) {
         ttc_parse_error(parser, place, "'lambda' is the indeterminate of 'charpoly' and means nothing elsewhere (expected "
                         "another name)");
+    } else if (is_infinity(name)) {
+        ttc_parse_error(parser, place, "unknown name '%.*s' (expected 'inf' or '-inf', alone, as an end of a state's interval)",
+                        length, text);
     } else {
         for (size_t i = 1; searched && near == NULL && i < parser->model->symbol_count; i++)
             if (ttc_text_resembles(parser->model->symbols[i].name, strlen(parser->model->symbols[i].name), text, name->length))
