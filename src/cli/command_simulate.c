@@ -277,8 +277,8 @@ static jlt_exit cannot_go_on(const jlt_simulate_request *r, const jlt_course_row
                                 row->t, jlt_status_text(st));
     if (st == JLT_ERR_BUDGET)
         return jlt_command_fail(jlt_command_exit(st),
-                                "the orbit could not be followed beyond t = %.10g: its steps take %.3g of time%s", row->t,
-                                row->step, row->stiff ? too_stiff : "");
+                                "the orbit could not be followed beyond t = %.10g within the budget of steps: its steps take "
+                                "%.3g of time%s", row->t, row->step, row->stiff ? too_stiff : "");
     return jlt_command_fail(jlt_command_exit(st), "the orbit could not be followed beyond t = %.10g: %s", row->t,
                             jlt_status_text(st));
 }

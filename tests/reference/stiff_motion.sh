@@ -16,7 +16,8 @@ orbit=(jellett simulate ./pol.tt --start x=2,y=0)
 for method in gauss dop853 taylor rk8pd rkf45 msadams; do
     "${orbit[@]}" --times 20000 --method $method > out 2> err
     [ $? -eq 4 ] || fail "$method: status"
-    t=$(tail -1 out | cut -d, -f1) step=$(sed -n 's/.*: its steps take \([^ ]*\) of time, .* stiff, .*/\1/p' err)
+    t=$(tail -1 out | cut -d, -f1)
+    step=$(sed -n 's/.* within the budget of steps: its steps take \([^ ]*\) of time, .* stiff, .*/\1/p' err)
     # not a fourth of the budget is spent
     awk -v t="$t" -v step="$step" 'BEGIN { exit !(step > 0 && t > 0 && t < 1e7 / 4 * step) }' || fail "$method: $(cat out err)"
 done
