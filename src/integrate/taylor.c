@@ -22,7 +22,10 @@ typedef struct {
     unsigned order, usable; /* of the jet; the order of the step's polynomial, lower where doubles do not hold the coefficients */
     double *jet;     /* (order + 1, columns) */
     double *move;    /* (columns,) */
+    double *inside;  /* (2, PARTS, dim): states and slopes within the step */
 } taylor;
+
+enum { PARTS = 8 }; /* of a step, at whose ends the polynomial is compared with the field */
 
 unsigned jlt_taylor_order(double tolerance)
 {
@@ -36,9 +39,11 @@ static jlt_status create(jlt_stepper *stepper)
     stepper->state = self;
     if (self == NULL) return JLT_ERR_NOMEM;
     self->order = jlt_taylor_order(stepper->tolerance);
-    self->jet = jlt_memory_array((self->order + 2) * (size_t)stepper->columns, sizeof *self->jet);
+    const size_t rows = self->order + 2;
+    self->jet = jlt_memory_array(rows * stepper->columns + 2 * PARTS * (size_t)stepper->field->dim, sizeof *self->jet);
     if (self->jet == NULL) return JLT_ERR_NOMEM;
-    self->move = self->jet + (self->order + 1) * (size_t)stepper->columns;
+    self->move = self->jet + (rows - 1) * stepper->columns;
+    self->inside = self->jet + rows * stepper->columns;
     return JLT_OK;
 }
 
@@ -141,16 +146,22 @@ static bool turned_at_edge(const jlt_stepper *stepper, const double *end, const 
     return false;
 }
 
+/* By how much the polynomial's slope may miss the field, relative to the states: its truncation error is the order times that of
+ * the state; a hundred times as much is none. */
+static double slope_allowance(const taylor *self, const jlt_stepper *stepper)
+{
+    return 100 * self->usable * jlt_larger(stepper->tolerance, 1e-15);
+}
+
 /* Whether the polynomial still obeys the field where it ends. A series runs smoothly through a pole, where the field's root would
- * change its sign, and comes out as a motion that does not obey the field. The slope's truncation error is the order times that of
- * the state; a hundred times as much is none. As near as that to the bound, where both are small, the signs decide: a step whose
- * slope is opposite to the field's went through, and is halved until it ends before. */
+ * change its sign, and comes out as a motion that does not obey the field. As near the bound as what is allowed, where both are
+ * small, the signs decide: a step whose slope is opposite to the field's went through, and is halved until it ends before. */
 static bool follows_field(const taylor *self, const jlt_stepper *stepper, double h)
 {
     double end[JLT_FIELD_DIM_MAX], f[JLT_FIELD_DIM_MAX], slopes[JLT_FIELD_DIM_MAX];
     const unsigned dim = stepper->field->dim;
     const jlt_domain *domain = &stepper->field->domain;
-    const double allowed = 100 * self->usable * jlt_larger(stepper->tolerance, 1e-15);
+    const double allowed = slope_allowance(self, stepper);
 
     memcpy(end, stepper->x, dim * sizeof *end);
     for (unsigned i = 0; i < dim; i++) end[i] += self->move[i];
@@ -166,6 +177,34 @@ static bool follows_field(const taylor *self, const jlt_stepper *stepper, double
         if (slope * (h * f[i]) < 0 && left < allowed * size) return false;
     }
     return !turned_at_edge(stepper, end, slopes, f, h);
+}
+
+/* Whether the polynomial obeys the field within the step, between its ends. A series does not show what is yet too small at its
+ * start, as a pulse that comes and goes within the step. */
+static bool follows_inside(const taylor *self, const jlt_stepper *stepper, double h)
+{
+    const size_t dim = stepper->field->dim;
+    double f[JLT_FIELD_DIM_MAX], *x = self->inside, *slopes = x + PARTS * dim;
+    const double allowed = slope_allowance(self, stepper);
+
+    for (unsigned i = 0; i < dim; i++) {
+        double move[PARTS] = { 0 }, slope[PARTS] = { 0 };
+        for (unsigned k = self->usable; k >= 1; k--) {
+            const double term = stepper->dense[k * (size_t)stepper->stride + i], rate = k * term;
+            for (unsigned l = 0; l < PARTS; l++) move[l] = (move[l] + term) * (l * (1.0 / PARTS));
+            for (unsigned l = 0; l < PARTS; l++) slope[l] = slope[l] * (l * (1.0 / PARTS)) + rate;
+        }
+        for (unsigned l = 0; l < PARTS; l++) x[l * dim + i] = stepper->x[i] + move[l];
+        for (unsigned l = 0; l < PARTS; l++) slopes[l * dim + i] = slope[l];
+    }
+    for (unsigned l = 1; l < PARTS; l++) {
+        stepper->field->call(x + l * dim, stepper->field->p, f);
+        for (unsigned i = 0; i < dim; i++) {
+            const double size = jlt_larger(jlt_larger(fabs(stepper->x[i]), fabs(x[l * dim + i])), stepper->scale[i]);
+            if (!(fabs(slopes[l * dim + i] - h * f[i]) <= allowed * size)) return false;
+        }
+    }
+    return true;
 }
 
 static jlt_status step(jlt_stepper *stepper, double limit)
@@ -185,7 +224,7 @@ static jlt_status step(jlt_stepper *stepper, double limit)
     if (jlt_step_vanishes(stepper->tau, h)) return JLT_ERR_NO_PROGRESS;
 
     if (!expand(self, stepper, h)) return JLT_ERR_NONFINITE;
-    while (!follows_field(self, stepper, h)) {
+    while (!follows_field(self, stepper, h) || !follows_inside(self, stepper, h)) {
         h = stepper->direction * (size /= 2);
         if (jlt_step_vanishes(stepper->tau, h)) return JLT_ERR_NO_PROGRESS;
         if (!expand(self, stepper, h)) return JLT_ERR_NONFINITE;
