@@ -120,8 +120,10 @@ static void forget_step(jlt_stepper *self)
 
 static void note_lost(jlt_stepper *self)
 {
-    for (unsigned i = 0; i < self->field->dim; i++)
-        self->lost |= (uint64_t)(jlt_field_keeps(self->field, i) && fabs(self->x[i]) < JLT_STEPPER_SCALE_LEAST) << i % 64;
+    const uint64_t kept = self->field->kept;
+
+    for (unsigned i = 0; i < 64 && kept >> i != 0; i++)
+        self->lost |= kept & (uint64_t)(fabs(self->x[i]) < JLT_STEPPER_SCALE_LEAST) << i;
 }
 
 jlt_status jlt_stepper_start(jlt_stepper *self, double t, const double *x, double direction, double first_step)
