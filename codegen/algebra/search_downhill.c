@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-enum { STARTS = 6, ROUNDS = 60, FIRST_STEP = 2, LAST_STEP = -24, PRECISION = 128 };
+enum { STARTS = 6, STEPS = 2000, FIRST_STEP = 2, LAST_STEP = -24, PRECISION = 128, LONGEST = 256 };
 
 static double value_at(ttc_witness *point, const ttc_ratio *ratio)
 {
@@ -34,16 +34,18 @@ static bool step_down(ttc_witness *point, const ttc_conditions *domain, const tt
     return is_lower;
 }
 
-static bool go_down(ttc_witness *point, const ttc_conditions *domain, const ttc_conditions *conditions, const ttc_ratio *ratio)
+static bool go_down(ttc_witness *point, const ttc_conditions *domain, const ttc_conditions *conditions, const ttc_ratio *ratio,
+                    int *steps)
 {
     double value = value_at(point, ratio);
     slong power = FIRST_STEP;
     fmpq_t step;
     fmpq_init(step);
-    for (int round = 0; value > 0 && round < ROUNDS && power >= LAST_STEP; round++) {
+    while (value > 0 && *steps > 0 && power >= LAST_STEP) {
         bool moves = false;
         for (slong v = 0; value > 0 && v < (slong)point->ring->variable_count; v++) {
             if (!ttc_witness_is_free(point, v)) continue;
+            *steps -= 2;
             fmpq_one(step);
             if (power >= 0) fmpq_mul_2exp(step, step, (ulong)power);
             else fmpq_div_2exp(step, step, (ulong)-power);
@@ -62,8 +64,10 @@ bool ttc_search_downhill(ttc_witness *point, const ttc_conditions *conditions, s
 {
     ttc_conditions domain = *conditions; /* a shallow copy */
     unsigned attempt = 0;
+    int steps = STEPS;
+    if (fmpz_mpoly_length(ratio->numerator, point->ring->context) > LONGEST) return false;
     domain.count = domain_count;
-    for (int i = 0; i < STARTS && ttc_search_next(point, &domain, &attempt); i++)
-        if (go_down(point, &domain, conditions, ratio)) return true;
+    for (int i = 0; i < STARTS && steps > 0 && ttc_search_next(point, &domain, &attempt); i++)
+        if (go_down(point, &domain, conditions, ratio, &steps)) return true;
     return false;
 }

@@ -5,7 +5,7 @@
 
 #include <flint/fmpz_mpoly_factor.h>
 
-enum { STARTS = 4, SCALES = 6, HALVINGS = 160, PRECISION = 512, LONGEST = 256 };
+enum { STARTS = 4, SCALES = 6, HALVINGS = 160, PRECISION = 512, LONGEST = 256, ENCLOSURES = 24 };
 
 /* 1 or -1, or 0 if the sign is not known. */
 static int sign_at(ttc_witness *point, const ttc_ratio *value)
@@ -64,7 +64,8 @@ static bool enclose_zero(ttc_witness *point, const ttc_conditions *conditions, c
 }
 
 /* Look on both sides of a point of the domain, near it and far from it. */
-static bool look_along(ttc_witness *point, const ttc_conditions *conditions, const ttc_ratio *value, slong variable, int sign)
+static bool look_along(ttc_witness *point, const ttc_conditions *conditions, const ttc_ratio *value, slong variable, int sign,
+                       int *enclosures)
 {
     bool found = false;
     fmpq_t start, other, step;
@@ -72,7 +73,7 @@ static bool look_along(ttc_witness *point, const ttc_conditions *conditions, con
     fmpq_init(other);
     fmpq_init(step);
     fmpq_set(start, point->values + variable);
-    for (int k = 0; !found && k < 4 * SCALES; k++) {
+    for (int k = 0; !found && k < 4 * SCALES && *enclosures > 0; k++) {
         fmpq_one(step);
         if (k / 2 < SCALES) fmpq_div_2exp(step, step, (ulong)(SCALES - k / 2));
         else fmpq_mul_2exp(step, step, (ulong)(k / 2 - SCALES));
@@ -80,6 +81,7 @@ static bool look_along(ttc_witness *point, const ttc_conditions *conditions, con
         else fmpq_sub(other, start, step);
         if (sign_with(point, value, variable, other) != -sign) continue;
         fmpq_set(point->values + variable, start);
+        --*enclosures;
         found = enclose_zero(point, conditions, value, variable, sign, other);
     }
     if (!found) sign_with(point, value, variable, start);
@@ -92,10 +94,11 @@ static bool look_along(ttc_witness *point, const ttc_conditions *conditions, con
 static bool find_zero(ttc_witness *point, const ttc_conditions *conditions, const ttc_ratio *value)
 {
     unsigned attempt = 0;
+    int enclosures = ENCLOSURES;
     for (int i = 0; i < STARTS && ttc_search_next(point, conditions, &attempt); i++) {
         const int sign = sign_at(point, value);
         for (slong v = 0; sign != 0 && v < (slong)point->ring->variable_count; v++)
-            if (ttc_witness_is_free(point, v) && look_along(point, conditions, value, v, sign)) return true;
+            if (ttc_witness_is_free(point, v) && look_along(point, conditions, value, v, sign, &enclosures)) return true;
     }
     return false;
 }

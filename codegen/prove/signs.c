@@ -183,10 +183,12 @@ bool ttc_signs_are_one(ttc_task *task, ttc_id id)
            (signs & (TTC_CAN_BE_POSITIVE | TTC_CAN_BE_NEGATIVE)) != (TTC_CAN_BE_POSITIVE | TTC_CAN_BE_NEGATIVE);
 }
 
-/* A product is not positive where the base of an even power in it is zero. */
+/* A product is not positive where the base of an even power in it is zero. Nothing rests on bases that are not. */
 static void refute_at_square(ttc_task *task, ttc_valuation *valuation, ttc_id id, const char *what)
 {
     const ttc_graph *graph = ttc_valuation_model(valuation)->graph;
+    const size_t aside = task->aside_count;
+    const bool relies = task->relies_on_solver;
     ttc_ratio base;
     if (task->has_left_out || ttc_kind_of(graph, id) != TTC_PRODUCT) return;
     ttc_ratio_init(task->ring, &base);
@@ -198,6 +200,8 @@ static void refute_at_square(ttc_task *task, ttc_valuation *valuation, ttc_id id
         if (!ttc_task_open(task) || ttc_task_search_against(task, &base, TTC_IS_NONZERO, &point) != TTC_POINT_FOUND) free(point);
         else ttc_task_refute_at(task, point, NULL, "%s = 0", what);
     }
+    task->aside_count = aside;
+    task->relies_on_solver = relies;
     ttc_ratio_clear(task->ring, &base);
 }
 
