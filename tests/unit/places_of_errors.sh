@@ -18,9 +18,10 @@ printf 'model tiny\nparam k\nstate x\nlet h = 1e-400*k + x\neq x = h\n' > tiny.t
 expect 3 '^tiny.tt:4:5: error: a number is beyond double precision' ttc generate --out folder tiny.tt
 printf 'model twice\nparam k\nstate x\neq x = k*x\nvariant general : k = 1\n' > twice.tt
 expect 3 "^twice.tt:5:9: error: 'twice/general.c' would be written twice" ttc generate --out folder twice.tt
-printf 'model ends\nstate x in (inf, 0)\nstate y in (0, 2*inf)\neq x = x\neq y = y\n' > ends.tt
+printf 'model ends\nstate x in (inf, 0)\nstate y in (0, 2*inf)\nstate z in (0, oo)\neq x = x\neq y = y\neq z = z\n' > ends.tt
 expect 3 "^ends.tt:2:13: error: no number is above it \(expected '-inf' as the lower end\)" ttc check ends.tt
 expect 3 "^ends.tt:3:18: error: unknown name 'inf' \(expected 'inf' or '-inf', alone, as an end of" ttc check ends.tt
+expect 3 "^ends.tt:4:16: error: unknown name 'oo' \(expected 'inf' or '-inf', alone, as an end of" ttc check ends.tt
 # A derivative whose powers pass the limit of the graph, 256.
 printf 'model power\nstate x\nlet a = x^64\nlet b = a^4\neq x = b*x\ntime u : 1/(1 + x^2)\n' > power.tt
 for command in "generate --out folder" cost "prove --kernels"; do

@@ -122,8 +122,6 @@ static const mistake mistakes[] = {
     { "model t\nstate x in (0, 1\neq x = x\n", "2:17: error: the record ends too early (expected ')' after the upper end)" },
     { "model t\nstate x in (1, 0)\neq x = x\n", "2:12: error: the interval is empty (expected its lower end first)" },
     { "model t\nstate x in (0, -inf)\neq x = x\n", "2:16: error: no number is below it (expected 'inf' as the upper end)" },
-    { "model t\nstate x in (0, oo)\neq x = x\n",
-      "2:16: error: unknown name 'oo' (expected 'inf' or '-inf', alone, as an end of a state's interval)" },
     { "model t\nstate x\nstate y in (0, x)\neq x = x\neq y = x\n",
       "3:12: error: the interval depends on a state (expected numbers and parameters)" },
     { HEAD "root r = x\n", "7:10: error: unexpected 'x' (expected 'sqrt' after '=')" },
