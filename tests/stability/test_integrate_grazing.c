@@ -95,8 +95,9 @@ static void grazing_costs_at_most_half_as_much_again(void **unused)
 
 /* Every method in every form. In regularised time none fails, and those of high order keep twelve digits. In plain time GSL's
  * steps drown in the noise of the field (relative 2^-53/s^2) when the tolerance asks for more; with omega_n eliminated, divided by
- * s, nobody keeps ten digits, and with omega3 eliminated, divided by b = a3 + R gamma3, which changes sign twice a return, nobody
- * keeps eight, but for Taylor's series, whose steps are halved where they no longer follow the field: it keeps nine, not ten. */
+ * s, nobody keeps eleven digits, and with omega3 eliminated, divided by b = a3 + R gamma3, which changes sign twice a return,
+ * nobody keeps eight, but for Taylor's series, whose steps are halved where they do not follow the field: it keeps nine, not
+ * ten. */
 static void other_forms_lose_digits_by_every_method(void **state)
 {
     static const char *const tiers[] = { "level", "five", "level_plain", "five_plain", "level_omega_n", "level_omega3" };
@@ -115,7 +116,7 @@ static void other_forms_lose_digits_by_every_method(void **state)
                 if (lifted) assert_int_equal(g.failed, 0);
                 if (lifted && k == 1 && high) assert_below(g.error, strcmp(name, "taylor") == 0 ? 2e-11 : 1e-12);
                 if ((i == 2 || i == 3) && strcmp(name, "rk8pd") == 0) assert_true(g.failed > 0 || g.error > 1e-12);
-                if (i == 4) assert_true(g.failed > 0 || g.error > 2e-11);
+                if (i == 4) assert_true(g.failed > 0 || g.error > 1e-11);
                 if (i == 5) assert_true(g.failed > 0 || g.error > (strcmp(name, "taylor") == 0 ? 1e-10 : 1e-8));
             }
 }
