@@ -260,7 +260,8 @@ static void write_row(FILE *file, jlt_simulate_request *r, const jlt_course_row 
         values[count++] = row->end == JLT_END_TIME ? difference(r, k, row->x, row->t) : NAN;
     jlt_csv_more(file, values, count);
     write_fate(file, row, st);
-    if (r->session.common.points != NULL) jlt_simulate_point(r, row, st != JLT_OK || row->end == JLT_END_POLE);
+    const bool ends = st != JLT_OK || row->end == JLT_END_POLE || r->rows + 1 == r->times.count;
+    if (r->session.common.points != NULL) jlt_simulate_point(r, row, ends);
 }
 
 static const char too_stiff[] = ", in which no state moves by 1e-4 of its size: the motion is stiff, as rates limit steps that it "

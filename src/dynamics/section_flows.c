@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "core/memory.h"
 
@@ -88,7 +89,8 @@ bool jlt_section_flows_fit(const jlt_flow *first, const jlt_flow *flow)
     f = first->field;
     g = flow->field;
     return a->dim == b->dim && a->states == b->states && a->column == b->column && a->turn == b->turn && f->call == g->call
-           && f->dim == g->dim && f->root == g->root && f->kept == g->kept && jlt_field_watches(f) == jlt_field_watches(g)
+           && f->dim == g->dim && f->root == g->root && memcmp(&f->kept, &g->kept, sizeof f->kept) == 0
+           && jlt_field_watches(f) == jlt_field_watches(g)
            && f->domain.conditions == g->domain.conditions && f->domain.intervals == g->domain.intervals
            && first->method == flow->method && first->tolerance == flow->tolerance && first->direction == flow->direction
            && first->max_steps == flow->max_steps && first->kept.count == flow->kept.count && first->t_max == flow->t_max

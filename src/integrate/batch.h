@@ -69,8 +69,8 @@ typedef struct {
     bool backwards;                  /* orbits are followed back in time */
     int root;                        /* index of the lifted root, whose error is controlled relative to itself. Set -1 for none: a
                                         zeroed structure makes x[0] the root */
-    uint64_t kept;                   /* as of jlt_field: states whose errors are compared with at most JLT_BATCH_SPREAD times
-                                        themselves, however small they are */
+    uint64_t kept;                   /* bit i: state i is kept, as of jlt_field: its error is compared with at most
+                                        JLT_BATCH_SPREAD times itself, however small it is */
     double root_floor;               /* end near a pole when root <= this and every |x_i'| <= root_rest max(size, |x_i|) */
     double root_rest;                /* 0: rates are not tested; otherwise a root <= root_floor also ends the lane once max_steps
                                         are spent, and a root <= 1e-100 at once */

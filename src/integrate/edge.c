@@ -28,7 +28,7 @@ static double end_of(const jlt_field *field, unsigned state, double end, double 
 
 static bool is_lost_at(const jlt_stepper *stepper, unsigned state, double end)
 {
-    return is_kept_from(stepper->field, state, end) && (stepper->lost >> state & 1) != 0;
+    return is_kept_from(stepper->field, state, end) && jlt_state_set_has(&stepper->lost, state);
 }
 
 /* What is lost may not come back as errors that have grown: its end is where it would. */

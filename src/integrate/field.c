@@ -48,7 +48,7 @@ double jlt_field_size(double largest)
 
 bool jlt_field_keeps(const jlt_field *field, unsigned i)
 {
-    return i < 64 && (field->kept >> i & 1) != 0;
+    return jlt_state_set_has(&field->kept, i);
 }
 
 double jlt_field_scale(const jlt_field *field, unsigned i)
@@ -96,14 +96,12 @@ static bool rests_at_zero(const jlt_field *field, unsigned i, double inside)
     return rate_at(field, i, 0, inside) == 0 && fabs(nearer) * 0x1p40 <= 4 * fabs(near);
 }
 
-static uint64_t kept_states(const jlt_field *field)
+static void find_kept(jlt_field *field)
 {
-    uint64_t kept = 0;
-
-    for (unsigned i = 0; field->domain.intervals != NULL && i < field->dim && i < 64; i++)
-        if (field->domain.intervals[i].low == 0 || field->domain.intervals[i].high == 0)
-            kept |= (uint64_t)(rests_at_zero(field, i, 0.3) && rests_at_zero(field, i, 0.7)) << i;
-    return kept;
+    for (unsigned i = 0; field->domain.intervals != NULL && i < field->dim; i++)
+        if ((field->domain.intervals[i].low == 0 || field->domain.intervals[i].high == 0)
+            && rests_at_zero(field, i, 0.3) && rests_at_zero(field, i, 0.7))
+            jlt_state_set_add(&field->kept, i);
 }
 
 jlt_status jlt_field_of(jlt_field *out, const jlt_instance *instance)
@@ -132,6 +130,6 @@ jlt_status jlt_field_of(jlt_field *out, const jlt_instance *instance)
         .root = has_root ? (int)last : -1,
         .sized = descriptor->state_count,
     };
-    out->kept = kept_states(out);
+    find_kept(out);
     return JLT_OK;
 }

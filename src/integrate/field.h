@@ -7,9 +7,9 @@
 #define JLT_INTEGRATE_FIELD_H
 
 #include <stdbool.h>
-#include <stdint.h>
 
 #include "core/status.h"
+#include "integrate/state_set.h"
 #include "kernel/instance.h"
 #include "kernel/region.h"
 
@@ -17,7 +17,7 @@
  * with more states are not tested for poles, and come to rest only where they are slower than JLT_REST_STILL. */
 enum { JLT_FIELD_DIM_MAX = 128 * 128 + 1, JLT_JACOBIAN_DIM_MAX = 32 };
 
-enum { JLT_DOMAIN_STATES_MAX = 256 }; /* as in a table, with lifted roots */
+enum { JLT_DOMAIN_STATES_MAX = JLT_STATE_SET_MAX }; /* as in a table, with lifted roots */
 
 /** Where a field means something: in open intervals of its states, and where conditions on them are positive. */
 typedef struct {
@@ -44,8 +44,8 @@ typedef struct {
     const double *scale;           /* (dim,), >= 0, the size below which a state counts as small: its error is measured
                                       against max(|x_i|, scale_i). NULL: 1, and 0 for the root and the kept states,
                                       whose errors are relative */
-    uint64_t kept;                 /* bit i for x[i], i < 64: a state whose interval ends at 0 and that never comes there, as its
-                                      rate goes to 0 with it; its error is relative */
+    jlt_state_set kept;            /* those whose interval ends at 0 and that never come there, as their rates go to 0 with
+                                      them; their errors are relative */
     unsigned sized;                /* leading states for which a scale of 1 means jlt_field_size of an orbit's start; 0: none */
 } jlt_field;
 

@@ -120,10 +120,11 @@ static void forget_step(jlt_stepper *self)
 
 static void note_lost(jlt_stepper *self)
 {
-    const uint64_t kept = self->field->kept;
-
-    for (unsigned i = 0; i < 64 && kept >> i != 0; i++)
-        self->lost |= kept & (uint64_t)(fabs(self->x[i]) < JLT_STEPPER_SCALE_LEAST) << i;
+    for (unsigned at = 0; at < JLT_STATE_SET_MAX; at += 64) {
+        const uint64_t kept = self->field->kept.words[at / 64];
+        for (unsigned i = 0; i < 64 && kept >> i != 0; i++)
+            if ((kept >> i & 1) != 0 && fabs(self->x[at + i]) < JLT_STEPPER_SCALE_LEAST) jlt_state_set_add(&self->lost, at + i);
+    }
 }
 
 jlt_status jlt_stepper_start(jlt_stepper *self, double t, const double *x, double direction, double first_step)
@@ -146,7 +147,7 @@ jlt_status jlt_stepper_start(jlt_stepper *self, double t, const double *x, doubl
     self->evaluations++;
     forget_step(self);
     set_scales(self);
-    self->lost = 0;
+    self->lost = (jlt_state_set){ 0 };
     note_lost(self);
     self->at_edge = jlt_edge_is_outside(self);
     if (!all_finite(self->f, self->columns)) return JLT_ERR_NONFINITE;

@@ -9,7 +9,6 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
-#include <stdint.h>
 
 #include "integrate/field.h"
 
@@ -51,7 +50,7 @@ typedef struct {
     double *scale;        /* below which a column counts as small; INFINITY: not controlled */
     unsigned controlled;  /* columns in the error norm */
     bool watches;         /* jlt_field_watches(field) */
-    uint64_t lost;        /* kept states that have been below the least scale: nothing is left of them but errors */
+    jlt_state_set lost;   /* kept states that have been below the least scale: nothing is left of them but errors */
     bool at_edge;         /* the last point counts as the domain's end; the next advance returns DOMAIN */
     unsigned approaches;  /* steps that were shortened because they would have left the domain */
     unsigned leaps;       /* steps since a long one that were taken in spite of their error (leap.h) */

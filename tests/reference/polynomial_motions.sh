@@ -52,4 +52,11 @@ for method in gauss dop853 taylor; do
         > rows.csv 2> err
     [ $? -eq 4 ] && [ "$(grep -c '^0,' rows.csv)" -eq 2 ] && grep -q 'nonfinite$' rows.csv || fail "$method: $(cat rows.csv err)"
 done
+
+# Rates at both ends of a step may be finite where their sum is not: x = exp(-t), on its way to the largest double.
+printf '%s\n' 'model grown' 'state x' 'state z' 'state w' 'eq x = -x' 'eq z = w' 'eq w = -z' > grown.tt
+jellett simulate ./grown.tt --start x=1,z=0,w=1 --times=-709.4,-800 --method gauss > rows.csv 2> err
+[ $? -eq 4 ] &&
+    awk -F, '/^-709.4,/ { off = $2/1.2260423e308 - 1; n = off*off < 1e-12 } END { exit !(n && /nonfinite$/) }' rows.csv ||
+    fail "exp(-t): $(tail -2 rows.csv) $(cat err)"
 exit $status

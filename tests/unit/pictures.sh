@@ -145,6 +145,8 @@ sed -n '/^\$ROWS/,/^END/p' p.gp | grep '^[0-9]' > drawn
     fail "of $(cat rows) rows $(wc -l < drawn) are drawn: $(grep title p.gp | head -1)"
 grep '^[0-9]' rows.csv | sed -n '3p;$p' | cut -d, -f 1,2 | tr , ' ' > wanted
 sed -n '2p;$p' drawn | cut -d ' ' -f 1,2 | cmp -s - wanted || fail "other rows are drawn: $(sed -n '2p;$p' drawn)"
+jellett simulate lorenz --start x=1,y=1,z=20 --until 10.0001 --every 1/10000 --axes t,z --plot p.svg --keep p.gp -o rows.csv 2> log
+sed -n '/^\$ROWS/,/^END/p' p.gp | tail -2 | grep -q '^10.0001 ' || fail "the last of 100002 rows is not drawn: $(cat log)"
 
 # A letter that no font has is named, where the picture is drawn here.
 base_title() { "${base[@]}" --title "$1" --plot p.$2 -o rows.csv 2> log || fail "--title '$1': $(cat log)"; }
