@@ -98,7 +98,9 @@ const char *ttc_ring_status_text(ttc_ring_status status)
     case TTC_RING_TOO_LARGE:
         return "a polynomial passes the limit of degree 4096, of 2^26 products of terms a multiplication, or of 131072 bits a "
                "coefficient";
-    case TTC_RING_MANY_ROOTS: return "it passes the limit of 32 roots, and angles whose sines stand beside each other, in a claim";
+    case TTC_RING_MANY_ROOTS:
+        return "it passes the limit of 32 roots, and angles whose sines stand beside each other, in a claim, or of 16 with nested "
+               "roots";
     case TTC_RING_MANY_ANGLES: return "it passes the limit of 128 angles";
     case TTC_RING_MANY_FUNCTIONS: return "it passes the limit of 128 exponentials and logarithms";
     case TTC_RING_LARGE_MULTIPLE: return "it passes the limit of 64 multiples of one angle or exponent in another";

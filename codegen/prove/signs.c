@@ -197,8 +197,14 @@ static void refute_at_square(ttc_task *task, ttc_valuation *valuation, ttc_id id
         char *point = NULL;
         if (part.exponent < 0 || part.exponent % 2 != 0) continue;
         ttc_evaluate(valuation, &base, part.id);
-        if (!ttc_task_open(task) || ttc_task_search_against(task, &base, TTC_IS_NONZERO, &point) != TTC_POINT_FOUND) free(point);
-        else ttc_task_refute_at(task, point, NULL, "%s = 0", what);
+        if (!ttc_task_open(task) || ttc_task_search_against(task, &base, TTC_IS_NONZERO, &point) != TTC_POINT_FOUND) {
+            free(point);
+            continue;
+        }
+        ttc_evaluate(valuation, &base, id);
+        /* A normal form that divides by something may have no value at this point. */
+        const bool has_value = task->ring->status == TTC_RING_OK && fmpz_mpoly_is_fmpz(base.denominator, task->ring->context);
+        ttc_task_refute_at(task, point, has_value ? &base : NULL, has_value ? "%s" : "%s = 0", what);
     }
     task->aside_count = aside;
     task->relies_on_solver = relies;

@@ -349,8 +349,10 @@ static void a_claim_may_fall_into_512_cases_and_no_more(void **state)
 static void a_bound_that_is_passed_is_named(void **state)
 {
     (void)state;
-    char roots[4096] = "model roots\nstate x\neq x = 1\n", sum[1024] = "";
+    char nested[8192], roots[4096] = "model roots\nstate x\neq x = 1\n", sum[1024] = "";
     for (int i = 0; i < 33; i++) {
+        if (i == 17)
+            snprintf(nested, sizeof nested, "%sroot q = sqrt(r0 + r1)\npositive all : 1 - 5*x%s + q*r16\n", roots, sum);
         const size_t used = strlen(roots), added = strlen(sum);
         snprintf(roots + used, sizeof roots - used, "root r%d = sqrt(%d + x^2)\n", i, i + 2);
         snprintf(sum + added, sizeof sum - added, " + r%d", i);
@@ -358,6 +360,7 @@ static void a_bound_that_is_passed_is_named(void **state)
     const size_t used = strlen(roots);
     snprintf(roots + used, sizeof roots - used, "positive all : 1 - 5*x%s\n", sum);
     expect(roots, "positive", "all", TTC_UNSETTLED, "the limit of 32 roots");
+    expect(nested, "positive", "all", TTC_UNSETTLED, "or of 16 with nested roots");
     expect("model multiples\nstate x\nexp e = exp(x)\nexp f = exp(65*x)\neq x = 1\nequal power : f = e^64*e\n", "equal", "power",
            TTC_UNSETTLED, "the limit of 64 multiples");
 }
