@@ -116,7 +116,8 @@ static jlt_status add_conditions(jlt_section *self, const jlt_observed *observed
     for (unsigned i = 0; i < count; i++) {
         self->conditions[i] = (jlt_observed_one){ observed, i };
         self->events[self->event_count++] =
-            (jlt_event){ .value = jlt_observed_condition_value, .context = &self->conditions[i], .loss = true };
+            (jlt_event){ .value = jlt_observed_condition_value, .values = jlt_observed_condition_values,
+                         .context = &self->conditions[i], .loss = true };
     }
     return JLT_OK;
 }

@@ -47,6 +47,14 @@ static double above_value(void *context, const double *x)
     return jlt_observed_condition_value(&self->one, x) - self->bound;
 }
 
+static void above_values(void *context, double *out, const double *x)
+{
+    above *self = context;
+
+    jlt_observed_condition_values(&self->one, out, x);
+    for (unsigned k = 0; k < JLT_STEPPER_NODES; k++) out[k] -= self->bound;
+}
+
 /* Where a condition is least within the last step, if it is below the bound there and rises again before the end. hold: all are
  * above at its ends; else it has to be seen whether this one is. */
 static bool dips(jlt_event_least *least, jlt_orbit *orbit, const jlt_event *event, bool hold)
@@ -68,7 +76,7 @@ static void look_within(jlt_section_conditions *self, jlt_orbit *orbit, double b
 {
     const unsigned count = self->looks_within ? jlt_observed_conditions(self->observed) : 0;
     above of = { .one = { self->observed, 0 }, .bound = bound };
-    const jlt_event event = { .value = above_value, .context = &of };
+    const jlt_event event = { .value = above_value, .values = above_values, .context = &of };
     double before = self->so_far.value;
 
     for (; of.one.index < count; of.one.index++) {

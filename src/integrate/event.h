@@ -23,6 +23,8 @@ typedef struct {
     double level;
     double (*value)(void *context, const double *x);
     double (*rate)(void *context, const double *x, const double *f);
+    /* value at JLT_STEPPER_NODES states at once, x (states, JLT_STEPPER_NODES), aligned for vectors; NULL: one at a time. */
+    void (*values)(void *context, double *out, const double *x);
     void *context;
     jlt_direction direction;
     bool grazing; /* report touches too, whatever the direction asked for */
@@ -51,9 +53,9 @@ static inline bool jlt_event_is_valid(const jlt_event *event, unsigned columns)
 /** Whether two events are the same. */
 static inline bool jlt_event_same(const jlt_event *a, const jlt_event *b)
 {
-    return a->value == b->value && a->context == b->context && a->rate == b->rate && a->longest_step == b->longest_step
-           && a->direction == b->direction && a->grazing == b->grazing && a->loss == b->loss && a->column == b->column
-           && !(a->level < b->level) && !(a->level > b->level);
+    return a->value == b->value && a->values == b->values && a->context == b->context && a->rate == b->rate
+           && a->longest_step == b->longest_step && a->direction == b->direction && a->grazing == b->grazing
+           && a->loss == b->loss && a->column == b->column && !(a->level < b->level) && !(a->level > b->level);
 }
 
 /** The least value of an event's function within a step, and at which fraction of the step. */

@@ -31,6 +31,7 @@ typedef struct {
     const jlt_gauss_batch *batch;
     jlt_gauss_nodes nodes;     /* of the step being tried */
     jlt_gauss_nodes inside;    /* of a partial step; between nodes */
+    bool has_between;          /* `inside` is between the nodes of the last step */
     double *past;              /* (dim, N): states at the nodes of the last accepted step */
     double guessed;            /* length of the step from the point for which `nodes` holds a guess; 0: none */
     double *clock;             /* (N,): dt/dtau at nodes */
@@ -222,6 +223,7 @@ static jlt_status step(jlt_stepper *stepper, double limit)
         }
         self->guessed = 0;
         double rate = 1, defect = 0;
+        self->has_between = false;
         const bool solved = solve(self, stepper, &self->nodes, h, &rate, false);
         if (solved) {
             if (rate < 1) self->rate = rate;
@@ -250,8 +252,10 @@ static jlt_status step(jlt_stepper *stepper, double limit)
                 /* where a step that is too long would have led tells nothing of a shorter one */
                 if (seen.local <= 0) stepper->evaluations += jlt_gauss_error_see_ends(&seen, &made);
                 else defect = 0;
-                if (seen.local <= 0)
+                if (seen.local <= 0) {
                     stepper->evaluations += jlt_gauss_between_see(&seen, &self->inside, &made, self->batch, self->p, &self->nodes);
+                    self->has_between = true;
+                }
                 error = seen.local;
                 self->dense_error = jlt_rough_exp2(jlt_larger(jlt_smaller(seen.dense, 999), -999));
                 leaps = defect == 0 && error > 0 && jlt_leap_is_taken(stepper, h, self->end);
@@ -300,7 +304,7 @@ static jlt_status start(jlt_stepper *stepper)
     gauss *self = stepper->state;
     double size = 0, speed = 0;
 
-    self->has_past = false;
+    self->has_past = self->has_between = false;
     self->guessed = 0;
     if (stepper->h_next > 0) return JLT_OK;
     for (unsigned c = 0; c < stepper->columns; c++) { /* as for dop853, but cheaper: the controller is fast */
@@ -332,6 +336,7 @@ static jlt_status partial(jlt_stepper *stepper, double theta, double *out)
 {
     gauss *self = stepper->state;
     const double h = theta * stepper->h;
+    self->has_between = false;
     begin_at(&self->inside, stepper, stepper->x_start);
     self->batch->transform(self->partial, self->legendre, jlt_gauss_power, self->inside.dim);
     self->batch->follow(&self->inside, self->partial, stepper->h, theta);
@@ -368,6 +373,12 @@ static unsigned bernstein(jlt_stepper *stepper, unsigned column, double *b)
     return N;
 }
 
+static const double *between(const jlt_stepper *stepper)
+{
+    const gauss *self = stepper->state;
+    return self->has_between ? self->inside.x : NULL;
+}
+
 const jlt_method jlt_method_gauss = {
     .name = "gauss",
     .meaning = "Gauss-Legendre collocation of order 16, eight nodes at once by vectors (Hairer, Lubich and Wanner)",
@@ -382,4 +393,5 @@ const jlt_method jlt_method_gauss = {
     .variation = variation,
     .bernstein = bernstein,
     .nodes = nodes,
+    .between = between,
 };

@@ -110,6 +110,12 @@ static const _Alignas(64) double jlt_gauss_between[JLT_GAUSS_NODES][JLT_GAUSS_NO
       0.00010336432652596986417, -0.0011866861240377473723, 0.00070312891690772459901, -0.00012220239274642796164 },
 };
 
+/* Where it has them between the nodes. */
+static const double jlt_gauss_place_between[JLT_GAUSS_NODES - 1] = {
+    0.061008259047490159, 0.155746818779124165, 0.324269348852608946, 0.5,
+    0.675730651147391054, 0.844253181220875835, 0.938991740952509841
+};
+
 /* Its weights between the nodes, at the nodes less those of Gauss, and at the ends. */
 static const _Alignas(64) double jlt_gauss_weight_between[JLT_GAUSS_NODES] = {
     0.04563481994023758603, 0.07152516262178038352, 0.084576227579310935651, 0.09480053495980197279, 0.084576227579310935651,

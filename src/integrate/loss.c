@@ -2,6 +2,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 #include "integrate/gauss_coefficients.h"
 #include "integrate/locate.h"
@@ -143,53 +144,99 @@ static bool stands_still(const jlt_stepper *stepper, const jlt_event *event, dou
     return rate[0] == 0 && rate[1] == 0;
 }
 
-/* What the polynomials through the values w at the nodes and at one end leave out: about as much as their last coefficient in
- * Chebyshev's polynomials, a divided difference. */
-static double left_out(const double w[NODES + 2])
+/* What the polynomials through all values but the last, and all but the first, leave out: about as much as their last coefficient
+ * in Chebyshev's polynomials, a divided difference. weight: shape (count - 1,). */
+static double left_out(const double *w, const double *weight, unsigned count)
 {
-    static const double weight[NODES + 1] = { 0.39276123046875, -0.62083259586207265, 0.38930656486425137, -0.27892209406686126,
-        0.20135125753856239, -0.13893159426971149, 0.08674970976214992, -0.044058859112127087, 0.012576380677058808 };
     double from_start = 0, from_end = 0;
 
-    for (unsigned k = 0; k < NODES + 1; k++) {
+    for (unsigned k = 0; k < count - 1; k++) {
         from_start += weight[k] * w[k];
-        from_end += weight[k] * w[NODES + 1 - k];
+        from_end += weight[k] * w[count - 1 - k];
     }
     return jlt_larger(fabs(from_start), fabs(from_end));
 }
 
-/* Whether a function with the values w at both ends and all nodes is above zero between them as well. It goes below the line
- * through two of them by gap^2/8 of its second derivative at most, taken to be up to twice the largest that three neighbours
- * show. What is left out at the nodes, such as a narrow dip, may be anywhere between. */
-static bool stays_above_nodes(const double w[NODES + 2])
+/* Whether a function with the values w at these places, from one end of the step to the other, is above zero between them as well.
+ * It goes below the line through two of them by gap^2/8 of its second derivative at most, taken to be up to twice the largest that
+ * three neighbours show. What is left out, such as a narrow dip, may be anywhere between: at most this part of the least value is
+ * allowed. */
+static bool stays_above_values(const double *w, const double *place, const double *weight, unsigned count, double part)
 {
     double least = w[0], sum = w[0], bend = 0, widest = 0, slope = 0, gap = 0; /* bend: half a second derivative */
 
-    for (unsigned k = 1; k < NODES + 2; k++) {
-        const double from = k == 1 ? 0 : jlt_gauss_node[k - 2], to = k <= NODES ? jlt_gauss_node[k - 1] : 1;
-        const double next = (w[k] - w[k - 1]) / (to - from);
-        if (k > 1) bend = jlt_larger(bend, fabs(next - slope) / (to - from + gap));
+    for (unsigned k = 1; k < count; k++) {
+        const double next = (w[k] - w[k - 1]) / (place[k] - place[k - 1]);
+        if (k > 1) bend = jlt_larger(bend, fabs(next - slope) / (place[k] - place[k - 1] + gap));
         slope = next;
-        gap = to - from;
+        gap = place[k] - place[k - 1];
         widest = jlt_larger(widest, gap);
         least = jlt_smaller(least, w[k]);
         sum += w[k];
     }
-    return isfinite(sum) && least > widest * widest / 2 * bend && left_out(w) <= 0.1 * small_part * least;
+    return isfinite(sum) && least > widest * widest / 2 * bend && left_out(w, weight, count) <= part * least;
+}
+
+/* The values of an event's function at JLT_STEPPER_NODES states, x (dim, NODES). */
+static void values_of(double out[NODES], const jlt_event *event, const double *x, unsigned dim)
+{
+    double one[JLT_FIELD_DIM_MAX + 1];
+
+    if (event->values != NULL) {
+        event->values(event->context, out, x);
+        return;
+    }
+    for (unsigned k = 0; k < NODES; k++) {
+        for (unsigned i = 0; i < dim; i++) one[i] = x[i * NODES + k];
+        out[k] = jlt_locate_value(event, one);
+    }
+}
+
+/* Its values at the nodes of the step. Returns false if that takes evaluations of the field: steps of such methods are so short
+ * that values and slopes at their ends tell what lies between. */
+static bool values_at_nodes(double out[NODES], jlt_stepper *stepper, const jlt_event *event)
+{
+    const double *nodes = jlt_stepper_nodes(stepper);
+
+    if (nodes != NULL) {
+        values_of(out, event, nodes, stepper->field->dim);
+        return true;
+    }
+    if (!stepper->method->needs_jet || jlt_stepper_dense(stepper) != JLT_OK) return false;
+    for (unsigned k = 0; k < NODES; k++) out[k] = value_at(stepper, event, jlt_gauss_node[k]);
+    return true;
 }
 
 /* Whether a function that is positive at both ends of the step is so between. Steps of methods with nodes may be so long that
  * values and slopes at the ends tell nothing. */
 static bool holds_between(jlt_stepper *stepper, const jlt_event *event, double w0, double w1)
 {
-    double x[JLT_FIELD_DIM_MAX + 1], w[NODES + 2] = { w0 };
+    static const double of_nodes[NODES + 1] = { 0.39276123046875, -0.62083259586207265, 0.38930656486425137, -0.27892209406686126,
+        0.20135125753856239, -0.13893159426971149, 0.08674970976214992, -0.044058859112127087, 0.012576380677058808 };
+    static const double of_all[2 * NODES] = {
+        -0.0290480414096730148, 0.0932786193074020334, -0.224747181780023154, 0.341432793672587564,
+        -0.316714320358269473, 0.277513008182125963, -0.299749225730917932, 0.293890857787409694,
+        -0.248609049613042546, 0.202783562977639035, -0.143843536003278328, 0.0863114591031633008,
+        -0.0584270796424606436, 0.0386408571299739974, -0.014602294874628166, 0.00188957125199167082
+    };
+    double w[NODES + 2] = { w0 }, beside[NODES], all[2 * NODES + 1] = { w0 }, place[2 * NODES + 1] = { 0 };
+    const double *between;
 
+    if (!values_at_nodes(w + 1, stepper, event)) return stays_above(stepper, event, w0, w1);
     w[NODES + 1] = w1;
-    for (unsigned i = 0; i < NODES; i++) {
-        if (!jlt_stepper_node(stepper, i, x)) return stays_above(stepper, event, w0, w1);
-        w[i + 1] = jlt_locate_value(event, x);
+    memcpy(place + 1, jlt_gauss_node, sizeof jlt_gauss_node);
+    place[NODES + 1] = 1;
+    if (stays_above_values(w, place, of_nodes, NODES + 2, 0.1 * small_part) || stands_still(stepper, event, w0, w1)) return true;
+    between = jlt_stepper_between(stepper);
+    if (between == NULL) return false;
+    values_of(beside, event, between, stepper->field->dim);
+    for (unsigned k = 0; k < NODES; k++) {
+        all[2 * k + 1] = w[k + 1];
+        place[2 * k + 1] = jlt_gauss_node[k];
+        all[2 * k + 2] = k < NODES - 1 ? beside[k] : w1;
+        place[2 * k + 2] = k < NODES - 1 ? jlt_gauss_place_between[k] : 1;
     }
-    return stays_above_nodes(w) || stands_still(stepper, event, w0, w1);
+    return stays_above_values(all, place, of_all, 2 * NODES + 1, 0.01 * small_part); /* weights at outer nodes are smaller here */
 }
 
 /* By ternary search, after an interval that holds the minimum is found by doubling. */

@@ -31,6 +31,8 @@ struct jlt_method {
     unsigned (*bernstein)(jlt_stepper *self, unsigned column, double *b);
     /* The states at jlt_gauss_node inside the last step, shape (dim, JLT_STEPPER_NODES); NULL where they are not computed. */
     const double *(*nodes)(const jlt_stepper *self);
+    /* The same at jlt_gauss_place_between, one between each two of the nodes; NULL where they are not at hand any more. */
+    const double *(*between)(const jlt_stepper *self);
 };
 
 extern const jlt_method jlt_method_gauss, jlt_method_dop853, jlt_method_taylor, jlt_method_rk8pd, jlt_method_rkf45,

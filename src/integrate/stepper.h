@@ -103,10 +103,10 @@ JLT_CHECKED jlt_status jlt_stepper_dense(jlt_stepper *self);
 double jlt_stepper_value(const jlt_stepper *self, unsigned column, double theta);
 void jlt_stepper_values(const jlt_stepper *self, double theta, double *out);
 
-/** The states at node k < JLT_STEPPER_NODES inside the last step, at the fraction jlt_gauss_node[k] of it (gauss_coefficients.h),
- *  out (columns,). Returns false if that takes evaluations of the field: steps of such methods are so short that values and slopes
- *  at their ends tell what lies between. */
-bool jlt_stepper_node(jlt_stepper *self, unsigned k, double *out);
+/** The states inside the last step at the fractions jlt_gauss_node of it (gauss_coefficients.h), and between these at
+ *  jlt_gauss_place_between, shape (dim, JLT_STEPPER_NODES); NULL where the method does not have them at hand. */
+const double *jlt_stepper_nodes(const jlt_stepper *self);
+const double *jlt_stepper_between(const jlt_stepper *self);
 
 /** Physical time now, at the rounding level; and where the last step began. */
 double jlt_stepper_time(const jlt_stepper *self);

@@ -35,16 +35,14 @@ jlt_status jlt_stepper_dense(jlt_stepper *self)
     return JLT_OK;
 }
 
-bool jlt_stepper_node(jlt_stepper *self, unsigned k, double *out)
+const double *jlt_stepper_nodes(const jlt_stepper *self)
 {
-    if (self->method->nodes != NULL) {
-        const double *nodes = self->method->nodes(self);
-        for (unsigned i = 0; i < self->field->dim; i++) out[i] = nodes[i * JLT_STEPPER_NODES + k];
-        return true;
-    }
-    if (!self->method->needs_jet || jlt_stepper_dense(self) != JLT_OK) return false;
-    jlt_stepper_values(self, jlt_gauss_node[k], out);
-    return true;
+    return self->method->nodes != NULL ? self->method->nodes(self) : NULL;
+}
+
+const double *jlt_stepper_between(const jlt_stepper *self)
+{
+    return self->method->between != NULL ? self->method->between(self) : NULL;
 }
 
 double jlt_stepper_value(const jlt_stepper *self, unsigned column, double theta)

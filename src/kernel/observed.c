@@ -2,14 +2,17 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "kernel/batch_isa.h"
 #include "kernel/descriptor.h"
 
 struct jlt_observed {
     jlt_instance *general;
-    bool scaled; /* some exponent is not 0, so states need conversion */
-    int *exponents; /* (states,): state i in the table's units is 2^exponents[i] times the caller's */
+    bool scaled;                   /* some exponent is not 0, so states need conversion */
+    const jlt_kernel_batch *batch; /* of the conditions, for states that need none; NULL: there are no such kernels */
+    double *spread;                /* prepared values, in every lane */
+    int *exponents;                /* (states,): state i in the table's units is 2^exponents[i] times the caller's */
 };
 
 jlt_status jlt_observed_create(jlt_observed **observed, const jlt_descriptor *of, const double *params, const jlt_units *units)
@@ -30,6 +33,12 @@ jlt_status jlt_observed_create(jlt_observed **observed, const jlt_descriptor *of
         self->exponents[i] = jlt_units_exponent(units, of->states[i].unit);
         self->scaled |= self->exponents[i] != 0;
     }
+    self->batch = self->scaled || general->valid_count == 0 ? NULL : jlt_batch_isa_best(general, 0);
+    if (self->batch != NULL && self->batch->valid_values == NULL) self->batch = NULL;
+    if (self->batch != NULL && self->batch->prepared > 0) {
+        self->spread = jlt_batch_isa_spread(self->batch, self->general->prepared);
+        if (self->spread == NULL) return JLT_ERR_NOMEM;
+    }
     *observed = self;
     self = NULL; /* ownership moved to the caller */
     return JLT_OK;
@@ -39,6 +48,7 @@ void jlt_observed_destroy(jlt_observed *observed)
 {
     if (observed == NULL) return;
     jlt_instance_destroy(observed->general);
+    free(observed->spread);
     free(observed->exponents);
     free(observed);
 }
@@ -115,4 +125,25 @@ double jlt_observed_condition_value(void *condition, const double *x)
 
     general->descriptor->valid_values.call(in_table(one->observed, room, x), general->prepared, values);
     return values[one->index];
+}
+
+void jlt_observed_condition_values(void *condition, double *out, const double *x)
+{
+    enum { COUNT = 8 };
+    const jlt_observed_one *one = condition;
+    const jlt_observed *observed = one->observed;
+    const unsigned states = observed->general->descriptor->state_count;
+    _Alignas(64) double values[JLT_OBSERVED_CONDITIONS_MAX * COUNT];
+    double of[JLT_OBSERVED_STATES_MAX];
+
+    if (observed->batch != NULL) {
+        for (unsigned k = 0; k < COUNT; k += observed->batch->lanes)
+            observed->batch->valid_values(x + k, observed->spread, values + k, COUNT);
+        memcpy(out, values + one->index * COUNT, COUNT * sizeof *out);
+        return;
+    }
+    for (unsigned k = 0; k < COUNT; k++) {
+        for (unsigned i = 0; i < states; i++) of[i] = x[i * COUNT + k];
+        out[k] = jlt_observed_condition_value(condition, of);
+    }
 }

@@ -41,6 +41,10 @@ typedef struct {
 /** The value of a condition, a jlt_observed_one, at x, shape (states,). */
 double jlt_observed_condition_value(void *condition, const double *x);
 
+/** The same at 8 states at once, out (8,), x (states, 8) in memory aligned for vectors: by kernels on vectors where there are such
+ *  and units need no conversion. */
+void jlt_observed_condition_values(void *condition, double *out, const double *x);
+
 /** The conditions on vectors, for callers whose states are in lanes: kernels with `valid_values`, which take states in the table's
  *  units and give values of shape (conditions,) in each lane. Returns NULL if there are no conditions, or the table has no kernels
  *  with exactly `lanes` lanes that run on this processor.
