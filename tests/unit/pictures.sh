@@ -119,46 +119,6 @@ name="it's \`touch stolen\` @a \$b \\ \"c\".svg"
     fail "the path '$name'"
 [ ! -e stolen ] || fail "a text was done"
 
-# Times and rates are in seconds where the table has units of time, and numbers where it has none.
-while read -r unit line; do
-    # shellcheck disable=SC2086
-    jellett $line --plot p.svg --keep p.gp -o rows.csv 2> log || fail "$line: $(cat log)"
-    said=$(grep -cE "label '.*\[(1/)?s\]" p.gp)
-    case $unit in s) [ "$said" -gt 0 ] ;; *) [ "$said" -eq 0 ] ;; esac || fail "$line: $(grep label p.gp)"
-done << END
-s simulate $top
-s simulate $top --axes t,gamma3
-s lyapunov --returns 4
-- simulate lorenz --start x=1,y=1,z=20 --times 0,1/2,1
-- simulate lorenz --start x=1,y=1,z=20 --times 0,1/2,1 --axes t,z
-- lyapunov lorenz --section z=27 --start x=-13.76,y=-19.58 --returns 4
-- lyapunov lorenz --section z=27 --grid x=-14:-13:2,y=-20:-19:2 --returns 1
-- eigen lorenz
-END
-
-# Neither memory nor gnuplot's time grows with the rows of an orbit; its end is drawn.
-jellett simulate --start gamma3=-0.6,v_nu=0.5,omega_tau=0.3,omega_n=1,omega3=0.8 --until 10 --every 1/20000 --axes t,gamma3 \
-    --plot p.svg --keep p.gp -o rows.csv 2> log || fail "an orbit of many rows: $(cat log)"
-grep -c '^[0-9]' rows.csv > rows
-sed -n '/^\$ROWS/,/^END/p' p.gp | grep '^[0-9]' > drawn
-[ "$(cat rows)" -gt 100000 ] && [ "$(wc -l < drawn)" -le 100001 ] && grep -q 'title .*one row in 2' p.gp ||
-    fail "of $(cat rows) rows $(wc -l < drawn) are drawn: $(grep title p.gp | head -1)"
-grep '^[0-9]' rows.csv | sed -n '3p;$p' | cut -d, -f 1,2 | tr , ' ' > wanted
-sed -n '2p;$p' drawn | cut -d ' ' -f 1,2 | cmp -s - wanted || fail "other rows are drawn: $(sed -n '2p;$p' drawn)"
-jellett simulate lorenz --start x=1,y=1,z=20 --until 10.0001 --every 1/10000 --axes t,z --plot p.svg --keep p.gp -o rows.csv 2> log
-sed -n '/^\$ROWS/,/^END/p' p.gp | tail -2 | grep -q '^10.0001 ' || fail "the last of 100002 rows is not drawn: $(cat log)"
-
-# A letter that no font has is named, where the picture is drawn here.
-base_title() { "${base[@]}" --title "$1" --plot p.$2 -o rows.csv 2> log || fail "--title '$1': $(cat log)"; }
-if command -v fc-list > fonts && [ -n "$(fc-list ':charset=3b3')" ]; then
-    base_title $'\u03b3, of \U10fffd' pdf
-    grep -qF $'no font here has \'\U10fffd\'' log || fail "a letter of no font: $(cat log)"
-    base_title $'\u03b3, of \U10fffd' svg
-    [ ! -s log ] || fail "a letter of no font in SVG: $(cat log)"
-    base_title $'\u03b3, of \u03c9' png
-    [ ! -s log ] || fail "letters of a font: $(cat log)"
-fi
-
 # No line of a caption or a title is wider than the picture: 60 letters of 8 points and less are 8 cm.
 for title in --style=grey "--title=$(printf 'long words %.0s' {1..40})"; do
     "${base[@]}" --size 8x6 "$title" --plot p.svg -o rows.csv
