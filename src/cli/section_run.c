@@ -339,7 +339,8 @@ jlt_exit jlt_section_run_write(jlt_section_run *f)
 
     jlt_motion_header(stream, &o->motion, f->system);
     f->table = (jlt_section_table){ .system = f->system, .least = strcmp(o->motion.contact, "report") == 0, .check = o->check,
-                                    .map = f->map, .time_direction = o->time_direction };
+                                    .as_bits = o->motion.common.table.array != NULL, .map = f->map,
+                                    .time_direction = o->time_direction };
     jlt_section_table_names(stream, &f->table);
     return run_all(f, stream);
 }

@@ -80,20 +80,22 @@ void jlt_section_table_row(FILE *stream, void *table, const void *row)
     values[count++] = (double)at->orbit;
     values[count++] = (double)at->number;
     values[count++] = at->t;
-    if (section != NULL) jlt_surface_off_section(off, system, x);
-    for (unsigned k = 0; k < d; k++) values[count++] = section != NULL && isnan(q[k]) ? off[k] : q[k];
+    bool is_off = false;
+    for (unsigned k = 0; section != NULL && k < d; k++) is_off |= isnan(q[k]);
+    if (is_off) jlt_surface_off_section(off, system, x);
+    for (unsigned k = 0; k < d; k++) values[count++] = is_off && isnan(q[k]) ? off[k] : q[k];
     for (unsigned i = 0; i < system->flow.chart->solved_count; i++) values[count++] = x[system->flow.chart->solved[i]];
     if (section != NULL) {
         jlt_surface_beside(values + count, system, x);
         count += section->beside_count;
     }
-    jlt_csv_values(stream, values, count);
-    fputc(',', stream);
+    (self->as_bits ? jlt_csv_bits : jlt_csv_values)(stream, values, count);
+    putc_unlocked(',', stream); /* a stream of this thread alone */
     jlt_section_fate_text(fate, system->observed, at->fate, at->lost);
     fputs(fate, stream);
     if (self->least) jlt_csv_more(stream, &at->least, 1);
     if (self->check) write_check(stream, self, at);
-    fputc('\n', stream);
+    putc_unlocked('\n', stream);
 }
 
 bool jlt_section_table_verdict(const jlt_section_table *table)

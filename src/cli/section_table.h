@@ -11,6 +11,7 @@ typedef struct {
     const jlt_system *system;
     bool least;   /* add a column for the least value of the model's conditions */
     bool check;   /* add columns for DP */
+    bool as_bits; /* the rows go to an array: numbers may be written as bits */
     jlt_map *map; /* computes DP for `check`; not owned */
     int time_direction;
     double worst_share, worst_defect; /* the largest ratio of a defect to its bound, the largest defect */

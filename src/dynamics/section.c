@@ -168,6 +168,9 @@ static void arrive(jlt_section *self, double theta, const double *x)
 }
 
 /* Fill a row, in the table's units, from t and x in the flow's. */
+/* Units are usually the table's own, and ldexp takes longer than all else here. */
+static double scaled(double value, int exponent) { return exponent == 0 ? value : ldexp(value, exponent); }
+
 static void fill(jlt_return *row, const jlt_section *self, double t, const double *x, bool on_section)
 {
     const jlt_chart *chart = self->flow.chart;
@@ -178,9 +181,9 @@ static void fill(jlt_return *row, const jlt_section *self, double t, const doubl
     row->lost = self->watched.so_far.condition;
     row->unbounded = JLT_CHART_STATES_MAX;
     row->interrupted = false;
-    row->t = ldexp(t, self->flow.units.time);
-    for (unsigned k = 0; k < chart->states; k++) row->x[k] = ldexp(x[k], self->flow.units.state[k]);
-    row->residual = ldexp(x[chart->column] - chart->level, self->flow.units.state[chart->column]);
+    row->t = scaled(t, self->flow.units.time);
+    for (unsigned k = 0; k < chart->states; k++) row->x[k] = scaled(x[k], self->flow.units.state[k]);
+    row->residual = scaled(x[chart->column] - chart->level, self->flow.units.state[chart->column]);
     row->least = self->watched.so_far.value;
     row->q[1] = 0; /* pictures of a section of one coordinate show this as the second */
     if (on_section) {

@@ -2,6 +2,7 @@
 
 #include "core/digits.h"
 #include "core/memory.h"
+#include "report/bits.h"
 #include "report/decimal.h"
 #include "report/json.h"
 #include "report/table.h"
@@ -107,15 +108,16 @@ void jlt_csv_value(FILE *stream, double value)
     jlt_csv_values(stream, &value, 1);
 }
 
-/* Format up to FIELDS numbers, then write them in one call. more: put a comma before the first number too. */
-static void write_fields(FILE *stream, const double *values, size_t count, bool more)
+/* Format up to FIELDS numbers by `write`, which returns the end of its text, then write them in one call. more: put a comma before
+ * the first number too. */
+static inline void write_fields(FILE *stream, const double *values, size_t count, bool more, char *(*write)(char *, double))
 {
     char text[FIELDS * JLT_DIGITS_SIZE], *at = text;
 
     *at = '\0'; /* what a lone value that is not finite leaves */
     for (size_t i = 0; i < count; i++) {
         if (more || i > 0) *at++ = ',';
-        if (isfinite(values[i])) at = jlt_digits_shortest(at, values[i] + 0.0); /* turns -0 into 0 */
+        if (isfinite(values[i])) at = write(at, values[i] + 0.0); /* turns -0 into 0 */
         if (i % FIELDS < FIELDS - 1 && i + 1 < count) continue;
         fwrite(text, 1, (size_t)(at - text), stream);
         at = text;
@@ -124,12 +126,17 @@ static void write_fields(FILE *stream, const double *values, size_t count, bool 
 
 void jlt_csv_values(FILE *stream, const double *values, size_t count)
 {
-    write_fields(stream, values, count, false);
+    write_fields(stream, values, count, false, jlt_digits_shortest);
+}
+
+void jlt_csv_bits(FILE *stream, const double *values, size_t count)
+{
+    write_fields(stream, values, count, false, jlt_bits_write);
 }
 
 void jlt_csv_more(FILE *stream, const double *values, size_t count)
 {
-    write_fields(stream, values, count, true);
+    write_fields(stream, values, count, true, jlt_digits_shortest);
 }
 
 void jlt_csv_row(FILE *stream, const double *values, size_t count)

@@ -2,6 +2,7 @@
 
 #include "core/digits.h"
 #include "core/memory.h"
+#include "report/bits.h"
 #include "report/table.h"
 
 #include <math.h>
@@ -170,24 +171,29 @@ static jlt_status widen(jlt_npy *self, size_t index, size_t width)
 /* Returns false if the column holds numbers and the field is a text, or the field is too long for it. */
 static bool put_field(char *to, const jlt_table_column *column, const char *field, const char *end)
 {
-    const size_t size = (size_t)(end - field);
+    char digits[JLT_DIGITS_SIZE];
     uint64_t bits;
     double value;
 
+    if (jlt_bits_are_at(field, end)) {
+        value = jlt_bits_read(field);
+        if (column->is_text) end = jlt_digits_shortest(digits, value), field = digits;
+    } else if (!column->is_text && !jlt_table_number(&value, field, end)) return false;
     if (column->is_text) {
+        const size_t size = (size_t)(end - field);
         if (size > column->width) return false;
         memset(to, 0, column->width);
         memcpy(to, field, size);
         return true;
     }
-    if (!jlt_table_number(&value, field, end)) return false;
     memcpy(&bits, &value, sizeof bits);
     put_number(to, bits, sizeof bits);
     return true;
 }
 
-/* Add a row to the block from a line of CSV. When a field does not fit its column, widen the column and begin the row again. */
-static jlt_status put_row(jlt_npy *self, const char *line)
+/* Add a row to the block from the line of CSV that ends at `stop`. When a field does not fit its column, widen the column and begin
+ * the row again. */
+static jlt_status put_row(jlt_npy *self, const char *line, const char *stop)
 {
     const char *field = line;
     char *to;
@@ -196,11 +202,11 @@ static jlt_status put_row(jlt_npy *self, const char *line)
     to = self->block + self->held;
     for (size_t i = 0; i < self->form.count; i++) {
         const jlt_table_column *column = &self->form.columns[i];
-        const char *end = jlt_table_field_end(field);
+        const char *end = jlt_bits_are_at(field, stop) ? field + JLT_BITS_SIZE : jlt_table_field_end(field);
         if ((*end == ',') != (i + 1 < self->form.count)) return JLT_ERR_ARG;
         if (!put_field(to, column, field, end)) {
             JLT_PASS(widen(self, i, (size_t)(end - field)));
-            return put_row(self, line);
+            return put_row(self, line, stop);
         }
         to += width_of(column);
         field = end + 1;
@@ -221,11 +227,11 @@ static jlt_status take_names(jlt_npy *self, char *line)
     return measure(self);
 }
 
-static jlt_status take_line(jlt_npy *self, char *line)
+static jlt_status take_line(jlt_npy *self, char *line, const char *stop)
 {
     if (*line == '#') return fprintf(self->notes, "%s\n", line) >= 0 ? JLT_OK : JLT_ERR_NOMEM;
     if (self->form.count == 0) return take_names(self, line);
-    return put_row(self, line);
+    return put_row(self, line, stop);
 }
 
 jlt_status jlt_npy_take(jlt_npy *self, const char *text, size_t size)
@@ -244,7 +250,7 @@ jlt_status jlt_npy_take(jlt_npy *self, const char *text, size_t size)
     self->begun_size += size;
     for (line = self->begun; (end = memchr(line, '\n', self->begun_size - (size_t)(line - self->begun))) != NULL; line = end + 1) {
         *end = '\0';
-        JLT_TRY(take_line(self, line));
+        JLT_TRY(take_line(self, line, end));
     }
     self->begun_size -= (size_t)(line - self->begun);
     memmove(self->begun, line, self->begun_size);

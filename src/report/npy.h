@@ -14,6 +14,7 @@ JLT_CHECKED jlt_status jlt_npy_create(jlt_npy **out, jlt_file *place);
 void jlt_npy_destroy(jlt_npy *self); /* NULL is legal; the file is not committed after that */
 
 /** Take the next bytes of the table in CSV: comments, names of columns, rows, more comments. The bytes may end within a line.
+ *  Numbers may be bits (jlt_csv_bits), also beside others.
  *  Errors: NOMEM; IO (errno says why); ARG, a row does not have one field for each column, or rows are too long: then
  *  jlt_file_commit fails. */
 JLT_CHECKED jlt_status jlt_npy_take(jlt_npy *self, const char *text, size_t size);

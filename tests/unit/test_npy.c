@@ -2,17 +2,19 @@
  * format says, written down here. */
 #include "unit/check.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
+#include "report/csv.h"
 #include "report/npy.h"
 
-static const char text[] =
+static const char decimal[] =
     "# first\nn,late,word,empty\n1,2.5,,\n-0,,a,\n0.1,1e-05,bc,\n# between\n3,eighteen letters..,abcdefghi,\n4,x,,\n# last\n";
 
-static char *write_in_pieces(size_t piece, size_t *size)
+static char *write_in_pieces(const char *text, size_t length, size_t piece, size_t *size)
 {
     char path[] = "/tmp/jellett_npy_XXXXXX", *data = calloc(1, 4096);
     jlt_npy *array = NULL;
@@ -22,8 +24,8 @@ static char *write_in_pieces(size_t piece, size_t *size)
     close(mkstemp(path));
     assert_ok(jlt_file_begin(&place, path));
     assert_ok(jlt_npy_create(&array, &place));
-    for (size_t at = 0; at < sizeof text - 1; at += piece)
-        assert_ok(jlt_npy_take(array, text + at, piece < sizeof text - 1 - at ? piece : sizeof text - 1 - at));
+    for (size_t at = 0; at < length; at += piece)
+        assert_ok(jlt_npy_take(array, text + at, piece < length - at ? piece : length - at));
     assert_ok(jlt_file_commit(&place));
     jlt_npy_destroy(array);
     jlt_file_end(&place);
@@ -52,9 +54,9 @@ static void columns_become_texts_when_their_fields_show_it(void **unused)
     static const double n[] = { 1, -0.0, 0.1, 3, 4 };
 
     (void)unused;
-    for (size_t piece = 1; piece < sizeof text + 1; piece++) {
+    for (size_t piece = 1; piece < sizeof decimal + 1; piece++) {
         size_t size = 0;
-        char *data = write_in_pieces(piece, &size), *rows = data + 192;
+        char *data = write_in_pieces(decimal, sizeof decimal - 1, piece, &size), *rows = data + 192;
         assert_memory_equal(data, "\x93NUMPY\1\0\xb6\0", 10);
         assert_memory_equal(data + 10, head, sizeof head - 1);
         for (size_t i = 10 + sizeof head - 1; i < 191; i++) assert_int_equal(data[i], ' ');
@@ -69,6 +71,44 @@ static void columns_become_texts_when_their_fields_show_it(void **unused)
         assert_int_equal(size, (size_t)(rows - data) + strlen(rows));
         free(data);
     }
+}
+
+/* A table in which numbers are decimal or bits, of the same bytes as an array: `late` becomes a text after some. */
+static char *mixed_table(void (*write)(FILE *, const double *, size_t), size_t *size)
+{
+    static const double endings[] = { 0x1.a0a0a0a0a0a0ap10, 0x1.c2c230a2c230ap-30, 0x1.0000000a00000p0, -0x1.1010101010101p-1 };
+    const double n[] = { 0.1, -0.0, NAN, INFINITY, 1e-320, 1e300 };
+    char *text = NULL;
+    FILE *file = open_memstream(&text, size);
+
+    fputs("a,b,c,d,late,word\n", file);
+    for (unsigned row = 0; row < 9; row++) {
+        write(file, endings, 4);
+        fputc(',', file);
+        if (row == 6) fputs("x", file);
+        else write(file, &n[row % 6], 1);
+        fputs(",\1\n", file); /* a text that begins like bits */
+    }
+    assert_int_equal(fclose(file), 0);
+    return text;
+}
+
+static void numbers_may_be_bits(void **unused)
+{
+    size_t expected = 0, length = 0, size = 0;
+    char *text = mixed_table(jlt_csv_values, &length), *array = write_in_pieces(text, length, length, &expected);
+
+    (void)unused;
+    free(text);
+    text = mixed_table(jlt_csv_bits, &length);
+    for (size_t piece = 1; piece <= length; piece++) {
+        char *data = write_in_pieces(text, length, piece, &size);
+        assert_int_equal(size, expected);
+        assert_memory_equal(data, array, expected);
+        free(data);
+    }
+    free(text);
+    free(array);
 }
 
 static void what_is_no_table_is_refused(void **unused)
@@ -100,6 +140,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(columns_become_texts_when_their_fields_show_it),
+        cmocka_unit_test(numbers_may_be_bits),
         cmocka_unit_test(what_is_no_table_is_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
