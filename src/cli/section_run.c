@@ -7,6 +7,7 @@
 
 #include "cli/interrupt.h"
 #include "core/memory.h"
+#include "kernel/batch_isa.h"
 
 /* For each thread: BLOCK, orbits followed together, so many that lanes rarely idle while the last ones end; ROWS, rows written
  * together. ROWS_MAX: the most rows written together, for all threads. */
@@ -185,7 +186,8 @@ jlt_exit jlt_section_run_open(jlt_section_run *f)
         if (st != JLT_OK) code = jlt_motion_fail(st, f->system, "section");
     }
     if (code != JLT_EXIT_DONE || !o->check) return code;
-    const jlt_status st = jlt_map_create(&f->map, &f->system->flow);
+    const jlt_kernel_batch *kernels = o->motion.in_lanes ? jlt_batch_isa_best(f->system->instance->descriptor, 0) : NULL;
+    const jlt_status st = jlt_map_batch_create(&f->maps, &f->system->flow, kernels, NULL, (unsigned)o->motion.threads);
     return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, f->system, "section");
 }
 
@@ -297,14 +299,14 @@ static jlt_exit run_block(jlt_section_run *f, const double *q, size_t first, siz
         if (stopped(f)) break;
     }
     st = jlt_writer_flush(&f->writer);
-    return st == JLT_ERR_NOMEM ? jlt_command_no_memory() : JLT_EXIT_DONE;
+    return st == JLT_OK || ferror(f->writer.stream) ? JLT_EXIT_DONE : jlt_motion_fail(st, system, "section");
 }
 
 /* Follow all starts, those of --start first, in blocks. */
 static jlt_exit run_all(jlt_section_run *f, FILE *stream)
 {
     const jlt_section_run_options *o = f->o;
-    const size_t threads = o->check ? 1 : o->motion.threads, room = f->batch != NULL ? BLOCK * o->motion.threads : 1;
+    const size_t threads = o->motion.threads, room = f->batch != NULL ? BLOCK * o->motion.threads : 1;
     const size_t rows = f->batch == NULL ? 1 : ROWS * threads < ROWS_MAX ? ROWS * threads : ROWS_MAX;
     const jlt_chart *chart = f->system->flow.chart;
     const unsigned dim = chart->dim;
@@ -317,6 +319,7 @@ static jlt_exit run_all(jlt_section_run *f, FILE *stream)
         || jlt_writer_open(&f->writer, stream, jlt_section_table_row, &f->table, jlt_section_row_size(chart), rows,
                            (unsigned)threads) != JLT_OK)
         code = jlt_command_no_memory();
+    if (o->check) f->writer.complete = jlt_section_table_check;
     jlt_progress_start(&f->progress, "returns");
     for (size_t first = 0, count; first < all && code == JLT_EXIT_DONE; first += count) {
         count = all - first < room ? all - first : room;
@@ -339,7 +342,7 @@ jlt_exit jlt_section_run_write(jlt_section_run *f)
 
     jlt_motion_header(stream, &o->motion, f->system);
     f->table = (jlt_section_table){ .system = f->system, .least = strcmp(o->motion.contact, "report") == 0, .check = o->check,
-                                    .as_bits = o->motion.common.table.array != NULL, .map = f->map,
+                                    .as_bits = o->motion.common.table.array != NULL, .maps = f->maps,
                                     .time_direction = o->time_direction };
     jlt_section_table_names(stream, &f->table);
     return run_all(f, stream);
@@ -350,6 +353,7 @@ void jlt_section_run_close(jlt_section_run *f)
     jlt_section_destroy(f->section);
     leave_batch(f);
     jlt_map_destroy(f->map);
+    jlt_map_batch_destroy(f->maps);
     jlt_section_levels_close(&f->levels);
     free(f->joined);
 }

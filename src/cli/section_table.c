@@ -1,15 +1,28 @@
 #include "cli/section_table.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
+#include "core/memory.h"
 #include "dynamics/surface.h"
 #include "report/csv.h"
 
+/* Columns of --check: trace, det, divergence, defect. */
+enum { CHECKED = 4 };
+
 size_t jlt_section_row_size(const jlt_chart *chart)
 {
-    return sizeof(jlt_section_row) + (2 * chart->dim + chart->states) * sizeof(double);
+    return sizeof(jlt_section_row) + (2 * chart->dim + chart->states + CHECKED) * sizeof(double);
 }
+
+static jlt_section_row *row_at(const jlt_chart *chart, void *rows, size_t index)
+{
+    return (jlt_section_row *)(void *)((char *)rows + index * jlt_section_row_size(chart));
+}
+
+/* The point before of a row, shape (dim,), and behind it the columns of --check. */
+static double *checked_at(const jlt_chart *chart, jlt_section_row *row) { return row->values + chart->dim + chart->states; }
 
 void jlt_section_row_fill(jlt_section_row *row, const jlt_chart *chart, size_t orbit, const jlt_return *at, const double *before)
 {
@@ -21,7 +34,7 @@ void jlt_section_row_fill(jlt_section_row *row, const jlt_chart *chart, size_t o
     row->lost = at->lost;
     memcpy(row->values, at->q, chart->dim * sizeof *at->q);
     memcpy(row->values + chart->dim, at->x, chart->states * sizeof *at->x);
-    if (before != NULL) memcpy(row->values + chart->dim + chart->states, before, chart->dim * sizeof *before);
+    if (before != NULL) memcpy(checked_at(chart, row), before, chart->dim * sizeof *before);
 }
 
 void jlt_section_table_names(FILE *stream, const jlt_section_table *table)
@@ -43,26 +56,55 @@ void jlt_section_table_names(FILE *stream, const jlt_section_table *table)
     jlt_csv_names_end(&names);
 }
 
-/* Write the columns of --check: DP at the point before, of which this row is the return. */
-static void write_check(FILE *stream, jlt_section_table *table, const jlt_section_row *row)
-{
-    const unsigned d = table->system->flow.chart->dim, states = table->system->flow.chart->states;
-    const volatile sig_atomic_t *const interrupt = table->system->flow.interrupt;
-    jlt_image image;
-    double trace = 0;
+/* Only a return has a DP, and only of an orbit that goes on. */
+static bool is_asked(const jlt_section_row *row) { return row->number > 0 && row->fate == JLT_FATE_ALIVE; }
 
-    const bool asked = row->number > 0 && row->fate == JLT_FATE_ALIVE;
-    if (!asked || jlt_map_apply(table->map, &image, row->values + d + states, 1, table->time_direction) != JLT_OK) {
-        table->unchecked += asked && !(interrupt != NULL && *interrupt);
-        fputs(",,,,", stream);
+/* Put what was found from the point before, image number `index`, into the row's columns. */
+static void take_image(jlt_section_table *self, double *columns, const jlt_map_images *images, size_t index)
+{
+    const unsigned d = self->system->flow.chart->dim;
+    const volatile sig_atomic_t *const interrupt = self->system->flow.interrupt;
+    const double defect = images->defect[index], share = fabs(defect) / images->bound[index];
+
+    if (images->status[index] != JLT_OK) {
+        self->unchecked += !(interrupt != NULL && *interrupt);
         return;
     }
-    table->checked++;
-    for (unsigned k = 0; k < d; k++) trace += image.slope[k * d + k];
-    if (!(fabs(image.defect) <= table->worst_share * image.bound)) table->worst_share = fabs(image.defect) / image.bound;
-    if (!(fabs(image.defect) <= table->worst_defect)) table->worst_defect = fabs(image.defect);
-    const double values[] = { trace, image.determinant, image.expansion, image.defect };
-    jlt_csv_more(stream, values, 4);
+    self->checked++;
+    columns[0] = 0;
+    for (unsigned k = 0; k < d; k++) columns[0] += images->slope[index * d * d + k * d + k];
+    columns[1] = images->determinant[index];
+    columns[2] = images->expansion[index];
+    columns[3] = defect;
+    if (!(share <= self->worst_share)) self->worst_share = share;
+    if (!(fabs(defect) <= self->worst_defect)) self->worst_defect = fabs(defect);
+}
+
+jlt_status jlt_section_table_check(void *table, void *rows, size_t count)
+{
+    jlt_section_table *self = table;
+    const jlt_chart *chart = self->system->flow.chart;
+    const unsigned d = chart->dim;
+    jlt_map_images images;
+    jlt_status st;
+
+    JLT_PASS(jlt_map_batch_images(&images, d, count));
+    JLT_FREED double *points = calloc(count, (d + 1) * sizeof *points); /* the points; behind them the bounds */
+    size_t asked = 0;
+    for (size_t i = 0; points != NULL && i < count; i++) {
+        jlt_section_row *row = row_at(chart, rows, i);
+        if (is_asked(row)) memcpy(points + asked++ * d, checked_at(chart, row), d * sizeof *points);
+    }
+    images.bound = points != NULL ? points + count * d : NULL;
+    st = points != NULL ? jlt_map_batch_apply(self->maps, &images, points, asked, 1, self->time_direction) : JLT_ERR_NOMEM;
+    for (size_t i = 0, index = 0; st == JLT_OK && i < count; i++) {
+        jlt_section_row *row = row_at(chart, rows, i);
+        double *columns = checked_at(chart, row) + d;
+        for (unsigned k = 0; k < CHECKED; k++) columns[k] = NAN;
+        if (is_asked(row)) take_image(self, columns, &images, index++);
+    }
+    jlt_map_batch_images_clear(&images);
+    return st;
 }
 
 void jlt_section_table_row(FILE *stream, void *table, const void *row)
@@ -94,7 +136,7 @@ void jlt_section_table_row(FILE *stream, void *table, const void *row)
     jlt_section_fate_text(fate, system->observed, at->fate, at->lost);
     fputs(fate, stream);
     if (self->least) jlt_csv_more(stream, &at->least, 1);
-    if (self->check) write_check(stream, self, at);
+    if (self->check) jlt_csv_more(stream, x + system->flow.chart->states + d, CHECKED);
     putc_unlocked('\n', stream);
 }
 

@@ -45,6 +45,7 @@ jlt_status jlt_writer_flush(jlt_writer *self)
     jlt_status st = JLT_OK;
 
     if (count == 0) return ferror(self->stream) ? JLT_ERR_IO : JLT_OK;
+    if (self->complete != NULL) JLT_PASS(self->complete(self->context, self->rows, self->count));
     pieces = calloc(count, sizeof *pieces);
     if (pieces == NULL) return JLT_ERR_NOMEM;
 #if defined(_OPENMP)
@@ -64,10 +65,12 @@ jlt_status jlt_writer_flush(jlt_writer *self)
 
 jlt_status jlt_writer_put(jlt_writer *self, const void *row)
 {
+    memcpy(self->rows + self->count++ * self->width, row, self->width);
     if (self->room == 1) {
-        self->text(self->stream, self->context, row);
+        self->count = 0;
+        if (self->complete != NULL) JLT_PASS(self->complete(self->context, self->rows, 1));
+        self->text(self->stream, self->context, self->rows);
         return ferror(self->stream) ? JLT_ERR_IO : JLT_OK;
     }
-    memcpy(self->rows + self->count++ * self->width, row, self->width);
     return self->count == self->room ? jlt_writer_flush(self) : JLT_OK;
 }

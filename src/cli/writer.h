@@ -10,9 +10,13 @@
 /** A function that writes one row to `stream`. Several threads may call it at once, each with its own stream. */
 typedef void (*jlt_writer_text)(FILE *stream, void *context, const void *row);
 
+/** A function that completes rows, `count` of them one behind another, before they are written. */
+typedef jlt_status (*jlt_writer_complete)(void *context, void *rows, size_t count);
+
 typedef struct {
     FILE *stream;
     jlt_writer_text text;
+    jlt_writer_complete complete; /* NULL: rows come complete; may be set after the writer is opened */
     void *context;
     size_t width; /* bytes of a row */
     unsigned threads;
@@ -27,7 +31,7 @@ JLT_CHECKED jlt_status jlt_writer_open(jlt_writer *self, FILE *stream, jlt_write
 void jlt_writer_close(jlt_writer *self); /* rows that wait are lost; legal when zeroed */
 
 /** Put a row behind those that wait, and write all when they are `room`; write the rows that wait. Errors: NOMEM; IO, if
- *  ferror(stream) is set. */
+ *  ferror(stream) is set; those of `complete`. */
 JLT_CHECKED jlt_status jlt_writer_put(jlt_writer *self, const void *row);
 JLT_CHECKED jlt_status jlt_writer_flush(jlt_writer *self);
 

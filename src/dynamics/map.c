@@ -150,36 +150,17 @@ static jlt_status follow(jlt_map *self, jlt_outcome *outcome, const double *star
     return to_section(self, outcome, start, time_direction);
 }
 
-/* A bound on a return's defect, whose terms are at most `part` of DP's size. Every step errs by one tolerance in every component,
- * relative to its size or that of the start; errors grow as tangent vectors do, at most by the ratio of their sizes' extremes. The
- * rate f_c across the section, on which flux and return time depend, errs by its gradient times the states' errors, much of f_c on
- * a slow crossing; tangent vectors then err by f/f_c times as much along the flow. */
-static double bound_of(const jlt_map *self, const double *end, const double *f, const double *slope, double part)
+/* What is known of the steps to the return whose varied orbit ends in `end`. */
+static jlt_map_return_steps steps_of(const jlt_map *self, const double *end)
 {
-    const jlt_chart *chart = self->flow.chart;
     const jlt_stepper *stepper = jlt_orbit_stepper(self->orbit);
-    const unsigned n = chart->states, d = chart->dim, c = chart->column;
-    const double error = stepper->asked * (double)(stepper->steps - self->steps);
-    double both[JLT_CHART_STATES_MAX * (1 + JLT_CHART_STATES_MAX)], lowering[JLT_CHART_DIM_MAX * JLT_CHART_STATES_MAX];
-    double q[JLT_CHART_DIM_MAX], gradient = 0, fastest = 0, aside = 0, all = 1;
+    const unsigned n = self->flow.chart->states, c = self->flow.chart->column;
+    double both[JLT_CHART_STATES_MAX * (1 + JLT_CHART_STATES_MAX)], gradient = 0;
 
     jlt_varied_linear(&self->varied, end, both);
-    chart->lower(chart, q, lowering, end);
-    for (unsigned i = 0; i < n; i++) {
-        gradient += fabs(both[n + c * n + i]) * fmax(stepper->size, fabs(end[i]));
-        fastest = fmax(fastest, fabs(f[i]));
-    }
-    for (unsigned k = 0; k < d; k++) aside = fmax(aside, fabs(end[n * (1 + k) + c]));
-    const double growth = self->most / self->least, rate = error * growth * gradient / fabs(f[c]), lean = fastest / fabs(f[c]);
-    const double tangent = error * growth * (1 + lean) + aside * lean * rate;
-    for (unsigned i = 0; i < d; i++) {
-        double largest = 0;
-        if (!(jlt_linear_length(slope + i * d, d) > 0)) return INFINITY;
-        for (unsigned j = 0; j < n; j++) largest = fmax(largest, fabs(lowering[i * n + j]));
-        largest = ldexp(largest, -chart->unit[i]);
-        all *= 1 + largest * tangent / jlt_linear_length(slope + i * d, d);
-    }
-    return (all - 1) + part * (error * self->swing + rate);
+    for (unsigned i = 0; i < n; i++) gradient += fabs(both[n + c * n + i]) * fmax(stepper->size, fabs(end[i]));
+    return (jlt_map_return_steps){ stepper->asked * (double)(stepper->steps - self->steps), self->most / self->least, self->swing,
+                                   gradient };
 }
 
 /* Make one return with derivative, and multiply it onto what `image` holds. */
@@ -195,8 +176,8 @@ static jlt_status advance(jlt_map *self, jlt_image *image, int time_direction)
     JLT_PASS(jlt_map_return_end(&arrival, image->q, slope, &self->flow, outcome.x, flux));
     const double size = arrival.size > 0 ? arrival.size : 1; /* a DP that is 0 in doubles has no defect */
     const double defect = (fabs(arrival.determinant) - arrival.flux_determinant) / size;
-    const double part = fmax(fabs(arrival.determinant), arrival.flux_determinant) / size;
-    const double bound = bound_of(self, outcome.x, arrival.f, slope, part);
+    const jlt_map_return_steps steps = steps_of(self, outcome.x);
+    const double bound = jlt_map_return_bound(&arrival, &steps, &self->flow, outcome.x, slope);
     if (image->bound == 0 || fabs(defect) * image->bound > fabs(image->defect) * bound) {
         image->defect = defect;
         image->bound = bound;

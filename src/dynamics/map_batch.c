@@ -175,7 +175,7 @@ static jlt_status alone(worker *self, size_t point)
 }
 
 /* Multiply a return onto the results of its point, where the image q is set already. */
-static void add(const worker *self, size_t point, const jlt_map_batch_return *made, double determinant, double defect)
+static void add(const worker *self, size_t point, const jlt_map_batch_return *made, double determinant, double defect, double bound)
 {
     const jlt_map_images *out = self->out;
     const unsigned d = self->batch->flows->chart->dim;
@@ -185,11 +185,13 @@ static void add(const worker *self, size_t point, const jlt_map_batch_return *ma
     out->T[point] += made->T;
     out->expansion[point] += made->expansion;
     out->determinant[point] *= determinant;
-    if (fabs(defect) > fabs(out->defect[point])) out->defect[point] = defect;
+    if (!(fabs(defect) >= fabs(out->defect[point]))) return;
+    out->defect[point] = defect;
+    if (out->bound != NULL) out->bound[point] = bound;
 }
 
 /* Store the return of a lane whose varied orbit has come back after time t, in the flow's unit, unless it is doubted: where less
- * than half of the digits asked for agree. */
+ * than half of the digits asked for agree, or a bound is wanted and the least one does not hold. */
 static void arrive(const worker *self, size_t lane, const double *varied, double t)
 {
     const jlt_map_images *out = self->out;
@@ -202,14 +204,18 @@ static void arrive(const worker *self, size_t lane, const double *varied, double
     out->status[point] = jlt_map_return_end(&arrival, q, slope, flow, varied, self->flux[lane]);
     if (out->status[point] != JLT_OK) return;
     const double defect = (fabs(arrival.determinant) - arrival.flux_determinant) / (arrival.size > 0 ? arrival.size : 1);
-    self->is_doubted[lane] = fabs(defect) > sqrt(self->batch->map.tolerance);
+    const double tolerance = self->batch->map.tolerance;
+    const double bound = out->bound == NULL ? INFINITY
+                                            : jlt_map_return_bound(&arrival, &(jlt_map_return_steps){ tolerance, 1, 1, 0 }, flow,
+                                                                   varied, slope);
+    self->is_doubted[lane] = fabs(defect) > fmin(sqrt(tolerance), bound);
     if (self->is_doubted[lane]) return;
     memcpy(out->q + point * d, q, d * sizeof *q);
     jlt_map_return_restore(slope, flow->chart);
     add(self, point,
         &(jlt_map_batch_return){ out->q + point * d, slope, arrival.flux_determinant, ldexp(t, flow->units.time),
                                  varied[n * (1 + d)] },
-        arrival.determinant, defect);
+        arrival.determinant, defect, bound);
 }
 
 static int keep_row(void *context, size_t lane, size_t number, const double *x)
@@ -256,7 +262,7 @@ static void go_alone(worker *self, size_t point)
     if (out->status[point] != JLT_OK) return;
     memcpy(out->q + point * d, image.q, d * sizeof *image.q);
     add(self, point, &(jlt_map_batch_return){ out->q + point * d, image.slope, image.flux_determinant, image.T, image.expansion },
-        image.determinant, image.defect);
+        image.determinant, image.defect, image.bound);
 }
 
 /* Whether a point goes in the direction being computed, and has more than `number` returns to make. */

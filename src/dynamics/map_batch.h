@@ -38,9 +38,11 @@ typedef struct {
     double *expansion;         /* integral of the divergence on the levels */
     double *defect;            /* of det DP against flux and divergence, relative to the product of DP's row lengths; of the return
                                   where it is largest */
+    double *bound;             /* on |defect|, of that return; NULL: not wanted. Returns that exceed the least bound possible are
+                                  followed alone, which bounds them as jlt_map_apply does */
 } jlt_map_images;
 
-/** Allocate the arrays for the images of count points of a section with d coordinates. Errors: NOMEM. */
+/** Allocate the arrays for the images of count points of a section with d coordinates; bound is NULL. Errors: NOMEM. */
 JLT_CHECKED jlt_status jlt_map_batch_images(jlt_map_images *out, unsigned d, size_t count);
 void jlt_map_batch_images_clear(jlt_map_images *self); /* legal on zeroed ones */
 

@@ -67,6 +67,34 @@ jlt_status jlt_map_return_end(jlt_map_return *out, double *q, double *slope, con
     return isfinite(out->flux_determinant) ? JLT_OK : JLT_ERR_NONFINITE; /* infinite where the coordinates fold */
 }
 
+/* Every step errs by one tolerance in every component, relative to its size or that of the start; errors grow as tangent vectors
+ * do, at most by the ratio of their sizes' extremes. The rate f_c across the section, on which flux and return time depend, errs
+ * by its gradient times the states' errors, much of f_c on a slow crossing; tangent vectors then err by f/f_c times as much along
+ * the flow. */
+double jlt_map_return_bound(const jlt_map_return *self, const jlt_map_return_steps *steps, const jlt_flow *flow,
+                            const double *varied, const double *slope)
+{
+    const jlt_chart *chart = flow->chart;
+    const unsigned n = chart->states, d = chart->dim, c = chart->column;
+    const double across = fabs(self->f[c]), size = self->size > 0 ? self->size : 1;
+    const double part = fmax(fabs(self->determinant), self->flux_determinant) / size;
+    double q[JLT_CHART_DIM_MAX], lowering[JLT_CHART_DIM_MAX * JLT_CHART_STATES_MAX], fastest = 0, aside = 0, all = 1;
+
+    chart->lower(chart, q, lowering, varied);
+    for (unsigned i = 0; i < n; i++) fastest = fmax(fastest, fabs(self->f[i]));
+    for (unsigned k = 0; k < d; k++) aside = fmax(aside, fabs(varied[n * (1 + k) + c]));
+    const double rate = steps->error * steps->growth * steps->gradient / across, lean = fastest / across;
+    const double tangent = steps->error * steps->growth * (1 + lean) + aside * lean * rate;
+    for (unsigned i = 0; i < d; i++) {
+        const double length = jlt_linear_length(slope + i * d, d);
+        double largest = 0;
+        if (!(length > 0)) return INFINITY;
+        for (unsigned j = 0; j < n; j++) largest = fmax(largest, fabs(lowering[i * n + j]));
+        all *= 1 + ldexp(largest, -chart->unit[i]) * tangent / length;
+    }
+    return (all - 1) + part * (steps->error * steps->swing + rate);
+}
+
 void jlt_map_return_restore(double *slope, const jlt_chart *chart)
 {
     for (unsigned i = 0; i < chart->dim; i++)

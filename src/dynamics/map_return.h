@@ -23,6 +23,19 @@ typedef struct {
 JLT_CHECKED jlt_status jlt_map_return_end(jlt_map_return *out, double *q, double *slope, const jlt_flow *flow, const double *varied,
                                           double flux);
 
+/** What is known of the steps of a return. The least that is possible: {tolerance, 1, 1, 0}. */
+typedef struct {
+    double error;    /* of all steps, relative to the size of what errs: one tolerance for each */
+    double growth;   /* ratio of the largest to the smallest tangent vector on the way */
+    double swing;    /* largest |integral of the divergence| on the way, at least 1 */
+    double gradient; /* sum over the states of |d f_c/dx_i| times the size of x_i, at the return */
+} jlt_map_return_steps;
+
+/** Bound the difference of |determinant| and flux_determinant, over `size`, that these errors cause, to first order; slope: DP as
+ *  jlt_map_return_end gives it. */
+double jlt_map_return_bound(const jlt_map_return *self, const jlt_map_return_steps *steps, const jlt_flow *flow,
+                            const double *varied, const double *slope);
+
 /** Convert such a DP, in place, to the coordinates' own units. */
 void jlt_map_return_restore(double *slope, const jlt_chart *chart);
 

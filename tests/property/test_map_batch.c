@@ -35,7 +35,7 @@ static jlt_system *system_51(double tolerance)
 static void apply(images *out, const jlt_system *system, const jlt_kernel_batch *kernels, unsigned threads, const double *q,
                   size_t count, size_t returns)
 {
-    const jlt_map_images into = { out->status, out->q, out->slope, out->T, out->determinant, out->expansion, out->defect };
+    const jlt_map_images into = { out->status, out->q, out->slope, out->T, out->determinant, out->expansion, out->defect, NULL };
     jlt_map_batch *batch;
 
     assert_true(count <= POINTS_MAX);
@@ -225,8 +225,12 @@ static void images_do_not_depend_on_the_ways_of_others(void **unused)
     size_t returns[POINTS_MAX];
     int way[POINTS_MAX];
     jlt_system *system = system_51(1e-12);
-    const jlt_map_images into = { mixed.status, mixed.q, mixed.slope, mixed.T, mixed.determinant, mixed.expansion, mixed.defect };
-    const jlt_map_images one = { alone.status, alone.q, alone.slope, alone.T, alone.determinant, alone.expansion, alone.defect };
+    const jlt_map_images into = {
+        mixed.status, mixed.q, mixed.slope, mixed.T, mixed.determinant, mixed.expansion, mixed.defect, NULL
+    };
+    const jlt_map_images one = {
+        alone.status, alone.q, alone.slope, alone.T, alone.determinant, alone.expansion, alone.defect, NULL
+    };
     const size_t count = whole_section(q);
     jlt_map_batch *batch;
 
@@ -275,7 +279,9 @@ static void images_of_several_flows_are_those_of_each(void **unused)
     static images mixed, alone;
     jlt_system *systems[FLOWS];
     size_t flow_of[POINTS_MAX], index;
-    const jlt_map_images into = { mixed.status, mixed.q, mixed.slope, mixed.T, mixed.determinant, mixed.expansion, mixed.defect };
+    const jlt_map_images into = {
+        mixed.status, mixed.q, mixed.slope, mixed.T, mixed.determinant, mixed.expansion, mixed.defect, NULL
+    };
     const size_t count = whole_section(q);
     jlt_map_batch *batch;
 
@@ -357,7 +363,7 @@ static void exponents_of_a_periodic_orbit_are_its_multipliers(void **unused)
     const double guess[] = { 0, -0.6136 };
     double exponent;
     images out;
-    const jlt_map_images into = { out.status, out.q, out.slope, out.T, out.determinant, out.expansion, out.defect };
+    const jlt_map_images into = { out.status, out.q, out.slope, out.T, out.determinant, out.expansion, out.defect, NULL };
     jlt_saddle_watch passed;
     jlt_periodic saddle;
     jlt_map *map;
