@@ -89,7 +89,9 @@ void jlt_motion_many_line(FILE *file, const char *before, const jlt_motion_optio
     if (options->alone != NULL)
         fprintf(file, "%s one orbit at a time by %s: %s\n", before, options->flow.method->name, options->alone);
     if (!options->in_lanes) return;
-    fprintf(file, "%s many orbits at once by %s on %s, lanes %u%s; %s from where an orbit comes near a pole, or where steps err\n",
+    fprintf(file,
+            "%s many orbits at once by %s on %s, lanes %u%s; %s %sfrom where an orbit comes near a pole, or where steps err\n",
             before, jlt_batch_method_for(options->flow.tolerance)->name, kernels->isa, kernels->lanes,
-            options->project ? ", projected at crossings" : "", options->flow.method->name);
+            options->project ? ", projected at crossings" : "", options->flow.method->name,
+            system->flow.end_where_invalid ? "for orbits that lose a condition, " : "");
 }

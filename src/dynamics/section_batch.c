@@ -79,9 +79,10 @@ jlt_status jlt_section_batch_create(jlt_section_batch **out, const jlt_flow *flo
         .max_steps = flow->max_steps != 0 && flow->max_steps < steps_max ? flow->max_steps : steps_max, .threads = options->threads,
         .project = options->project != NULL ? options->project->descriptor : NULL, .interrupt = flow->interrupt,
     };
-    self->watch = (jlt_batch_watch){ .count = jlt_observed_conditions(flow->observed), .seeks_least = flow->seeks_least };
+    self->watch = (jlt_batch_watch){ .count = jlt_observed_conditions(flow->observed), .seeks_least = flow->seeks_least,
+                                     .ends = flow->end_where_invalid };
     self->watch.until_lost = !flow->seeks_least && self->watch.count == 1; /* of several the least is named */
-    if (self->map.kernels != NULL && self->watch.count > 0 && options->watches) {
+    if (self->map.kernels != NULL && self->watch.count > 0 && (options->watches || flow->end_where_invalid)) {
         self->watch.kernels = jlt_section_flows_watching(flow, kernels);
         self->map.watch = &self->watch;
     }

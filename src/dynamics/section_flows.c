@@ -64,7 +64,6 @@ const char *jlt_section_flows_obstacle(const jlt_flow *flow, const jlt_kernel_ba
     if (kernels == NULL) return "there are no kernels on vectors";
     if (flow->chart->states > JLT_BATCH_STATES_MAX) return "there are more states than lanes take";
     if (flow->chart->turn != 0) return "the section's state is an angle";
-    if (flow->end_where_invalid && conditions > 0) return "orbits end where the model loses its conditions, between steps too";
     if (flow->t_max != 0) return "returns have an end in time";
     if (conditions > JLT_BATCH_CONDITIONS_MAX || flow->field->domain.conditions > JLT_BATCH_CONDITIONS_MAX)
         return "there are more conditions than lanes watch";

@@ -81,7 +81,7 @@ static void run_cases(const jlt_kernel_batch *given, const jlt_batch_case *cases
     static double starts[ORBITS * COLUMNS];
     jlt_descriptor d = *level();
     jlt_kernel_batch kernels = *given;
-    const jlt_batch_watch watch = { &kernels, kind >= LOST ? 1 : d.valid_count, kind == UNTIL_LOST, false };
+    const jlt_batch_watch watch = { &kernels, kind >= LOST ? 1 : d.valid_count, kind == UNTIL_LOST, false, false };
     const jlt_domain domain = { .states = STATES, .conditions = 1 };
     const jlt_batch_map map = { .kernels = &kernels,
                                 .cases = cases,

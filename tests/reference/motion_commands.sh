@@ -204,9 +204,10 @@ planned '^  starts 1 of --start, 100 of a grid, of which 50 are on the section$'
 planned '^  starts 384 of a grid' section --grid 24x16
 planned '^  method gauss, tolerance 1e-09, one orbit at a time$' section --start eta=0.1,gamma3=-0.6 --tol 1e-9
 planned '^  method dop853, tolerance 1e-09, one orbit at a time$' fates --grid 24x16 --tol 1e-9 --method dop853
-planned '^  one orbit at a time by gauss: orbits end where the model loses its conditions' section --grid 24x16 --contact end
 planned '^  many orbits at once by stepanov10 on .*; gauss from where an orbit comes near a pole, or where steps err$' \
     section --grid 24x16
+planned '^  many orbits at once by stepanov10 on .*; gauss for orbits that lose a condition, from where' \
+    section --grid 24x16 --contact end
 
 expect 3 "bad.scene:2: error: 'start' does not know 'gamma4'" jellett run "$scratch/bad.scene"
 expect 3 "bad.scene:2: error: 'start' does not know 'gamma4'" jellett plan "$scratch/bad.scene"
