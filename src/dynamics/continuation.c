@@ -1,8 +1,10 @@
 #include "dynamics/continuation.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
+#include "core/memory.h"
 #include "dynamics/continuation_locate.h"
 
 enum { CLIPPING = 120, EXTREMUM = 8, FOLD_TEST = 0, DOUBLING_TEST, BRANCH_TEST, TORUS_TEST };
@@ -75,24 +77,25 @@ static bool is_noise(const place *from, const place *to, unsigned k)
  * what lies straight between be orbits up to noise, as where branches cross at a small angle. */
 static bool crosses(const runner *self, const place *from, const place *to)
 {
-    const bracket b = jlt_continuation_locate(self, from, from, to, BRANCH_TEST);
-    const double width = b.after.arc - b.before.arc, part = width / (to->arc - from->arc);
+    JLT_FREED bracket *b = malloc(sizeof *b);
 
-    return b.joined || width < same_place ||
-           jlt_continuation_step_straight(&b.before, &b.after, 2 * turn_across * fmax(part, 0.01), self->d);
+    if (b == NULL) return false;
+    jlt_continuation_locate(b, self, from, from, to, BRANCH_TEST);
+    const double width = b->after.arc - b->before.arc, part = width / (to->arc - from->arc);
+    return b->joined || width < same_place ||
+           jlt_continuation_step_straight(&b->before, &b->after, 2 * turn_across * fmax(part, 0.01), self->d);
 }
 
 /* Whether the step from one place to the other stays on the branch, as far as angles show. The bordered determinant changes sign at
  * branch points alone: where it does, the place halfway must lie on the way as well, or the tangent was reversed behind a fold. */
 static bool follows(const runner *self, const place *from, const place *to, double step)
 {
-    place middle;
-
     if (!jlt_continuation_step_straight(from, to, JLT_CONTINUATION_TURN, self->d)) return false;
     if (!changes(from, to, BRANCH_TEST)) return true;
-    return jlt_continuation_step_to(self, &middle, from, step / 2, NULL) == JLT_OK &&
-           jlt_continuation_step_straight(from, &middle, turn_across, self->d) &&
-           jlt_continuation_step_straight(&middle, to, turn_across, self->d) &&
+    JLT_FREED place *middle = malloc(sizeof *middle);
+    return middle != NULL && jlt_continuation_step_to(self, middle, from, step / 2, NULL) == JLT_OK &&
+           jlt_continuation_step_straight(from, middle, turn_across, self->d) &&
+           jlt_continuation_step_straight(middle, to, turn_across, self->d) &&
            (is_noise(from, to, BRANCH_TEST) || crosses(self, from, to));
 }
 
@@ -141,10 +144,12 @@ static bool changes_twice(const runner *self, place *within, const place *before
 static jlt_status report_zero(const runner *self, const place *from, const place *before, const place *after, unsigned k,
                               jlt_continuation_sink sink, void *context)
 {
-    const bracket b = jlt_continuation_locate(self, from, before, after, k);
+    JLT_FREED bracket *b = malloc(sizeof *b);
 
-    if (k == TORUS_TEST && !rotates(&b.at)) return JLT_OK; /* a saddle of determinant 1 */
-    return deliver(self, &b, from, (jlt_bifurcation)(JLT_BIFURCATION_FOLD + k), sink, context);
+    if (b == NULL) return JLT_ERR_NOMEM;
+    jlt_continuation_locate(b, self, from, before, after, k);
+    if (k == TORUS_TEST && !rotates(&b->at)) return JLT_OK; /* a saddle of determinant 1 */
+    return deliver(self, b, from, (jlt_bifurcation)(JLT_BIFURCATION_FOLD + k), sink, context);
 }
 
 /* Whether the branch turns in the value between two places where it crosses another branch, as one that begins at a pitchfork does
@@ -153,9 +158,12 @@ static jlt_status report_zero(const runner *self, const place *from, const place
 static bool turns_at_branch_point(const runner *self, const place *from, const place *to)
 {
     if (!changes(from, to, FOLD_TEST) || !changes(from, to, BRANCH_TEST)) return false;
-    const bracket fold = jlt_continuation_locate(self, from, from, to, FOLD_TEST);
-    const bracket point = jlt_continuation_locate(self, from, from, to, BRANCH_TEST);
-    return fabs(fold.at.arc - point.at.arc) <= 10 * same_place;
+    JLT_FREED bracket *b = malloc(sizeof *b);
+    if (b == NULL) return false;
+    jlt_continuation_locate(b, self, from, from, to, FOLD_TEST);
+    const double fold = b->at.arc;
+    jlt_continuation_locate(b, self, from, from, to, BRANCH_TEST);
+    return fabs(fold - b->at.arc) <= 10 * same_place;
 }
 
 /* Report the bifurcations between two places, then the new place; before: the place before the two, NULL if there is none. If the
@@ -163,14 +171,16 @@ static bool turns_at_branch_point(const runner *self, const place *from, const p
 static jlt_status report(const runner *self, const place *before, const place *from, const place *to, jlt_continuation_point *last,
                          bool *ends, jlt_continuation_sink sink, void *context)
 {
-    jlt_continuation_point point;
-    place within;
+    JLT_FREED jlt_continuation_point *point = malloc(sizeof *point);
+    JLT_FREED bracket *tip = malloc(sizeof *tip);
+    JLT_FREED place *within = malloc(sizeof *within);
 
-    JLT_PASS(jlt_continuation_step_measure(self, &point, to->u, to->tangent, to->arc, JLT_BIFURCATION_NONE));
-    *ends = halves(self, last, &point);
+    if (point == NULL || tip == NULL || within == NULL) return JLT_ERR_NOMEM;
+    JLT_PASS(jlt_continuation_step_measure(self, point, to->u, to->tangent, to->arc, JLT_BIFURCATION_NONE));
+    *ends = halves(self, last, point);
     if (*ends) {
-        const bracket tip = jlt_continuation_locate(self, from, from, to, FOLD_TEST);
-        return deliver(self, &tip, from, JLT_BIFURCATION_DOUBLING, sink, context);
+        jlt_continuation_locate(tip, self, from, from, to, FOLD_TEST);
+        return deliver(self, tip, from, JLT_BIFURCATION_DOUBLING, sink, context);
     }
     for (unsigned k = 0; k < JLT_CONTINUATION_TESTS; k++) {
         if (isnan(from->test[k]) || isnan(to->test[k])) continue;
@@ -180,13 +190,13 @@ static jlt_status report(const runner *self, const place *before, const place *f
         if (k == FOLD_TEST && turns_at_branch_point(self, from, to)) continue;
         if (changes(from, to, k)) {
             JLT_PASS(report_zero(self, from, from, to, k, sink, context));
-        } else if (before != NULL && changes_twice(self, &within, before, from, to, k)) {
-            JLT_PASS(report_zero(self, from, from, &within, k, sink, context));
-            JLT_PASS(report_zero(self, from, &within, to, k, sink, context));
+        } else if (before != NULL && changes_twice(self, within, before, from, to, k)) {
+            JLT_PASS(report_zero(self, from, from, within, k, sink, context));
+            JLT_PASS(report_zero(self, from, within, to, k, sink, context));
         }
     }
-    *last = point;
-    return sink(context, &point);
+    *last = *point;
+    return sink(context, point);
 }
 
 /* Whether the branch, within `step` of `from`, meets the orbit it began with, at any of its points. */
@@ -301,57 +311,63 @@ jlt_status jlt_continuation_run(jlt_continuation_end *end, const jlt_family *fam
                                 const jlt_continuation_options *options, jlt_continuation_sink sink, void *context)
 {
     runner self = { .family = family, .options = jlt_continuation_step_defaults(options), .period = start->orbit.period };
-    jlt_continuation_point first, last;
-    place before, here, next;
+    struct {
+        jlt_continuation_point first, last;
+        place before, here, next;
+    } *on = malloc(sizeof *on); /* a megabyte: there is room for the largest sections */
     double step = self.options.step;
     bool ends = false, leaves;
     jlt_status st = JLT_OK;
 
-    if (start->orbit.period == 0 || !jlt_continuation_step_allows(&self.options, direction)) return JLT_ERR_ARG;
+    if (start->orbit.period == 0 || !jlt_continuation_step_allows(&self.options, direction)) st = JLT_ERR_ARG;
+    else if (on == NULL) st = JLT_ERR_NOMEM;
+    if (st != JLT_OK) goto done;
     JLT_TRY(jlt_continuation_step_open(&self, start->value));
-    JLT_TRY(jlt_continuation_step_begin(&self, &here, start, direction));
-    JLT_TRY(jlt_continuation_step_measure(&self, &first, here.u, here.tangent, 0, JLT_BIFURCATION_NONE));
-    last = first;
-    JLT_TRY(sink(context, &first));
+    JLT_TRY(jlt_continuation_step_begin(&self, &on->here, start, direction));
+    JLT_TRY(jlt_continuation_step_measure(&self, &on->first, on->here.u, on->here.tangent, 0, JLT_BIFURCATION_NONE));
+    on->last = on->first;
+    JLT_TRY(sink(context, &on->first));
     *end = JLT_CONTINUATION_POINTS;
     for (size_t count = 1; count < self.options.points_max; count++) {
         unsigned iterations = 0;
         double value;
-        if (!next_place(&self, &next, &step, &iterations, count > 1 ? &before : NULL, &here, &st, end)) {
-            if (st == JLT_OK && *end == JLT_CONTINUATION_STUCK && is_at_limit(&self, &here)) *end = JLT_CONTINUATION_RANGE;
+        if (!next_place(&self, &on->next, &step, &iterations, count > 1 ? &on->before : NULL, &on->here, &st, end)) {
+            if (st == JLT_OK && *end == JLT_CONTINUATION_STUCK && is_at_limit(&self, &on->here)) *end = JLT_CONTINUATION_RANGE;
             break;
         }
-        value = next.u[self.d] * self.options.scale;
+        value = on->next.u[self.d] * self.options.scale;
         leaves = value < self.options.low || value > self.options.high;
-        if (leaves && fabs(here.u[self.d] - limit_ahead(&self, &next, &here)) <= 1e-14 * fmax(1, fabs(here.u[self.d]))) {
+        const double at = on->here.u[self.d], beyond = limit_ahead(&self, &on->next, &on->here);
+        if (leaves && fabs(at - beyond) <= 1e-14 * fmax(1, fabs(at))) {
             *end = JLT_CONTINUATION_RANGE;
             break;
         }
-        st = leaves ? clip(&self, &next, &step, &here) : JLT_OK;
+        st = leaves ? clip(&self, &on->next, &step, &on->here) : JLT_OK;
         if (st == JLT_ERR_NO_CONVERGENCE && !jlt_continuation_locate_interrupted(&self)) {
             *end = JLT_CONTINUATION_STUCK;
             st = JLT_OK;
             break;
         }
         if (st != JLT_OK) goto done;
-        if (count > 2 && closes(&self, &here, step, &first)) {
+        if (count > 2 && closes(&self, &on->here, step, &on->first)) {
             *end = JLT_CONTINUATION_CLOSED;
             break;
         }
-        JLT_TRY(report(&self, count > 1 ? &before : NULL, &here, &next, &last, &ends, sink, context));
+        JLT_TRY(report(&self, count > 1 ? &on->before : NULL, &on->here, &on->next, &on->last, &ends, sink, context));
         if (ends || leaves) {
             *end = ends ? JLT_CONTINUATION_HALVED : JLT_CONTINUATION_RANGE;
             break;
         }
-        before = here;
-        here = next;
+        on->before = on->here;
+        on->here = on->next;
         *end = JLT_CONTINUATION_POINTS;
-        if (iterations < 6) step = fmin(1.4 * step, longest_step(&self, &here));
+        if (iterations < 6) step = fmin(1.4 * step, longest_step(&self, &on->here));
     }
 done:
     if (jlt_continuation_locate_interrupted(&self) && st == JLT_ERR_NO_CONVERGENCE) {
         *end = JLT_CONTINUATION_INTERRUPT;
         st = JLT_OK;
     }
+    free(on);
     return st;
 }

@@ -43,40 +43,42 @@ static void between(place *out, const place *from, const place *low, const place
     out->arc = low->arc + part * width;
 }
 
-jlt_continuation_bracket jlt_continuation_locate(const runner *self, const place *from, const place *before, const place *after,
-                                                 unsigned k)
+void jlt_continuation_locate(jlt_continuation_bracket *out, const runner *self, const place *from, const place *before,
+                             const place *after, unsigned k)
 {
     const unsigned d = self->d;
     double a = before->arc - from->arc, b = after->arc - from->arc, fa = before->test[k], fb = after->test[k];
-    jlt_continuation_bracket found = { fabs(fa) < fabs(fb) ? *before : *after, *before, *after, false };
+    place *const next = &out->trial;
     bool ends = false;
     double failed = NAN; /* a step that did not arrive; the next trials are halfway from it to either end */
-    place next;
 
+    out->at = fabs(fa) < fabs(fb) ? *before : *after;
+    out->before = *before;
+    out->after = *after;
+    out->joined = false;
     for (int i = 0; i < LOCATE && !ends; i++) {
         ends = fabs(b - a) <= 1e-10 * fmax(1, fabs(b)); /* the last trial is the secant's */
         const double s = isnan(failed) ? look(ends ? 0 : i, a, fa, b, fb) : (failed + (i % 2 == 0 ? a : b)) / 2;
         if (jlt_continuation_locate_interrupted(self)) break;
-        if (jlt_continuation_step_to(self, &next, from, s, NULL) != JLT_OK ||
-            !jlt_continuation_step_straight(from, &next, JLT_CONTINUATION_TURN, d)) {
+        if (jlt_continuation_step_to(self, next, from, s, NULL) != JLT_OK ||
+            !jlt_continuation_step_straight(from, next, JLT_CONTINUATION_TURN, d)) {
             if (isnan(failed)) failed = s;
             else if (i > FAILURES) break;
             continue;
         }
-        if (fabs(next.test[k]) <= fabs(found.at.test[k])) found.at = next;
-        if ((next.test[k] > 0) == (fb > 0)) b = s, fb = next.test[k], found.after = next;
-        else a = s, fa = next.test[k], found.before = next;
-        if (next.test[k] == 0) {
-            found.before = found.after = next;
+        if (fabs(next->test[k]) <= fabs(out->at.test[k])) out->at = *next;
+        if ((next->test[k] > 0) == (fb > 0)) b = s, fb = next->test[k], out->after = *next;
+        else a = s, fa = next->test[k], out->before = *next;
+        if (next->test[k] == 0) {
+            out->before = out->after = *next;
             break;
         }
         if (!(failed > fmin(a, b) && failed < fmax(a, b))) failed = NAN;
     }
-    if (isnan(failed)) return found;
-    next = found.at;
-    between(&next, from, &found.before, &found.after, fa / (fa - fb), d);
-    found.joined = jlt_continuation_step_evaluate(self, &next.at, next.u) == JLT_OK;
-    for (unsigned i = 0; i < d; i++) found.joined = found.joined && fabs(next.at.f[i]) < next.at.noise;
-    if (found.joined) found.at = next;
-    return found;
+    if (isnan(failed)) return;
+    *next = out->at;
+    between(next, from, &out->before, &out->after, fa / (fa - fb), d);
+    out->joined = jlt_continuation_step_evaluate(self, &next->at, next->u) == JLT_OK;
+    for (unsigned i = 0; i < d; i++) out->joined = out->joined && fabs(next->at.f[i]) < next->at.noise;
+    if (out->joined) out->at = *next;
 }

@@ -8,16 +8,17 @@
 
 bool jlt_continuation_locate_interrupted(const jlt_continuation_runner *self);
 
-/** A bifurcation between two places of the branch, as far as it has been located. */
+/** A bifurcation between two places of the branch, as far as it has been located. Keep it off the stack: its places have room for
+ *  the largest sections, a megabyte in all. */
 typedef struct {
     jlt_continuation_place at, before, after; /* the place itself, and those on both sides */
+    jlt_continuation_place trial;             /* private */
     bool joined; /* steps did not converge at the place, which is an orbit, up to noise, on the straight way between the sides */
 } jlt_continuation_bracket;
 
 /** Locate the zero of test k between two places, to which steps from `from` lead. Where steps do not converge, or leave the branch,
  *  as may happen at a branch point, the bracket stays as wide as it is, and the place is the secant's zero if an orbit is there. */
-jlt_continuation_bracket jlt_continuation_locate(const jlt_continuation_runner *self, const jlt_continuation_place *from,
-                                                 const jlt_continuation_place *before, const jlt_continuation_place *after,
-                                                 unsigned k);
+void jlt_continuation_locate(jlt_continuation_bracket *out, const jlt_continuation_runner *self, const jlt_continuation_place *from,
+                             const jlt_continuation_place *before, const jlt_continuation_place *after, unsigned k);
 
 #endif

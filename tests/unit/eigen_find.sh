@@ -3,6 +3,7 @@
 # equilibria are omega_tau = omega_n = 0, everything else free.
 set -uo pipefail
 status=0
+awk() { LC_ALL=C command awk "$@"; } # numbers have points in any locale
 finds() { # GIVEN WORDS: states that are found
     local state
     state=$(jellett eigen --set a3=0 --find --at "$1" | grep '^state ')
