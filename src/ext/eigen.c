@@ -3,6 +3,7 @@
 #include "core/memory.h"
 #include "ext/gsl.h"
 
+#include <gsl/gsl_blas.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_linalg.h>
 #include <gsl/gsl_math.h>
@@ -123,6 +124,48 @@ static void clear(decomposition *self)
     gsl_matrix_free(self->u);
 }
 
+/* Whether the columns of u that are not 0 are orthogonal. */
+static bool is_orthogonal(const gsl_matrix *u)
+{
+    const double allowed = 100 * (double)u->size1 * GSL_DBL_EPSILON;
+
+    for (size_t j = 0; j < u->size2; j++)
+        for (size_t k = 0; k < j; k++) {
+            double product = 0.0;
+            for (size_t i = 0; i < u->size1; i++) product += gsl_matrix_get(u, i, j) * gsl_matrix_get(u, i, k);
+            if (fabs(product) > allowed) return false;
+        }
+    return true;
+}
+
+/* Decompose u by rotations of its columns, in place. GSL ends them where its bounds of their errors have grown, which can leave
+ * columns that are not orthogonal, and small singular values too large by any factor where there are 24 columns or more. Such
+ * columns are decomposed again. */
+static jlt_status rotate(decomposition *self)
+{
+    enum { TIMES = 50 };
+    gsl_matrix *before = NULL, *product = NULL;
+    jlt_status st = status_of(gsl_linalg_SV_decomp_jacobi(self->u, self->v, self->s));
+
+    for (int i = 0; st == JLT_OK && !is_orthogonal(self->u); i++) {
+        if (product == NULL) {
+            before = gsl_matrix_alloc(self->v->size1, self->v->size2);
+            product = gsl_matrix_alloc(self->v->size1, self->v->size2);
+        }
+        if (before == NULL || product == NULL) st = JLT_ERR_NOMEM;
+        else if (i == TIMES) st = JLT_ERR_NO_CONVERGENCE;
+        if (st != JLT_OK) break;
+        gsl_matrix_memcpy(before, self->v);
+        gsl_matrix_scale_columns(self->u, self->s);
+        st = status_of(gsl_linalg_SV_decomp_jacobi(self->u, self->v, self->s));
+        gsl_blas_dgemm(CblasNoTrans, CblasNoTrans, 1.0, before, self->v, 0.0, product);
+        gsl_matrix_memcpy(self->v, product);
+    }
+    gsl_matrix_free(product);
+    gsl_matrix_free(before);
+    return st;
+}
+
 /* Decompose a, shape (rows, columns), by its singular values. GSL needs rows >= columns: appended zero rows change neither these
  * nor the residual of a system, nor its shortest solution. On failure *out holds nothing. */
 static jlt_status decompose(decomposition *out, const double *a, size_t rows, size_t columns)
@@ -134,7 +177,7 @@ static jlt_status decompose(decomposition *out, const double *a, size_t rows, si
                             gsl_vector_alloc(columns) };
     if (out->u == NULL || out->v == NULL || out->s == NULL) goto done;
     memcpy(out->u->data, a, rows * columns * sizeof *a);
-    st = status_of(gsl_linalg_SV_decomp_jacobi(out->u, out->v, out->s));
+    st = rotate(out);
 done:
     if (st != JLT_OK) clear(out);
     return st;
