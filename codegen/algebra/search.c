@@ -1,6 +1,7 @@
 /* Search for a real point that meets conditions: small rational numbers first, then the solver. */
 #include "algebra/search.h"
 
+#include "algebra/elimination.h"
 #include "algebra/solver.h"
 #include "base/random.h"
 
@@ -117,12 +118,41 @@ bool ttc_search_with(ttc_witness *point, const ttc_conditions *conditions, slong
     return false;
 }
 
+/* Whether a variable can be zero, and no more than one condition says more of it than that something is not zero. */
+static bool is_at_large(const ttc_conditions *conditions, slong variable)
+{
+    size_t count = 0;
+    fmpz_mpoly_t itself;
+    fmpz_mpoly_init(itself, conditions->ring->context);
+    fmpz_mpoly_gen(itself, variable, conditions->ring->context);
+    const bool can_be_zero = ttc_conditions_signs(conditions, itself) & TTC_CAN_BE_ZERO;
+    fmpz_mpoly_clear(itself, conditions->ring->context);
+    for (size_t i = 0; i < conditions->count; i++)
+        count += conditions->items[i].relation != TTC_IS_NONZERO &&
+                 fmpz_mpoly_degree_si(conditions->items[i].polynomial, variable, conditions->ring->context) > 0;
+    return can_be_zero && count <= 1;
+}
+
+/* Try points at which all variables at large are zero, as velocities are at rest, where an energy may be. */
+static bool try_rest(ttc_witness *point, const ttc_conditions *conditions)
+{
+    for (unsigned attempt = 0; attempt < EARLY_ATTEMPTS; attempt++) {
+        choose(point, attempt);
+        for (slong v = 0; v < (slong)point->ring->variable_count; v++)
+            if (ttc_witness_is_free(point, v) && is_at_large(conditions, v)) fmpq_zero(point->values + v);
+        ttc_witness_changed(point);
+        if (ttc_search_meets(point, conditions)) return true;
+    }
+    return false;
+}
+
 ttc_search_result ttc_search_point(ttc_witness *point, const ttc_conditions *conditions)
 {
     if (ttc_conditions_clash(conditions)) return TTC_POINT_IMPOSSIBLE;
     if (conditions->failed) return TTC_POINT_NOT_DECIDED;
     unsigned attempt = 0;
-    if (try_numbers(point, conditions, &attempt, EARLY_ATTEMPTS)) return TTC_POINT_FOUND;
+    if (try_numbers(point, conditions, &attempt, EARLY_ATTEMPTS) || try_rest(point, conditions)) return TTC_POINT_FOUND;
+    if (ttc_elimination_excludes(conditions)) return TTC_POINT_IMPOSSIBLE;
     choose(point, 0); /* simple values for variables that no condition uses, which the solver leaves as they are */
     ttc_solver_answer answer = ttc_solver_ask(point, conditions, false);
     if (answer == TTC_SOLVER_NO_POINT) return TTC_POINT_EXCLUDED;

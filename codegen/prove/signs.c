@@ -41,7 +41,22 @@ static bool has_no_other_sign(signs_of_parts *s, const ttc_ratio *value, int sig
     return result == TTC_POINT_IMPOSSIBLE || result == TTC_POINT_EXCLUDED;
 }
 
-static unsigned signs_of_value(signs_of_parts *s, ttc_id id, bool may_search)
+/* The signs that a ratio can have, by elimination alone, where these are not any: TTC_CAN_BE_ANY otherwise. */
+static unsigned signs_by_elimination(signs_of_parts *s, const ttc_ratio *value, unsigned sign)
+{
+    ttc_task *task = s->task;
+    unsigned signs = TTC_CAN_BE_ANY;
+    ttc_ratio other;
+    ttc_ratio_init(task->ring, &other);
+    ttc_ratio_set(task->ring, &other, value);
+    if (sign == TTC_CAN_BE_POSITIVE) ttc_ratio_scale(task->ring, &other, value, task->ring->minus_one);
+    if (ttc_task_never_is(task, &other, TTC_IS_NONNEGATIVE)) signs = sign;
+    else if (ttc_task_never_is(task, &other, TTC_IS_POSITIVE)) signs = sign | TTC_CAN_BE_ZERO;
+    ttc_ratio_clear(task->ring, &other);
+    return signs;
+}
+
+static unsigned signs_of_value(signs_of_parts *s, ttc_id id, bool may_eliminate, bool may_search)
 {
     unsigned signs = TTC_CAN_BE_ANY;
     ttc_ratio value;
@@ -50,8 +65,12 @@ static unsigned signs_of_value(signs_of_parts *s, ttc_id id, bool may_search)
     if (ttc_task_open(s->task))
         signs = ttc_conditions_signs_of_product(ttc_conditions_signs(&s->task->domain, value.numerator),
                                                 ttc_conditions_signs(&s->task->domain, value.denominator));
-    if (may_search && signs == TTC_CAN_BE_ANY && has_no_other_sign(s, &value, 1)) signs = TTC_CAN_BE_POSITIVE;
-    if (may_search && signs == TTC_CAN_BE_ANY && has_no_other_sign(s, &value, -1)) signs = TTC_CAN_BE_NEGATIVE;
+    may_eliminate = may_eliminate && signs == TTC_CAN_BE_ANY && ttc_task_open(s->task);
+    if (may_eliminate) signs = signs_by_elimination(s, &value, TTC_CAN_BE_POSITIVE);
+    if (may_eliminate && signs == TTC_CAN_BE_ANY) signs = signs_by_elimination(s, &value, TTC_CAN_BE_NEGATIVE);
+    may_search = may_search && may_eliminate && (signs & TTC_CAN_BE_ZERO);
+    if (may_search && (signs & TTC_CAN_BE_POSITIVE) && has_no_other_sign(s, &value, 1)) signs = TTC_CAN_BE_POSITIVE;
+    if (may_search && (signs & TTC_CAN_BE_NEGATIVE) && has_no_other_sign(s, &value, -1)) signs = TTC_CAN_BE_NEGATIVE;
     ttc_ratio_clear(s->task->ring, &value);
     return signs;
 }
@@ -60,11 +79,11 @@ static unsigned signs_of_symbol(signs_of_parts *s, ttc_id id)
 {
     const ttc_model *model = ttc_valuation_model(s->valuation);
     const uint32_t symbol = ttc_symbol_of(model->graph, id);
-    if (symbol >= model->symbol_count || ttc_valuation_is_bound(s->valuation, symbol)) return signs_of_value(s, id, false);
+    if (symbol >= model->symbol_count || ttc_valuation_is_bound(s->valuation, symbol)) return signs_of_value(s, id, false, false);
     const ttc_symbol_entry *entry = model->symbols + symbol;
     if (entry->kind == TTC_LET) return signs_of(s, entry->definition);
     if (entry->kind == TTC_ROOT || entry->kind == TTC_EXP) return TTC_CAN_BE_POSITIVE;
-    return signs_of_value(s, id, false);
+    return signs_of_value(s, id, false, false);
 }
 
 /* Without a sum in it. */
@@ -77,31 +96,37 @@ static bool is_simple(const ttc_graph *graph, ttc_id id)
     return true;
 }
 
-/* Whether a sum is of this sign, also without those of its terms with sums in them that are not of the other sign. */
-static bool has_sign_without(signs_of_parts *s, ttc_id id, unsigned sign)
+/* The signs of a sum if they are of one kind, this sign or zero, by those of its terms with sums in them that are not of the other
+ * sign, and of the rest; TTC_CAN_BE_ANY if not. */
+static unsigned signs_in_two_parts(signs_of_parts *s, ttc_id id, unsigned sign)
 {
     ttc_graph *graph = ttc_valuation_model(s->valuation)->graph;
     const unsigned other = sign == TTC_CAN_BE_POSITIVE ? TTC_CAN_BE_NEGATIVE : TTC_CAN_BE_POSITIVE;
     ttc_id rest = ttc_number(graph, ttc_coefficient(graph, id));
-    unsigned signs = signs_of_number(ttc_coefficient(graph, id));
-    bool leaves_out = id != s->whole, has = false;
+    unsigned of_rest = signs_of_number(ttc_coefficient(graph, id)), aside = TTC_CAN_BE_ZERO, signs = TTC_CAN_BE_ANY;
+    bool leaves_out = id != s->whole;
     ttc_ratio value;
     for (size_t i = 0; i < ttc_part_count(graph, id); i++) {
         const ttc_part part = ttc_part_at(graph, id, i);
         const unsigned own = ttc_conditions_signs_of_product(signs_of_number(part.coefficient), signs_of(s, part.id));
         if (!(own & other) && !is_simple(graph, part.id)) {
             leaves_out = true;
+            aside = ttc_conditions_signs_of_sum(aside, own);
             continue;
         }
         rest = ttc_add(graph, rest, ttc_scale(graph, part.id, part.coefficient));
-        signs = ttc_conditions_signs_of_sum(signs, own);
+        of_rest = ttc_conditions_signs_of_sum(of_rest, own);
     }
-    if (!leaves_out || !(signs & sign) || rest == TTC_NONE) return false;
+    if (!leaves_out || !(of_rest & sign) || rest == TTC_NONE) return TTC_CAN_BE_ANY;
     ttc_ratio_init(s->task->ring, &value);
     ttc_evaluate(s->valuation, &value, rest);
-    has = ttc_task_open(s->task) && has_no_other_sign(s, &value, sign == TTC_CAN_BE_POSITIVE ? 1 : -1);
+    if (ttc_task_open(s->task)) {
+        signs = signs_by_elimination(s, &value, sign);
+        if (signs != TTC_CAN_BE_ANY) signs = ttc_conditions_signs_of_sum(aside, signs);
+        if (signs != sign && has_no_other_sign(s, &value, sign == TTC_CAN_BE_POSITIVE ? 1 : -1)) signs = sign;
+    }
     ttc_ratio_clear(s->task->ring, &value);
-    return has;
+    return signs;
 }
 
 static unsigned signs_of_sum(signs_of_parts *s, ttc_id id)
@@ -118,9 +143,10 @@ static unsigned signs_of_sum(signs_of_parts *s, ttc_id id)
     if (signs == TTC_CAN_BE_ANY && s->looks_closer)
         signs = ttc_one_state_signs(s->task, s->valuation, id, id == s->whole ? s->negative : NULL);
     if (signs != TTC_CAN_BE_ANY || !s->may_search) return signs;
-    if (simple) return signs_of_value(s, id, true);
-    if (has_sign_without(s, id, TTC_CAN_BE_POSITIVE)) return TTC_CAN_BE_POSITIVE;
-    return has_sign_without(s, id, TTC_CAN_BE_NEGATIVE) ? TTC_CAN_BE_NEGATIVE : signs;
+    signs = signs_of_value(s, id, true, simple);
+    if (simple || signs != TTC_CAN_BE_ANY) return signs;
+    signs = signs_in_two_parts(s, id, TTC_CAN_BE_POSITIVE);
+    return signs == TTC_CAN_BE_ANY ? signs_in_two_parts(s, id, TTC_CAN_BE_NEGATIVE) : signs;
 }
 
 /* What divides is not zero. */

@@ -1,4 +1,5 @@
 /* Searches for points of a leaf, also where normal forms have no values. */
+#include "algebra/elimination.h"
 #include "prove/question.h"
 #include "prove/subcase.h"
 
@@ -168,6 +169,17 @@ static ttc_search_result search(ttc_task *task, const ttc_ratio *ratio, ttc_rela
 ttc_search_result ttc_task_search(ttc_task *task, const ttc_ratio *ratio, ttc_relation relation, char **text)
 {
     return search(task, ratio, relation, false, false, text);
+}
+
+bool ttc_task_never_is(ttc_task *task, const ttc_ratio *ratio, ttc_relation relation)
+{
+    ttc_conditions everywhere;
+    if (ttc_conditions_signs(&task->domain, ratio->denominator) & TTC_CAN_BE_ZERO) return false;
+    ttc_conditions_at_denominator(&everywhere, &task->domain, SIZE_MAX);
+    ttc_conditions_add(&everywhere, ratio, relation);
+    const bool never = ttc_elimination_excludes(&everywhere);
+    ttc_conditions_clear(&everywhere);
+    return never;
 }
 
 static const ttc_relation opposite[] = { [TTC_IS_POSITIVE] = TTC_IS_NONNEGATIVE, [TTC_IS_NONNEGATIVE] = TTC_IS_POSITIVE,
