@@ -224,11 +224,11 @@ jlt_extent jlt_look_axis(FILE *stream, const jlt_look *self, char axis, const ch
     const bool turns = known && fabs(period - two_pi) < 1e-9 && range.high - range.low > two_pi / 2.001
                        && range.high - range.low < 1000;
     if (known && !turns) ticks = jlt_ticks_choose(range, room, axis == 'x');
-    const bool beside = axis == 'y' && panels > 1; /* where a label has no room for the power, it stands above the axis */
+    const bool beside = axis == 'y' && panels > 1; /* a label without room for the power: that stands on the right */
     write_label(stream, name, label, beside ? 0 : ticks.power);
     if (beside) fputs("\nunset label", stream);
     if (beside && ticks.power != 0)
-        fprintf(stream, "\nset label '{/*0.85 ×10^{%s%d}}' at graph 0,1 left offset 0,0.45", ticks.power < 0 ? "−" : "",
+        fprintf(stream, "\nset label '{/*0.85 ×10^{%s%d}}' at graph 1,1 left offset 0.5,-0.3", ticks.power < 0 ? "−" : "",
                 abs(ticks.power));
     fputs(axis == 'x' ? " offset 0,0.3\n" : "\n", stream);
     *letters = ticks.letters;

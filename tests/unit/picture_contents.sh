@@ -47,6 +47,9 @@ grep -q 'label .drift ≥ 10^{−17}' p.gp || fail "drifts of 0: $(grep label p.
 jellett simulate ./long.tt --start $long=1e200 --until 1 --every 1 --plot p.svg --keep p.gp -o rows.csv 2> log ||
     fail "drifts without values: $(cat log)"
 ! grep -q drift p.gp || fail "drifts without values: $(grep label p.gp)"
+# A power of ten that counts stands beside its panel, where no title runs into it.
+jellett simulate ./long.tt --start $long=1e100 --until 1 --every 1 --plot p.svg --keep p.gp -o rows.csv 2> log
+grep -q 'label .*×10^{100}}. at graph 1,' p.gp || fail "the power of ten of a panel: $(grep label p.gp)"
 
 # Fixed points on M^2 are told from orbits in grey too.
 jellett portrait --set I1=2/5,I3=1/4 --start gamma3=0.5,v_nu=0.8,omega_tau=0,omega_n=0,omega3=0.9 --orbits 2 --until 1 \
