@@ -18,28 +18,21 @@ void ttc_conditions_clear(ttc_conditions *c)
     c->count = 0;
 }
 
-static const ttc_generator *generator_of(const ttc_ring *ring, slong variable)
-{
-    for (size_t i = 0; i < ring->generator_count; i++)
-        if (ring->generators[i].variable == variable) return &ring->generators[i];
-    return NULL;
-}
-
 static unsigned signs_above(const ttc_graph *graph, ttc_id low)
 {
-    if (low == TTC_NONE || ttc_kind_of(graph, low) != TTC_NUMBER) return TTC_CAN_BE_ANY;
-    return fmpq_sgn(ttc_coefficient(graph, low)) >= 0 ? TTC_CAN_BE_POSITIVE : TTC_CAN_BE_ANY;
+    const fmpq *end = ttc_number_value(graph, low);
+    return end != NULL && fmpq_sgn(end) >= 0 ? TTC_CAN_BE_POSITIVE : TTC_CAN_BE_ANY;
 }
 
 static unsigned signs_below(const ttc_graph *graph, ttc_id high)
 {
-    if (high == TTC_NONE || ttc_kind_of(graph, high) != TTC_NUMBER) return TTC_CAN_BE_ANY;
-    return fmpq_sgn(ttc_coefficient(graph, high)) <= 0 ? TTC_CAN_BE_NEGATIVE : TTC_CAN_BE_ANY;
+    const fmpq *end = ttc_number_value(graph, high);
+    return end != NULL && fmpq_sgn(end) <= 0 ? TTC_CAN_BE_NEGATIVE : TTC_CAN_BE_ANY;
 }
 
 static unsigned signs_of_variable(const ttc_conditions *c, slong variable)
 {
-    const ttc_generator *generator = generator_of(c->ring, variable);
+    const ttc_generator *generator = ttc_ring_generator(c->ring, variable);
     if (generator != NULL) return generator->positive ? TTC_CAN_BE_POSITIVE : TTC_CAN_BE_ANY;
     const ttc_model *model = ttc_valuation_model(c->valuation);
     size_t symbol = ttc_valuation_symbol(c->valuation, variable);
@@ -60,6 +53,12 @@ static unsigned opposite(unsigned signs)
 {
     return (signs & TTC_CAN_BE_ZERO) | (signs & TTC_CAN_BE_POSITIVE ? (unsigned)TTC_CAN_BE_NEGATIVE : 0u)
            | (signs & TTC_CAN_BE_NEGATIVE ? (unsigned)TTC_CAN_BE_POSITIVE : 0u);
+}
+
+unsigned ttc_conditions_sign_of(const fmpq_t value)
+{
+    const int sign = fmpq_sgn(value);
+    return sign > 0 ? TTC_CAN_BE_POSITIVE : sign < 0 ? TTC_CAN_BE_NEGATIVE : TTC_CAN_BE_ZERO;
 }
 
 unsigned ttc_conditions_signs_of_product(unsigned a, unsigned b)

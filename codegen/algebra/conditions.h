@@ -52,6 +52,7 @@ void ttc_conditions_rewind(ttc_conditions *conditions, size_t mark, bool contrad
 /** The signs that a polynomial can have, by the signs of its variables alone: bits of ttc_sign_set. */
 typedef enum { TTC_CAN_BE_NEGATIVE = 1, TTC_CAN_BE_ZERO = 2, TTC_CAN_BE_POSITIVE = 4, TTC_CAN_BE_ANY = 7 } ttc_sign_set;
 unsigned ttc_conditions_signs_in(ttc_relation relation);
+unsigned ttc_conditions_sign_of(const fmpq_t value);
 unsigned ttc_conditions_signs_of_product(unsigned a, unsigned b);
 unsigned ttc_conditions_signs_of_sum(unsigned a, unsigned b);
 unsigned ttc_conditions_signs_of_power(unsigned signs, unsigned long exponent);

@@ -11,13 +11,6 @@ typedef struct {
     bool generators;
 } usage;
 
-static size_t generator_of(const ttc_ring *ring, slong variable)
-{
-    for (size_t i = 0; i < ring->generator_count; i++)
-        if (ring->generators[i].variable == variable) return i;
-    return SIZE_MAX;
-}
-
 static void mark(const ttc_ring *ring, unsigned char *used, const fmpz_mpoly_t polynomial)
 {
     for (slong v = 0; v < (slong)ring->variable_count; v++)
@@ -41,7 +34,7 @@ static bool survey(usage *u, const ttc_ring *ring, const fmpz_mpoly_t polynomial
     }
     for (slong v = 0; ok && v < (slong)ring->variable_count; v++) {
         const unsigned trust = ring->trust[v];
-        if (!used[v] || generator_of(ring, v) != SIZE_MAX) continue;
+        if (!used[v] || ttc_ring_generator(ring, v) != NULL) continue;
         u->count[trust & TTC_TRUST_MASK]++;
         if ((trust & TTC_TRUST_MASK) == TTC_TRUST_FREE) continue;
         u->doubtful |= (trust & TTC_TRUST_CONSTANT) == 0;

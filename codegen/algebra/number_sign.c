@@ -16,14 +16,6 @@ typedef struct {
     bool is_number[TTC_GENERATOR_LIMIT]; /* by generator: the positive root of a number */
 } number_roots;
 
-/* The generator of a variable, or generator_count. */
-static size_t generator_of(const ttc_ring *ring, slong variable)
-{
-    size_t i = 0;
-    while (i < ring->generator_count && ring->generators[i].variable != variable) i++;
-    return i;
-}
-
 static bool is_of_numbers(const number_roots *roots, const fmpz_mpoly_t polynomial)
 {
     const ttc_ring *ring = roots->ring;
@@ -31,8 +23,8 @@ static bool is_of_numbers(const number_roots *roots, const fmpz_mpoly_t polynomi
     bool result = used != NULL;
     if (used != NULL) fmpz_mpoly_used_vars(used, polynomial, ring->context);
     for (size_t v = 0; result && v < ring->variable_count; v++) {
-        const size_t i = used[v] ? generator_of(ring, (slong)v) : 0;
-        result = !used[v] || (i < ring->generator_count && roots->is_number[i]);
+        const ttc_generator *root = ttc_ring_generator(ring, (slong)v);
+        result = !used[v] || (root != NULL && roots->is_number[root - ring->generators]);
     }
     free(used);
     return result;

@@ -83,7 +83,7 @@ typedef struct {
  * that have no variable of their own. Returns NULL when memory is out. */
 ttc_ring *ttc_ring_create(size_t variable_count, size_t first_spare, const char **names, const bool *positive);
 void ttc_ring_destroy(ttc_ring *ring); /* legal on NULL */
-bool ttc_ring_is_generator(const ttc_ring *ring, slong variable); /* true if the variable is that of a generator */
+const ttc_generator *ttc_ring_generator(const ttc_ring *ring, slong variable); /* whose variable it is; NULL: of none */
 void ttc_ring_fail(ttc_ring *ring, ttc_ring_status status); /* sets the status unless the ring has failed before */
 const char *ttc_ring_status_text(ttc_ring_status status); /* a phrase; never NULL */
 /* Returns true for a failure which means that the expression has no value, rather than that it could not be computed. */

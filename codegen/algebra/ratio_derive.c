@@ -23,10 +23,9 @@ static void polynomial_rate(ttc_ring *ring, ttc_ratio *out, const fmpz_mpoly_t p
 {
     ttc_ratio_set_integer(ring, out, 0);
     for (slong v = 0; v < (slong)ring->variable_count; v++) {
-        const ttc_ratio *slope = &slopes[v];
-        for (size_t i = 0; i < ring->generator_count; i++)
-            if (ring->generators[i].variable == v) slope = i < level ? &generator_slopes[i] : NULL;
-        if (slope != NULL) add_term(ring, out, polynomial, v, slope);
+        const ttc_generator *root = ttc_ring_generator(ring, v);
+        const size_t i = root == NULL ? 0 : (size_t)(root - ring->generators);
+        if (root == NULL || i < level) add_term(ring, out, polynomial, v, root == NULL ? &slopes[v] : &generator_slopes[i]);
     }
 }
 

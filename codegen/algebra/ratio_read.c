@@ -13,10 +13,8 @@ bool ttc_ratio_uses(const ttc_ring *ring, const ttc_ratio *a, slong variable)
 
 static bool is_positive(const ttc_ring *ring, slong variable)
 {
-    bool positive = ring->positive[variable];
-    for (size_t i = 0; i < ring->generator_count; i++)
-        if (ring->generators[i].variable == variable) positive = ring->generators[i].positive;
-    return positive;
+    const ttc_generator *root = ttc_ring_generator(ring, variable);
+    return root != NULL ? root->positive : ring->positive[variable];
 }
 
 /* The common sign of all terms if coefficients show it, and odd powers are of positive variables only; or that of a number; 0 if

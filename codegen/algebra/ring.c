@@ -46,11 +46,11 @@ void ttc_ratio_clear(ttc_ring *ring, ttc_ratio *a)
     fmpz_mpoly_clear(a->denominator, ring->context);
 }
 
-bool ttc_ring_is_generator(const ttc_ring *ring, slong variable)
+const ttc_generator *ttc_ring_generator(const ttc_ring *ring, slong variable)
 {
     for (size_t i = 0; i < ring->generator_count; i++)
-        if (ring->generators[i].variable == variable) return true;
-    return false;
+        if (ring->generators[i].variable == variable) return &ring->generators[i];
+    return NULL;
 }
 
 void ttc_ring_fail(ttc_ring *ring, ttc_ring_status status)

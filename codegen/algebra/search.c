@@ -24,14 +24,9 @@ static void magnitude(fmpq_t out, unsigned attempt, uint64_t random)
     }
 }
 
-static const fmpq *end_of(const ttc_graph *graph, ttc_id end)
-{
-    return end != TTC_NONE && ttc_kind_of(graph, end) == TTC_NUMBER ? ttc_coefficient(graph, end) : NULL;
-}
-
 static void choose_state(fmpq_t out, const ttc_graph *graph, const ttc_symbol_entry *entry, unsigned attempt, uint64_t random)
 {
-    const fmpq *low = end_of(graph, entry->low), *high = end_of(graph, entry->high);
+    const fmpq *low = ttc_number_value(graph, entry->low), *high = ttc_number_value(graph, entry->high);
     magnitude(out, attempt, random);
     if (low != NULL && high != NULL) {
         fmpq_t width;
@@ -60,7 +55,7 @@ static void choose_state(fmpq_t out, const ttc_graph *graph, const ttc_symbol_en
 
 static void choose_param(fmpq_t out, const ttc_graph *graph, const ttc_symbol_entry *entry, unsigned attempt, uint64_t random)
 {
-    const fmpq *value = end_of(graph, entry->value);
+    const fmpq *value = ttc_number_value(graph, entry->value);
     magnitude(out, attempt, random);
     if (value != NULL && (attempt == 0 || attempt % 3 == 1)) fmpq_set(out, value);
     else if (entry->sign == TTC_ANY_SIGN && random >> 32 & 1 && attempt > 8 && (random >> 33) % 4 == 0) fmpq_zero(out);

@@ -143,9 +143,8 @@ static bool is_number(const ttc_question *q, slong v)
         ttc_ratio_clear(ring, &argument);
         return result;
     }
-    for (size_t i = 0; i < ring->generator_count; i++)
-        if (ring->generators[i].variable == v) return ring->generators[i].positive && is_of_numbers(q, &ring->generators[i].square);
-    return false;
+    const ttc_generator *root = ttc_ring_generator(ring, v);
+    return root != NULL && root->positive && is_of_numbers(q, &root->square);
 }
 
 static bool is_of_numbers(const ttc_question *q, const ttc_ratio *ratio)
@@ -212,9 +211,8 @@ static void state_signs(ttc_question *q)
         if (entry->kind == TTC_PARAM && entry->sign == TTC_NONZERO) state_condition(q, variable, TTC_IS_NONZERO);
         const ttc_id ends[2] = { entry->low, entry->high };
         for (int i = 0; i < 2 && entry->kind == TTC_STATE; i++) {
-            if (ends[i] == TTC_NONE || ttc_kind_of(model->graph, ends[i]) != TTC_NUMBER) continue;
-            int sign = fmpq_sgn(ttc_coefficient(model->graph, ends[i]));
-            if (i == 0 ? sign < 0 : sign > 0) continue;
+            const fmpq *end = ttc_number_value(model->graph, ends[i]);
+            if (end == NULL || (i == 0 ? fmpq_sgn(end) < 0 : fmpq_sgn(end) > 0)) continue;
             if (i == 1) fmpz_mpoly_neg(variable, variable, ring->context);
             state_condition(q, variable, TTC_IS_POSITIVE);
         }
@@ -357,11 +355,11 @@ static bool read_value(Z3_context z3, Z3_ast value, fmpq_t out)
 
 static void read_sign(ttc_question *q, slong v, const fmpq_t value)
 {
-    for (size_t i = 0; i < q->point->ring->generator_count; i++)
-        if (q->point->ring->generators[i].variable == v) {
-            q->point->negative &= ~(1u << i);
-            if (fmpq_sgn(value) < 0) q->point->negative |= 1u << i;
-        }
+    const ttc_generator *root = ttc_ring_generator(q->point->ring, v);
+    if (root == NULL) return;
+    const unsigned bit = 1u << (root - q->point->ring->generators);
+    q->point->negative &= ~bit;
+    if (fmpq_sgn(value) < 0) q->point->negative |= bit;
 }
 
 bool ttc_question_read_point(ttc_question *q)

@@ -52,8 +52,7 @@ static bool is_positive(const ttc_model *model, const ttc_symbol_entry *entry)
     case TTC_PI: return true;
     case TTC_PARAM: return entry->sign == TTC_POSITIVE || entry->sign == TTC_NONNEGATIVE;
     case TTC_STATE:
-        return entry->low != TTC_NONE && ttc_kind_of(model->graph, entry->low) == TTC_NUMBER
-               && fmpq_sgn(ttc_coefficient(model->graph, entry->low)) >= 0;
+        return ttc_number_value(model->graph, entry->low) != NULL && fmpq_sgn(ttc_number_value(model->graph, entry->low)) >= 0;
     default: return false;
     }
 }

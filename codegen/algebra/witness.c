@@ -67,13 +67,6 @@ static ttc_symbol_kind kind_of(const ttc_witness *point, slong variable)
     return symbol < model->symbol_count ? model->symbols[symbol].kind : TTC_STATE;
 }
 
-static size_t generator_index(const ttc_witness *point, slong variable)
-{
-    size_t i = 0;
-    while (i < point->ring->generator_count && point->ring->generators[i].variable != variable) i++;
-    return i;
-}
-
 bool ttc_witness_is_function(const ttc_witness *point, slong variable)
 {
     const ttc_model *model = ttc_valuation_model(point->valuation);
@@ -91,7 +84,7 @@ bool ttc_witness_is_function(const ttc_witness *point, slong variable)
 
 bool ttc_witness_is_free(const ttc_witness *point, slong variable)
 {
-    return generator_index(point, variable) == point->ring->generator_count && !ttc_witness_is_function(point, variable)
+    return ttc_ring_generator(point->ring, variable) == NULL && !ttc_witness_is_function(point, variable)
            && point->angles[variable] == 0;
 }
 
@@ -177,11 +170,10 @@ void ttc_witness_enclose(arb_t out, ttc_witness *point, const ttc_ratio *ratio, 
     arb_clear(bottom);
 }
 
-static void enclose_root(ttc_witness *point, slong variable, size_t index, slong precision)
+static void enclose_root(ttc_witness *point, slong variable, const ttc_generator *generator, slong precision)
 {
-    const ttc_generator *generator = &point->ring->generators[index];
     struct ttc_witness_balls *balls = point->balls;
-    bool negative = !generator->positive && (point->negative >> index & 1);
+    bool negative = !generator->positive && (point->negative >> (generator - point->ring->generators) & 1);
     ttc_witness_enclose(balls->ball + variable, point, &generator->square, precision);
     if (exact_ratio(balls->exact + variable, point, &generator->square)
         && ttc_symbol_rational(balls->exact + variable, TTC_ROOT, balls->exact + variable)) {
@@ -256,13 +248,13 @@ static void enclose_variable(ttc_witness *point, slong variable, slong precision
     if (balls->state[variable] == BUSY) arb_indeterminate(balls->ball + variable);
     if (balls->state[variable] != UNKNOWN) return;
     balls->state[variable] = BUSY;
-    size_t index = generator_index(point, variable);
+    const ttc_generator *root = ttc_ring_generator(point->ring, variable);
     if (ttc_witness_is_function(point, variable)) {
         enclose_function(point, variable, kind_of(point, variable), precision);
     } else if (point->angles[variable] != 0) {
         enclose_told(point, variable, precision);
-    } else if (index < point->ring->generator_count) {
-        enclose_root(point, variable, index, precision);
+    } else if (root != NULL) {
+        enclose_root(point, variable, root, precision);
     } else {
         fmpq_set(balls->exact + variable, point->values + variable);
         arb_set_fmpq(balls->ball + variable, point->values + variable, precision);

@@ -28,7 +28,7 @@ static slong told_by(const ttc_witness *point, const ttc_ratio *angle)
     for (slong v = 0; told < 0 && v < (slong)point->ring->variable_count; v++) {
         const size_t symbol = ttc_valuation_symbol(point->valuation, v);
         const ttc_symbol_kind kind = symbol < model->symbol_count ? model->symbols[symbol].kind : TTC_COSINE;
-        if ((kind == TTC_STATE || kind == TTC_PARAM || kind == TTC_LEVEL) && !ttc_ring_is_generator(point->ring, v) &&
+        if ((kind == TTC_STATE || kind == TTC_PARAM || kind == TTC_LEVEL) && ttc_ring_generator(point->ring, v) == NULL &&
             point->angles[v] == 0 && has_slope(slope, point->ring, angle, v))
             told = v;
     }
@@ -52,16 +52,11 @@ void ttc_witness_find_angles(ttc_witness *point)
 }
 
 /* A number that the symbol's value exceeds, or that it stays below; NULL if none is known. */
-static const fmpq *end_of(const ttc_model *model, ttc_id end)
-{
-    return end != TTC_NONE && ttc_kind_of(model->graph, end) == TTC_NUMBER ? ttc_coefficient(model->graph, end) : NULL;
-}
-
 void ttc_witness_add_turns(arb_t value, const fmpq_t slope, const ttc_model *model, size_t symbol, slong precision)
 {
     const ttc_symbol_entry *entry = &model->symbols[symbol];
     const bool is_positive = entry->kind == TTC_PARAM && (entry->sign == TTC_POSITIVE || entry->sign == TTC_NONNEGATIVE);
-    const fmpq *low = end_of(model, entry->low), *high = end_of(model, entry->high);
+    const fmpq *low = ttc_number_value(model->graph, entry->low), *high = ttc_number_value(model->graph, entry->high);
     arb_t turn, rest;
     fmpz_t turns;
     if (low == NULL && high == NULL && !is_positive) return;

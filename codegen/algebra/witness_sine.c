@@ -31,7 +31,7 @@ ttc_truth ttc_witness_sines(ttc_witness *point)
     for (uint32_t i = 1; truth == TTC_HOLDS && i < model->symbol_count; i++) {
         const ttc_symbol_entry *entry = &model->symbols[i];
         if (entry->kind != TTC_SINE || !ttc_valuation_has_value(v, i) || ttc_valuation_is_bound(v, entry->partner) ||
-            ttc_ring_is_generator(point->ring, ttc_valuation_variable(v, i)))
+            ttc_ring_generator(point->ring, ttc_valuation_variable(v, i)) != NULL)
             continue;
         ttc_evaluate(v, &value, model->symbols[entry->partner].node);
         const slong cosine = ttc_valuation_variable(v, entry->partner);

@@ -41,21 +41,13 @@ static void put_in(description *d, fmpq_mpoly_t out, const fmpz_mpoly_t polynomi
     free(exponents);
 }
 
-static bool is_root(const description *d, slong variable)
-{
-    const ttc_ring *ring = d->point->ring;
-    for (size_t i = 0; i < ring->generator_count; i++)
-        if (ring->generators[i].variable == variable) return true;
-    return false;
-}
-
 /* Mark the roots of a polynomial as used. Returns false if it has variables that are no roots, such as angles. */
 static bool note_roots(description *d, const fmpq_mpoly_t polynomial)
 {
     bool roots_alone = true;
     for (slong v = 0; v < (slong)d->point->ring->variable_count; v++) {
         if (fmpq_mpoly_degree_si(polynomial, v, d->context) < 1) continue;
-        if (is_root(d, v)) d->used[v] = 1;
+        if (ttc_ring_generator(d->point->ring, v) != NULL) d->used[v] = 1;
         else roots_alone = false;
     }
     return roots_alone;
@@ -124,7 +116,8 @@ static bool is_root_itself(description *d, uint32_t symbol)
     slong variable = ttc_valuation_variable(d->point->valuation, symbol);
     fmpq_t value;
     fmpq_init(value);
-    bool irrational = variable >= 0 && is_root(d, variable) && !ttc_witness_coordinate(value, d->point, variable);
+    bool irrational = variable >= 0 && ttc_ring_generator(d->point->ring, variable) != NULL &&
+                      !ttc_witness_coordinate(value, d->point, variable);
     if (irrational) d->used[variable] = 1;
     fmpq_clear(value);
     return irrational;

@@ -76,6 +76,14 @@ void ttc_text_add_comment(ttc_text *text, const char *bytes)
     }
 }
 
+char *ttc_text_path(const char *folder, const char *name, const char *extension)
+{
+    ttc_text text = { 0 };
+    ttc_text_format(&text, "%s/%s%s", folder, name, extension);
+    if (text.failed) ttc_text_clear(&text);
+    return text.bytes;
+}
+
 static char lower(char c) { return (char)(c | 0x20); }
 
 bool ttc_text_resembles(const char *a, size_t n, const char *b, size_t m)

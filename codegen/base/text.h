@@ -27,6 +27,9 @@ TTC_PRINTF(2, 3) void ttc_text_format(ttc_text *text, const char *format, ...);
 /* The text as a C string; "" when nothing was added. Valid until the next change. */
 const char *ttc_text_string(const ttc_text *text);
 
+/* FOLDER/NAMEEXTENSION, for the caller to free; NULL when memory is out. */
+char *ttc_text_path(const char *folder, const char *name, const char *extension);
+
 /* Add the string `bytes`, escaped for use within a C string literal; NULL adds nothing. */
 void ttc_text_add_escaped(ttc_text *text, const char *bytes);
 

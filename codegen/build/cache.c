@@ -21,18 +21,11 @@ static bool is_private(const struct stat *found) { return found->st_uid == geteu
 /* Part of the name of every file and folder that is not yet an entry. */
 #define UNFINISHED ".part"
 
-static char *joined(const char *folder, const char *name, const char *extension)
-{
-    ttc_text text = { 0 };
-    ttc_text_format(&text, "%s/%s%s", folder, name, extension);
-    return text.failed ? NULL : text.bytes;
-}
-
 static char *base_folder(ttc_text *message)
 {
     const char *xdg = getenv("XDG_CACHE_HOME"), *home = getenv("HOME");
     if (xdg != NULL && *xdg == '/') return strdup(xdg);
-    if (home != NULL && *home == '/') return joined(home, ".cache", "");
+    if (home != NULL && *home == '/') return ttc_text_path(home, ".cache", "");
     ttc_text_add(message, "there is no place for compiled tables (expected HOME or XDG_CACHE_HOME to name a folder)");
     return NULL;
 }
@@ -43,7 +36,7 @@ bool ttc_cache_open(ttc_cache *cache, ttc_text *message)
     *cache = (ttc_cache){ .lock = -1 };
     char *base = base_folder(message);
     if (base == NULL) return false;
-    cache->folder = joined(base, "jellett", "");
+    cache->folder = ttc_text_path(base, "jellett", "");
     /* Only the last two folders are created, so that a misspelt path above them is an error. */
     if (mkdir(base, 0700) != 0 && errno != EEXIST) goto failed;
     if (cache->folder == NULL || (mkdir(cache->folder, 0700) != 0 && errno != EEXIST)) goto failed;
@@ -70,7 +63,7 @@ void ttc_cache_close(ttc_cache *cache)
     *cache = (ttc_cache){ .lock = -1 };
 }
 
-char *ttc_cache_path(const ttc_cache *cache, const char *key) { return joined(cache->folder, key, ".so"); }
+char *ttc_cache_path(const ttc_cache *cache, const char *key) { return ttc_text_path(cache->folder, key, ".so"); }
 
 enum { SEAL = 64 }; /* hexadecimal digits of SHA-256, at the end of the file, where the dynamic loader does not look */
 
@@ -136,7 +129,7 @@ bool ttc_cache_lock(ttc_cache *cache, const char *key)
 {
     char name[] = "lock-0";
     name[5] = *key;
-    char *path = joined(cache->folder, name, "");
+    char *path = ttc_text_path(cache->folder, name, "");
     if (path == NULL) return false;
     cache->lock = open(path, O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600);
     free(path);
@@ -161,7 +154,7 @@ static void clear_unfinished(const ttc_cache *cache, const char *key)
     DIR *open = opendir(cache->folder);
     for (struct dirent *entry; open != NULL && (entry = readdir(open)) != NULL;) {
         if (entry->d_name[0] != *key || strstr(entry->d_name, UNFINISHED) == NULL) continue;
-        char *path = joined(cache->folder, entry->d_name, "");
+        char *path = ttc_text_path(cache->folder, entry->d_name, "");
         if (path != NULL) remove_tree(path);
         free(path);
     }
@@ -172,7 +165,7 @@ static void clear_unfinished(const ttc_cache *cache, const char *key)
 char *ttc_cache_workshop(const ttc_cache *cache, const char *key)
 {
     clear_unfinished(cache, key);
-    char *path = joined(cache->folder, key, UNFINISHED "-XXXXXX");
+    char *path = ttc_text_path(cache->folder, key, UNFINISHED "-XXXXXX");
     if (path != NULL && mkdtemp(path) != NULL) return path;
     free(path);
     return NULL;
@@ -196,7 +189,7 @@ static bool flush(const char *path)
 /* The object gets its final name last, when the temporary folder is gone: a run killed after that leaves nothing behind. */
 bool ttc_cache_publish(const ttc_cache *cache, const char *key, const char *object, char *workshop)
 {
-    char *whole = joined(cache->folder, key, UNFINISHED), *path = ttc_cache_path(cache, key);
+    char *whole = ttc_text_path(cache->folder, key, UNFINISHED), *path = ttc_cache_path(cache, key);
     bool good = whole != NULL && path != NULL && seal(object, key) && chmod(object, 0700) == 0 && flush(object)
                 && rename(object, whole) == 0;
     const int reason = errno;
@@ -216,7 +209,7 @@ void ttc_cache_prune(const ttc_cache *cache, unsigned days)
         const size_t length = strlen(entry->d_name);
         struct stat found;
         if (length < 3 || strcmp(entry->d_name + length - 3, ".so") != 0) continue;
-        char *path = joined(cache->folder, entry->d_name, "");
+        char *path = ttc_text_path(cache->folder, entry->d_name, "");
         if (path != NULL && lstat(path, &found) == 0 && found.st_mtime < oldest) remove(path);
         free(path);
     }

@@ -116,13 +116,6 @@ static bool add_file(file_list *list, char *name)
     return true;
 }
 
-static char *join(const char *folder, const char *name, const char *extension)
-{
-    ttc_text text = { 0 };
-    ttc_text_format(&text, "%s/%s%s", folder, name, extension);
-    return text.failed ? NULL : text.bytes;
-}
-
 static bool holds_lanes(const char *path)
 {
     const char *slash = strrchr(path, '/');
@@ -157,7 +150,7 @@ static bool list_folder(file_list *list, const char *folder, bool into, const la
         const size_t length = strlen(entry->d_name);
         struct stat kind;
         if (*entry->d_name == '.') continue;
-        char *path = join(folder, entry->d_name, "");
+        char *path = ttc_text_path(folder, entry->d_name, "");
         ok = path != NULL && stat(path, &kind) == 0;
         if (ok && into && S_ISDIR(kind.st_mode)) ok = list_folder(list, path, false, set, balls);
         else if (ok && length > 2 && strcmp(entry->d_name + length - 2, ".c") == 0
@@ -229,7 +222,7 @@ static size_t processors(void)
 /* Returns true if the compiler finds the headers of Arb, which the files of ball arithmetic include. */
 static bool has_arb(const char *compiler, const char *folder)
 {
-    char *header = join(folder, "kernel_ball.h", "");
+    char *header = ttc_text_path(folder, "kernel_ball.h", "");
     const char *const arguments[] = { compiler, "-E", "-w", "-x", "c", header, NULL };
     const bool found = header != NULL && start(compiler, (char *const *)arguments, true) > 0 && finish_one();
     free(header);

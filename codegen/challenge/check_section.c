@@ -11,13 +11,6 @@ typedef struct {
     long precision;
 } section_check;
 
-static const ttc_section *section_of(const ttc_check *check)
-{
-    for (size_t i = 0; i < check->model->section_count; i++)
-        if (check->model->claims + check->model->sections[i].claim == check->claim) return check->model->sections + i;
-    return NULL;
-}
-
 /* The value of a parameter of the chart. */
 static arb_srcptr param_of(const section_check *s, const char *name)
 {
@@ -126,7 +119,8 @@ static void check_state(section_check *s)
 void ttc_check_section(ttc_check *check)
 {
     char reason[8];
-    section_check s = { .check = check, .section = section_of(check), .precision = ttc_probe_precision(check->probe) };
+    section_check s = { .check = check, .section = ttc_section_of(check->model, check->claim),
+                        .precision = ttc_probe_precision(check->probe) };
     if (check->target != NULL && ttc_section_fits(check->model, s.section, check->target, reason, sizeof reason))
         s.lifted = ttc_probe_create(check->model);
     if (s.lifted == NULL) ttc_check_undefined(check);

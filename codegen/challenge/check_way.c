@@ -6,13 +6,6 @@
 
 #include <string.h>
 
-static const ttc_way *way_of(const ttc_check *check)
-{
-    size_t i = 0;
-    while (check->model->claims + check->model->ways[i].claim != check->claim) i++;
-    return check->model->ways + i;
-}
-
 /* Whether `where` holds, which it does not where the claim divides by zero, whatever cancels. */
 static bool holds(const ttc_check *check, ttc_probe *probe, const ttc_way *way)
 {
@@ -171,7 +164,7 @@ void ttc_check_way(ttc_check *check)
 {
     char text[256];
     uint32_t back;
-    const ttc_way *way = way_of(check);
+    const ttc_way *way = ttc_way_of(check->model, check->claim);
     if (check->target == NULL || !ttc_way_fits(check->model, way, check->target, &back, text, sizeof text) ||
         !holds(check, check->probe, way) || !ttc_check_set_image(check, &way->image)) {
         ttc_check_undefined(check);

@@ -1,20 +1,15 @@
 #include "challenge/random_point.h"
 
-#include <stdlib.h>
+#include "base/array.h"
 
-static bool is_among(const uint32_t *claims, size_t count, uint32_t claim)
-{
-    for (size_t i = 0; i < count; i++)
-        if (claims[i] == claim) return true;
-    return false;
-}
+#include <stdlib.h>
 
 bool ttc_situation_has_record(const ttc_situation *situation, ttc_divisor_role role, uint32_t owner)
 {
     if (role == situation->role && owner == situation->owner) return true;
     if (role != TTC_DIVIDES_CLAIM || situation->role != TTC_DIVIDES_CLAIM) return false;
     const ttc_claim *own = situation->model->claims + situation->owner;
-    return is_among(own->modulo, own->modulo_count, owner) || is_among(own->members, own->member_count, owner)
+    return ttc_array_has(own->modulo, own->modulo_count, owner) || ttc_array_has(own->members, own->member_count, owner)
            || (ttc_claim_speaks_of_family(own->kind) && own->family == owner);
 }
 
@@ -73,11 +68,7 @@ bool ttc_random_point_init(ttc_random_point *point, const ttc_situation *situati
     point->used = used_definitions(situation);
     list_sums(point, situation->model);
     if (point->numbers == NULL || point->bound == NULL || point->used == NULL || point->sums == NULL) {
-        free(point->numbers);
-        free(point->bound);
-        free(point->used);
-        free(point->sums);
-        *point = (ttc_random_point){ 0 };
+        ttc_random_point_clear(point);
         return false;
     }
     point->symbol_count = count;

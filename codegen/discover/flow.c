@@ -51,7 +51,7 @@ static void add_plain(ttc_flow *flow)
         const ttc_symbol_kind kind = flow->model->symbols[i].kind;
         if (kind == TTC_LET || kind == TTC_LAMBDA) continue;
         const slong variable = own_variable(flow, i, &value);
-        if (variable < 0 || ttc_ring_is_generator(flow->ring, variable)) continue;
+        if (variable < 0 || ttc_ring_generator(flow->ring, variable) != NULL) continue;
         const bool moves = !fmpz_mpoly_is_zero(flow->slopes[variable].numerator, flow->ring->context);
         if (kind == TTC_STATE || moves) add_quantity(flow, variable, false);
         else flow->parameters[flow->parameter_count++] = variable;

@@ -15,7 +15,7 @@ typedef struct {
     const ttc_program *program;
     ttc_loss *losses;      /* by value */
     ttc_value *users;      /* by value: the last value that uses it */
-    unsigned *use_counts;  /* by value; an output counts as two uses */
+    uint32_t *use_counts;  /* by value; an output counts as two uses */
     size_t found;
 } survey;
 
@@ -199,16 +199,13 @@ static void name_place(survey *s, ttc_value value)
     ttc_text_clear(&formula);
 }
 
-static void count_uses(survey *s)
+static void list_users(survey *s)
 {
     for (size_t v = 0; v < ttc_program_size(s->program); v++) {
         const ttc_instruction *i = ttc_program_at(s->program, (ttc_value)v);
-        for (unsigned k = 0; k < ttc_op_arity(i->op); k++) {
-            s->users[i->operands[k]] = (ttc_value)v;
-            s->use_counts[i->operands[k]]++;
-        }
+        for (unsigned k = 0; k < ttc_op_arity(i->op); k++) s->users[i->operands[k]] = (ttc_value)v;
     }
-    for (size_t k = 0; k < ttc_program_output_count(s->program); k++) s->use_counts[ttc_program_output_at(s->program, k)] += 2;
+    ttc_program_count_uses(s->use_counts, s->program);
 }
 
 /* Name sums that may cancel, each once, and prepared values with such sums. */
@@ -282,12 +279,12 @@ void ttc_emit_cancellations(ttc_text *text, const ttc_kernels *kernels, ttc_kern
     size_t n = ttc_program_size(program) + 1;
     ttc_text found = { 0 };
     survey s = { &found, kernels, kind, program, calloc(n, sizeof(ttc_loss)), malloc(n * sizeof(ttc_value)),
-                 calloc(n, sizeof(unsigned)), 0 };
+                 calloc(n, sizeof(uint32_t)), 0 };
     bool ok = s.losses != NULL && s.users != NULL && s.use_counts != NULL
               && ttc_program_losses(s.losses, program, kernels->field, &kernels->prepared);
     for (size_t v = 0; ok && v < n; v++) s.users[v] = TTC_NO_VALUE;
     if (ok) {
-        count_uses(&s);
+        list_users(&s);
         name_sums(&s);
         name_arguments(&s);
         if (text->length > 0 && found.length > 0) ttc_text_add(text, TTC_LOSS_SEPARATOR);

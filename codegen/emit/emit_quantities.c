@@ -3,7 +3,7 @@
 
 static void add_double(ttc_text *text, const ttc_graph *graph, ttc_id id, const char *otherwise)
 {
-    if (id != TTC_NONE && ttc_kind_of(graph, id) == TTC_NUMBER) ttc_emit_constant(text, ttc_coefficient(graph, id));
+    if (ttc_number_value(graph, id) != NULL) ttc_emit_constant(text, ttc_number_value(graph, id));
     else ttc_text_add(text, otherwise);
 }
 

@@ -213,6 +213,11 @@ ttc_part ttc_part_at(const ttc_graph *graph, ttc_id id, size_t index)
     return part;
 }
 
+const fmpq *ttc_number_value(const ttc_graph *graph, ttc_id id)
+{
+    return id != TTC_NONE && graph->nodes[id]->kind == TTC_NUMBER ? graph->nodes[id]->coefficient : NULL;
+}
+
 bool ttc_is_number(const ttc_graph *graph, ttc_id id, long value)
 {
     if (graph->nodes[id]->kind != TTC_NUMBER) return false;

@@ -91,6 +91,7 @@ uint32_t ttc_symbol_of(const ttc_graph *graph, ttc_id id);      /* SYMBOL only *
 size_t ttc_part_count(const ttc_graph *graph, ttc_id id);       /* PRODUCT and SUM; 0 otherwise */
 ttc_part ttc_part_at(const ttc_graph *graph, ttc_id id, size_t index);
 bool ttc_is_number(const ttc_graph *graph, ttc_id id, long value);
+const fmpq *ttc_number_value(const ttc_graph *graph, ttc_id id); /* of a NUMBER; NULL for another node, and for TTC_NONE */
 
 /** Replace symbols and rebuild. map(context, symbol) gives the replacement, or TTC_NONE to keep the symbol.
  *  Cost: one visit to each reachable node. */

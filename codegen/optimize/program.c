@@ -36,6 +36,13 @@ size_t ttc_program_size(const ttc_program *program) { return program->count; }
 size_t ttc_program_output_count(const ttc_program *program) { return program->output_count; }
 ttc_value ttc_program_output_at(const ttc_program *program, size_t index) { return program->outputs[index]; }
 
+void ttc_program_count_uses(uint32_t *uses, const ttc_program *program)
+{
+    for (size_t k = 0; k < program->count; k++)
+        for (unsigned j = 0; j < ttc_op_arity(program->items[k].op); j++) uses[program->items[k].operands[j]]++;
+    for (size_t k = 0; k < program->output_count; k++) uses[program->outputs[k]] += 2;
+}
+
 const ttc_instruction *ttc_program_at(const ttc_program *program, ttc_value value) { return program->items + value; }
 
 #define COUNTED(member) offsetof(ttc_count, member)

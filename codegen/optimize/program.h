@@ -89,6 +89,9 @@ size_t ttc_program_size(const ttc_program *program);
 const ttc_instruction *ttc_program_at(const ttc_program *program, ttc_value value);
 size_t ttc_program_output_count(const ttc_program *program);
 ttc_value ttc_program_output_at(const ttc_program *program, size_t index);
+
+/* Count the uses of each value, added to uses, shape (size,); an output counts as two. */
+void ttc_program_count_uses(uint32_t *uses, const ttc_program *program);
 /* Number of operands of an operation: 0 to 3, in the order a, b, c. */
 unsigned ttc_op_arity(ttc_op op);
 /* Latency of an operation in multiplications; 0 for leaves. Rough, from tables of processors of the years around 2020: a

@@ -60,23 +60,13 @@ static ttc_value quotient(const fusing *f, const ttc_instruction *i, ttc_value r
                             TTC_NO_VALUE);
 }
 
-/* Outputs count twice: they are never fused. */
-static void count_uses(fusing *f)
-{
-    for (size_t k = 0; k < ttc_program_size(f->program); k++) {
-        const ttc_instruction *i = ttc_program_at(f->program, (ttc_value)k);
-        for (unsigned j = 0; j < ttc_op_arity(i->op); j++) f->uses[i->operands[j]]++;
-    }
-    for (size_t k = 0; k < ttc_program_output_count(f->program); k++) f->uses[ttc_program_output_at(f->program, k)] += 2;
-}
-
 ttc_program *ttc_program_fuse(const ttc_program *program)
 {
     size_t n = ttc_program_size(program);
     fusing f = { program, ttc_program_create(), calloc(n + 1, sizeof *f.uses), calloc(n + 1, sizeof *f.renamed) };
     ttc_program *trimmed = NULL;
     if (f.out == NULL || f.uses == NULL || f.renamed == NULL) goto done;
-    count_uses(&f);
+    ttc_program_count_uses(f.uses, program); /* outputs count twice: they are never fused */
     for (size_t k = 0; k < n; k++) {
         const ttc_instruction *i = ttc_program_at(program, (ttc_value)k);
         bool is_sum = (i->op == TTC_OP_ADD || i->op == TTC_OP_SUBTRACT) && i->a != i->b;

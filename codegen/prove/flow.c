@@ -28,10 +28,9 @@ bool ttc_task_restricts_states(const ttc_task *task)
 
 static bool variable_moves(ttc_task *task, slong variable)
 {
-    const ttc_ring *ring = task->ring;
+    const ttc_generator *root = ttc_ring_generator(task->ring, variable);
     const ttc_model *model = task->model;
-    for (size_t i = 0; i < ring->generator_count; i++)
-        if (ring->generators[i].variable == variable) return ttc_task_moves(task, &ring->generators[i].square);
+    if (root != NULL) return ttc_task_moves(task, &root->square);
     size_t symbol = ttc_valuation_symbol(task->field, variable);
     if (symbol >= model->symbol_count) return true;
     if (model->symbols[symbol].kind == TTC_STATE || model->symbols[symbol].kind == TTC_ROOT) return true;

@@ -53,11 +53,10 @@ static bool uses_free(ttc_valuation *general, const ttc_ratio *value);
 static bool is_in_question(ttc_valuation *general, slong variable)
 {
     const ttc_model *model = ttc_valuation_model(general);
-    const ttc_ring *ring = ttc_valuation_ring(general);
+    const ttc_generator *root = ttc_ring_generator(ttc_valuation_ring(general), variable);
     const size_t symbol = ttc_valuation_symbol(general, variable);
     if (ttc_valuation_is_free(general, variable)) return true;
-    for (size_t i = 0; i < ring->generator_count; i++)
-        if (ring->generators[i].variable == variable) return uses_free(general, &ring->generators[i].square);
+    if (root != NULL) return uses_free(general, &root->square);
     return symbol < model->symbol_count && ttc_symbol_is_function(model->symbols[symbol].kind);
 }
 

@@ -15,8 +15,8 @@ static void hold(ttc_task *task, bool *moves, const ttc_ratio *value)
     for (slong v = 0; v < (slong)ring->variable_count; v++) {
         if (!moves[v] || !ttc_ratio_uses(ring, value, v)) continue;
         moves[v] = false;
-        for (size_t i = 0; i < ring->generator_count; i++)
-            if (ring->generators[i].variable == v) hold(task, moves, &ring->generators[i].square);
+        const ttc_generator *root = ttc_ring_generator(ring, v);
+        if (root != NULL) hold(task, moves, &root->square);
         const size_t symbol = ttc_valuation_symbol(task->field, v);
         if (symbol >= model->symbol_count || model->symbols[symbol].definition == TTC_NONE) continue;
         ttc_evaluate(task->field, &of, model->symbols[symbol].definition);

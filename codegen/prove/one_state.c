@@ -30,12 +30,6 @@ typedef struct {
 
 static unsigned signs_on(one_state *s, ttc_id id, const piece *p, unsigned derivatives);
 
-static unsigned signs_of_number(const fmpq_t value)
-{
-    const int sign = fmpq_sgn(value);
-    return sign > 0 ? TTC_CAN_BE_POSITIVE : sign < 0 ? TTC_CAN_BE_NEGATIVE : TTC_CAN_BE_ZERO;
-}
-
 /* By a ball, for all values of the state from low to high, both included. */
 static unsigned signs_between(one_state *s, ttc_id id, const fmpq_t low, const fmpq_t high)
 {
@@ -151,12 +145,12 @@ static unsigned signs_of_parts(one_state *s, ttc_id id, const piece *p, unsigned
 {
     const ttc_graph *graph = s->model->graph;
     const bool is_sum = ttc_kind_of(graph, id) == TTC_SUM;
-    unsigned signs = signs_of_number(ttc_coefficient(graph, id));
+    unsigned signs = ttc_conditions_sign_of(ttc_coefficient(graph, id));
     for (size_t i = 0; i < ttc_part_count(graph, id); i++) {
         const ttc_part part = ttc_part_at(graph, id, i);
         const unsigned own = signs_on(s, part.id, p, derivatives);
-        if (is_sum)
-            signs = ttc_conditions_signs_of_sum(signs, ttc_conditions_signs_of_product(signs_of_number(part.coefficient), own));
+        const unsigned weight = ttc_conditions_sign_of(part.coefficient);
+        if (is_sum) signs = ttc_conditions_signs_of_sum(signs, ttc_conditions_signs_of_product(weight, own));
         else if (part.exponent < 0 && (own & TTC_CAN_BE_ZERO)) return TTC_CAN_BE_ANY;
         else signs = ttc_conditions_signs_of_product(signs, ttc_conditions_signs_of_power(own, (unsigned long)labs(part.exponent)));
     }
@@ -169,7 +163,7 @@ static unsigned signs_on(one_state *s, ttc_id id, const piece *p, unsigned deriv
     if (id == TTC_NONE || s->work == 0) return signs;
     s->work--;
     const ttc_kind kind = ttc_kind_of(s->model->graph, id);
-    if (kind == TTC_NUMBER) return signs_of_number(ttc_coefficient(s->model->graph, id));
+    if (kind == TTC_NUMBER) return ttc_conditions_sign_of(ttc_coefficient(s->model->graph, id));
     if (p->known[0] && p->known[1]) signs = signs_between(s, id, p->end[0], p->end[1]);
     if (signs != TTC_CAN_BE_ANY) return signs;
     if (kind == TTC_SYMBOL) return signs_of_symbol(s, ttc_symbol_of(s->model->graph, id), p, derivatives);
@@ -261,9 +255,9 @@ static void set_end(one_state *s, piece *p, int end, ttc_id given)
     arf_t bound;
     arb_init(value);
     arf_init(bound);
-    p->known[end] = given != TTC_NONE && ttc_kind_of(s->model->graph, given) == TTC_NUMBER;
+    p->known[end] = ttc_number_value(s->model->graph, given) != NULL;
     if (p->known[end]) {
-        fmpq_set(p->end[end], ttc_coefficient(s->model->graph, given));
+        fmpq_set(p->end[end], ttc_number_value(s->model->graph, given));
     } else if (given != TTC_NONE && ttc_ball_value(value, s->ball, given)) {
         if (end == 0) arb_get_lbound_arf(bound, value, PRECISION);
         else arb_get_ubound_arf(bound, value, PRECISION);

@@ -42,11 +42,10 @@ static bool mixes(ttc_task *task, const ttc_ratio *value, const bool *moves);
  * may be rational, or depend on others. moves: by variable, whether it changes with the states. */
 static bool variable_mixes(ttc_task *task, slong v, const bool *moves)
 {
-    const ttc_ring *ring = task->ring;
+    const ttc_generator *root = ttc_ring_generator(task->ring, v);
     const ttc_model *model = task->model;
     if (!moves[v]) return false;
-    for (size_t i = 0; i < ring->generator_count; i++)
-        if (ring->generators[i].variable == v) return mixes(task, &ring->generators[i].square, moves);
+    if (root != NULL) return mixes(task, &root->square, moves);
     const size_t symbol = ttc_valuation_symbol(task->field, v);
     if (symbol >= model->symbol_count || model->symbols[symbol].definition == TTC_NONE) return false;
     ttc_ratio value;

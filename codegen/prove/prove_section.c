@@ -8,13 +8,6 @@
 
 #include <stdlib.h>
 
-static const ttc_section *section_of(const ttc_task *task)
-{
-    size_t i = 0;
-    while (task->model->claims + task->model->sections[i].claim != task->claim) i++;
-    return task->model->sections + i;
-}
-
 static uint32_t symbol_of(const ttc_model *model, const char *name)
 {
     uint32_t symbol = 0;
@@ -44,7 +37,7 @@ static void prove_lift(ttc_task *task)
 {
     const ttc_model *model = task->outer->model, *chart = task->model;
     const ttc_claim *claim = task->outer->claim;
-    const ttc_section *section = section_of(task->outer);
+    const ttc_section *section = ttc_section_of(task->outer->model, task->outer->claim);
     const ttc_symbol_entry *crossed = &model->symbols[claim->when.items->symbol];
     unsigned char *used = ttc_domain_support(task, TTC_DOMAIN_WHOLE);
     if (used == NULL) ttc_task_unsettle(task, "out of memory");
@@ -215,7 +208,7 @@ static void check_levels(ttc_task *task)
 
 void ttc_prove_section(ttc_task *task)
 {
-    const ttc_section *section = section_of(task);
+    const ttc_section *section = ttc_section_of(task->model, task->claim);
     char reason[TTC_DIAGNOSTIC_LINE + 200];
     ttc_model *chart = ttc_section_chart(task->model, section, task->resolver, task->resolver_context, reason, sizeof reason);
     if (chart == NULL) {

@@ -14,13 +14,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const ttc_way *way_of(const ttc_task *task)
-{
-    size_t i = 0;
-    while (task->model->claims + task->model->ways[i].claim != task->claim) i++;
-    return task->model->ways + i;
-}
-
 /* Add the conditions of `where`, and that it divides by nothing that is zero, as it is written. */
 static void add_where(ttc_task *task, ttc_valuation *valuation, const ttc_way *way)
 {
@@ -106,7 +99,7 @@ static ttc_id translate(const translation *t, ttc_id id)
 
 static ttc_id in_table(const ttc_model *table, const ttc_claim *back, const ttc_task *outer, ttc_id id)
 {
-    const translation t = { table, outer->model, back, &way_of(outer)->image };
+    const translation t = { table, outer->model, back, &ttc_way_of(outer->model, outer->claim)->image };
     const ttc_id expanded = ttc_model_expand(outer->model, id);
     return expanded == TTC_NONE ? TTC_NONE : translate(&t, expanded);
 }
@@ -147,7 +140,7 @@ static void bind_parameter(ttc_task *task, ttc_valuation *map, uint32_t symbol, 
     const ttc_claim *back = embedding_of(task);
     const ttc_symbol_entry *entry = ttc_valuation_model(map)->symbols + symbol;
     const ttc_binding *condition = condition_on(task->outer->claim, symbol);
-    const ttc_id known = known_param(table, back, &way_of(task->outer)->image, entry->name);
+    const ttc_id known = known_param(table, back, &ttc_way_of(task->outer->model, task->outer->claim)->image, entry->name);
     const ttc_id value = condition == NULL ? TTC_NONE : in_table(table, back, task->outer, condition->expression);
     if (condition != NULL && value == TTC_NONE)
         ttc_task_unsettle(task, "what the condition says of %s is not known in %s", entry->name, table->name);
@@ -175,7 +168,7 @@ static void require_return(ttc_task *task, ttc_valuation *map)
 {
     const ttc_model *table = task->model, *model = task->outer->model;
     const ttc_claim *claim = task->outer->claim;
-    const ttc_way *way = way_of(task->outer);
+    const ttc_way *way = ttc_way_of(task->outer->model, task->outer->claim);
     add_where(task, map, way);
     ttc_prove_divisors(task, map, way->claim, way->where_uses, " in the way back from the embedding");
     for (size_t i = 0; i < way->image.level_count && ttc_task_open(task); i++)
@@ -219,7 +212,7 @@ static bool set_levels(const ttc_task *task, const ttc_model *table, const ttc_c
     const ttc_bindings *when = &task->claim->when;
     for (size_t i = 0; i < when->count; i++) {
         const char *name = task->model->symbols[when->items[i].symbol].name;
-        const ttc_id known = known_param(table, back, &way_of(task)->image, name);
+        const ttc_id known = known_param(table, back, &ttc_way_of(task->model, task->claim)->image, name);
         const ttc_id value = in_table(table, back, task, when->items[i].expression);
         if (known == TTC_NONE || value == TTC_NONE) continue;
         levels[*count] = ttc_subtract(table->graph, known, value);
@@ -282,7 +275,7 @@ static void prove_descended(ttc_task *task, const ttc_model *table, const ttc_cl
 {
     ttc_valuation *map = ttc_task_enter_map(task, table, task->field);
     if (map == NULL) return;
-    ttc_prove_bind_image(task, map, task->claim, &way_of(task)->image);
+    ttc_prove_bind_image(task, map, task->claim, &ttc_way_of(task->model, task->claim)->image);
     if (ttc_task_open(task)) ttc_domain_require_image(task, map, " where the way leads");
     require_same(task, map, back);
     ttc_task_leave_map(task);
@@ -290,7 +283,7 @@ static void prove_descended(ttc_task *task, const ttc_model *table, const ttc_cl
 
 void ttc_prove_descent(ttc_task *task)
 {
-    const ttc_way *way = way_of(task);
+    const ttc_way *way = ttc_way_of(task->model, task->claim);
     char reason[TTC_DIAGNOSTIC_LINE + 200];
     uint32_t back;
     ttc_model *table = ttc_way_table(task->model, way, task->resolver, task->resolver_context, &back, reason, sizeof reason);
@@ -324,7 +317,7 @@ static void require_reduction(ttc_task *task, ttc_valuation *map, const ttc_clai
 
 static void prove_lifted(ttc_task *task, const ttc_model *table, uint32_t back)
 {
-    const ttc_way *way = way_of(task);
+    const ttc_way *way = ttc_way_of(task->model, task->claim);
     add_where(task, task->field, way);
     ttc_valuation *map = ttc_task_enter_map(task, table, task->field);
     if (map == NULL) return;
@@ -345,9 +338,9 @@ static void prove_lifted(ttc_task *task, const ttc_model *table, uint32_t back)
 void ttc_prove_lift(ttc_task *task)
 {
     char reason[TTC_DIAGNOSTIC_LINE + 200];
+    const ttc_way *way = ttc_way_of(task->model, task->claim);
     uint32_t back;
-    ttc_model *table = ttc_way_table(task->model, way_of(task), task->resolver, task->resolver_context, &back, reason,
-                                     sizeof reason);
+    ttc_model *table = ttc_way_table(task->model, way, task->resolver, task->resolver_context, &back, reason, sizeof reason);
     if (table == NULL) ttc_task_unsettle(task, "%s", reason);
     else prove_lifted(task, table, back);
     ttc_model_destroy(table);

@@ -2,6 +2,13 @@
 
 #include <string.h>
 
+const ttc_section *ttc_section_of(const ttc_model *model, const ttc_claim *claim)
+{
+    size_t i = 0;
+    while (model->claims + model->sections[i].claim != claim) i++;
+    return model->sections + i;
+}
+
 uint32_t ttc_section_place(const ttc_model *model, const ttc_section *section, const ttc_model *chart, size_t i)
 {
     const char *name = chart->symbols[chart->params[i]].name;

@@ -11,6 +11,9 @@
 ttc_model *ttc_section_chart(const ttc_model *model, const ttc_section *section, ttc_resolver resolver, void *context, char *reason,
                              size_t size);
 
+/* The section that a claim of the model is about. */
+const ttc_section *ttc_section_of(const ttc_model *model, const ttc_claim *claim);
+
 /* Returns true if a table fits the section; otherwise reason says why not. */
 bool ttc_section_fits(const ttc_model *model, const ttc_section *section, const ttc_model *chart, char *reason, size_t size);
 

@@ -17,12 +17,6 @@ typedef struct {
 
 static unsigned signs_of(signs_of_parts *s, ttc_id id);
 
-static unsigned signs_of_number(const fmpq_t value)
-{
-    const int sign = fmpq_sgn(value);
-    return sign > 0 ? TTC_CAN_BE_POSITIVE : sign < 0 ? TTC_CAN_BE_NEGATIVE : TTC_CAN_BE_ZERO;
-}
-
 /* Whether a search for points of the leaf at which a ratio is of the other sign, or zero, finds that there are none: also without
  * what is not zero, which seldom tells a sign, and may be of a high degree. */
 static bool has_no_other_sign(signs_of_parts *s, const ttc_ratio *value, int sign)
@@ -103,12 +97,12 @@ static unsigned signs_in_two_parts(signs_of_parts *s, ttc_id id, unsigned sign)
     ttc_graph *graph = ttc_valuation_model(s->valuation)->graph;
     const unsigned other = sign == TTC_CAN_BE_POSITIVE ? TTC_CAN_BE_NEGATIVE : TTC_CAN_BE_POSITIVE;
     ttc_id rest = ttc_number(graph, ttc_coefficient(graph, id));
-    unsigned of_rest = signs_of_number(ttc_coefficient(graph, id)), aside = TTC_CAN_BE_ZERO, signs = TTC_CAN_BE_ANY;
+    unsigned of_rest = ttc_conditions_sign_of(ttc_coefficient(graph, id)), aside = TTC_CAN_BE_ZERO, signs = TTC_CAN_BE_ANY;
     bool leaves_out = id != s->whole;
     ttc_ratio value;
     for (size_t i = 0; i < ttc_part_count(graph, id); i++) {
         const ttc_part part = ttc_part_at(graph, id, i);
-        const unsigned own = ttc_conditions_signs_of_product(signs_of_number(part.coefficient), signs_of(s, part.id));
+        const unsigned own = ttc_conditions_signs_of_product(ttc_conditions_sign_of(part.coefficient), signs_of(s, part.id));
         if (!(own & other) && !is_simple(graph, part.id)) {
             leaves_out = true;
             aside = ttc_conditions_signs_of_sum(aside, own);
@@ -132,11 +126,11 @@ static unsigned signs_in_two_parts(signs_of_parts *s, ttc_id id, unsigned sign)
 static unsigned signs_of_sum(signs_of_parts *s, ttc_id id)
 {
     const ttc_graph *graph = ttc_valuation_model(s->valuation)->graph;
-    unsigned signs = signs_of_number(ttc_coefficient(graph, id));
+    unsigned signs = ttc_conditions_sign_of(ttc_coefficient(graph, id));
     bool simple = true;
     for (size_t i = 0; i < ttc_part_count(graph, id); i++) {
         const ttc_part part = ttc_part_at(graph, id, i);
-        const unsigned own = ttc_conditions_signs_of_product(signs_of_number(part.coefficient), signs_of(s, part.id));
+        const unsigned own = ttc_conditions_signs_of_product(ttc_conditions_sign_of(part.coefficient), signs_of(s, part.id));
         signs = ttc_conditions_signs_of_sum(signs, own);
         simple = simple && is_simple(graph, part.id);
     }
@@ -153,7 +147,7 @@ static unsigned signs_of_sum(signs_of_parts *s, ttc_id id)
 static unsigned signs_of_product(signs_of_parts *s, ttc_id id)
 {
     const ttc_graph *graph = ttc_valuation_model(s->valuation)->graph;
-    unsigned signs = signs_of_number(ttc_coefficient(graph, id));
+    unsigned signs = ttc_conditions_sign_of(ttc_coefficient(graph, id));
     for (size_t i = 0; i < ttc_part_count(graph, id); i++) {
         const ttc_part part = ttc_part_at(graph, id, i);
         const unsigned of_part = ttc_conditions_signs_of_power(signs_of(s, part.id), (unsigned long)labs(part.exponent));
@@ -170,7 +164,7 @@ static unsigned signs_of(signs_of_parts *s, ttc_id id)
         s->signs[id] = (unsigned char)(kind == TTC_SUM       ? signs_of_sum(s, id)
                                        : kind == TTC_PRODUCT ? signs_of_product(s, id)
                                        : kind == TTC_SYMBOL  ? signs_of_symbol(s, id)
-                                                             : signs_of_number(ttc_coefficient(graph, id)));
+                                                             : ttc_conditions_sign_of(ttc_coefficient(graph, id)));
     }
     return s->signs[id];
 }
@@ -202,7 +196,7 @@ bool ttc_signs_are_one(ttc_task *task, ttc_id id)
     unsigned signs = 0;
     for (size_t i = 0; s.signs != NULL && ttc_kind_of(graph, id) == TTC_SUM && i < ttc_part_count(graph, id); i++) {
         const ttc_part part = ttc_part_at(graph, id, i);
-        signs |= ttc_conditions_signs_of_product(signs_of_number(part.coefficient), signs_of(&s, part.id));
+        signs |= ttc_conditions_signs_of_product(ttc_conditions_sign_of(part.coefficient), signs_of(&s, part.id));
     }
     free(s.signs);
     return signs != 0 && fmpq_is_zero(ttc_coefficient(graph, id)) &&

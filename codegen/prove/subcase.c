@@ -85,7 +85,7 @@ static slong choose_variable(ttc_task *task, const fmpz_mpoly_t factor, ulong *d
     fmpz_mpoly_init(leading, task->ring->context);
     for (slong v = 0; v < (slong)task->ring->variable_count; v++) {
         slong d = fmpz_mpoly_degree_si(factor, v, task->ring->context), price = price_of(task, v);
-        if (d < 1 || d > 2 || price == 0 || ttc_ring_is_generator(task->ring, v)) continue;
+        if (d < 1 || d > 2 || price == 0 || ttc_ring_generator(task->ring, v) != NULL) continue;
         if (in_some_radicand(task, factor, v) || in_some_transcendental(task, factor, v)) continue;
         ulong exponent = (ulong)d;
         fmpz_mpoly_get_coeff_vars_ui(leading, factor, &v, &exponent, 1, task->ring->context);

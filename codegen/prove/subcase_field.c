@@ -46,7 +46,7 @@ void ttc_subcase_keep_signs(ttc_subcase *b, ttc_task *task)
     for (uint32_t i = 0; task->ring->choice_count > 0 && i < model->symbol_count && task->ring->status == TTC_RING_OK; i++) {
         const ttc_symbol_entry *entry = &model->symbols[i];
         if ((entry->kind != TTC_ROOT && entry->kind != TTC_SINE) || !ttc_valuation_has_value(task->field, i) ||
-            ttc_ring_is_generator(task->ring, ttc_valuation_variable(task->field, i)))
+            ttc_ring_generator(task->ring, ttc_valuation_variable(task->field, i)) != NULL)
             continue;
         ttc_evaluate(task->field, &root, entry->node);
         const ttc_id top = ttc_task_expression(task, root.numerator), bottom = ttc_task_expression(task, root.denominator);

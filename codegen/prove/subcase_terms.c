@@ -58,7 +58,7 @@ static unsigned complete_power(const ttc_task *task, const fmpz_mpoly_t p, fmpz_
     for (slong v = 0; v < (slong)task->ring->variable_count && sign == 0; v++) {
         const slong d = fmpz_mpoly_degree_si(p, v, context);
         const ulong exponent = (ulong)d;
-        if (d < 2 || d > GREATEST || d % 2 != 0 || ttc_ring_is_generator(task->ring, v)) continue;
+        if (d < 2 || d > GREATEST || d % 2 != 0 || ttc_ring_generator(task->ring, v) != NULL) continue;
         fmpz_mpoly_get_coeff_vars_ui(lead, p, &v, &exponent, 1, context);
         const unsigned signs = ttc_conditions_signs(&task->domain, lead);
         if (signs != TTC_CAN_BE_POSITIVE && signs != TTC_CAN_BE_NEGATIVE) continue;

@@ -11,6 +11,13 @@ ttc_id ttc_given_for(const ttc_claim *claim, const char *name)
     return TTC_NONE;
 }
 
+const ttc_way *ttc_way_of(const ttc_model *model, const ttc_claim *claim)
+{
+    size_t i = 0;
+    while (model->claims + model->ways[i].claim != claim) i++;
+    return model->ways + i;
+}
+
 typedef struct {
     const ttc_model *model, *table;
     const ttc_way *way;

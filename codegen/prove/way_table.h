@@ -12,6 +12,9 @@
 ttc_model *ttc_way_table(const ttc_model *model, const ttc_way *way, ttc_resolver resolver, void *context, uint32_t *back,
                          char *reason, size_t size);
 
+/* The way that a claim of the model is about. */
+const ttc_way *ttc_way_of(const ttc_model *model, const ttc_claim *claim);
+
 /* The same check for a table that was read already. */
 bool ttc_way_fits(const ttc_model *model, const ttc_way *way, const ttc_model *table, uint32_t *back, char *reason,
                   size_t size);

@@ -145,7 +145,7 @@ static unsigned list_units(const char *units[PANELS_MAX], const jlt_descriptor *
     return panels;
 }
 
-/* Draw states against t, those of the same unit in one panel, and drifts in another. */
+/* Draw states against t, those of the same unit in one panel, and drifts, if any has a value, in another. */
 static void draw_states(jlt_plot *plot, const jlt_simulate_request *r)
 {
     const jlt_descriptor *d = r->session.descriptor;
@@ -153,7 +153,12 @@ static void draw_states(jlt_plot *plot, const jlt_simulate_request *r)
     const unsigned drifts = jlt_course_integrals(r->courses[0]), panels = list_units(units, d);
     jlt_extent drift = JLT_EXTENT_NONE;
 
-    jlt_plot_panels(plot, panels + (drifts > 0), true);
+    for (unsigned i = 0; i < drifts; i++) {
+        jlt_extent_add(&drift, r->extents[first_drift(r) + i].low);
+        jlt_extent_add(&drift, r->extents[first_drift(r) + i].high);
+    }
+    const bool drifting = drift.low <= drift.high;
+    jlt_plot_panels(plot, panels + drifting, true);
     const double narrow = room_beside(plot, r);
     for (unsigned k = 0; k < panels; k++) {
         unsigned series = 0, entries = 0;
@@ -166,22 +171,19 @@ static void draw_states(jlt_plot *plot, const jlt_simulate_request *r)
             jlt_extent_add(&range, r->extents[1 + i].high);
             entries++;
         }
-        key(plot, entries, panels + (drifts > 0), narrow);
+        key(plot, entries, panels + drifting, narrow);
         jlt_plot_panel(plot, k, time, r->extents[0]);
         jlt_plot_axis(plot, 'y', label, jlt_extent_wider(range), 0);
         for (unsigned i = 0; i < d->state_count; i++)
             if (strcmp(units[k], d->states[i].unit) == 0) curve(plot, r, i + 2, series++, d->states[i].name);
         fputc('\n', plot->stream);
     }
-    if (drifts == 0) return;
+    if (!drifting) return;
     key(plot, drifts, panels + 1, narrow);
     jlt_plot_panel(plot, panels, time, r->extents[0]);
-    for (unsigned i = 0; i < drifts; i++) {
-        jlt_extent_add(&drift, r->extents[first_drift(r) + i].low);
-        jlt_extent_add(&drift, r->extents[first_drift(r) + i].high);
-    }
     fputs("unset label\n", plot->stream);
-    jlt_plot_log(plot, 'y', "drift", (jlt_extent){ drift.low / 1.01, drift.high * 1.01 }, 10);
+    const char *const label = drift.low > jlt_plot_drift(0) ? "drift" : "drift ≥ 10^{−17}";
+    jlt_plot_log(plot, 'y', label, (jlt_extent){ drift.low / 1.01, drift.high * 1.01 }, 10);
     for (unsigned i = 0; i < drifts; i++) curve(plot, r, first_drift(r) + 1 + i, i, jlt_course_integral(r->courses[0], i));
     fputc('\n', plot->stream);
 }

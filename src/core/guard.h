@@ -1,4 +1,5 @@
-/** Turns floating-point exceptions into a status: an overflow, an underflow that loses digits, or an undefined operation.
+/** Looks for numbers that are not finite, and turns floating-point exceptions into a status: an overflow, an underflow that loses
+ *  digits, or an undefined operation.
  *
  *      jlt_guard guard;
  *      jlt_guard_enter(&guard);
@@ -13,6 +14,17 @@
 #include "core/status.h"
 
 #include <fenv.h>
+#include <math.h>
+#include <stdbool.h>
+#include <stddef.h>
+
+/** Whether all of these numbers, shape (count,), are finite. */
+static inline bool jlt_guard_finite(const double *values, size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        if (!isfinite(values[i])) return false;
+    return true;
+}
 
 typedef struct {
     fenv_t saved;

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/guard.h"
 #include "dynamics/linear.h"
 #include "kernel/descriptor.h"
 
@@ -57,8 +58,7 @@ static jlt_status lift(const jlt_chart *base, double *x, double *tangent, const 
     const unsigned d = base->dim, width = d + self->section->level_count;
     double slopes[JLT_CHART_SLOPES_MAX];
 
-    for (unsigned k = 0; k < d; k++)
-        if (!isfinite(q[k])) return JLT_ERR_NONFINITE;
+    if (!jlt_guard_finite(q, d)) return JLT_ERR_NONFINITE;
     if (!within(self, q)) return JLT_ERR_DOMAIN;
     if (!in_region(self, q)) return JLT_ERR_EMPTY;
     self->section->lift(q, self->values, x);

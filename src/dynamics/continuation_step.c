@@ -6,6 +6,7 @@
 #include "dynamics/linear.h"
 #include "dynamics/scale.h"
 #include "ext/eigen.h"
+#include "integrate/step_control.h"
 
 enum { U = JLT_CONTINUATION_U, NEWTON = 12, HALVINGS = 12 };
 
@@ -299,13 +300,6 @@ jlt_status jlt_continuation_step_begin(jlt_continuation_runner *self, jlt_contin
     return JLT_OK;
 }
 
-static double dot(const double *a, const double *b, unsigned count)
-{
-    double sum = 0;
-    for (unsigned i = 0; i < count; i++) sum += a[i] * b[i];
-    return sum;
-}
-
 bool jlt_continuation_step_straight(const jlt_continuation_place *from, const jlt_continuation_place *to, double angle,
                                     unsigned d)
 {
@@ -313,9 +307,9 @@ bool jlt_continuation_step_straight(const jlt_continuation_place *from, const jl
 
     for (unsigned i = 0; i <= d; i++) way[i] = to->u[i] - from->u[i];
     const double length = jlt_linear_length(way, d + 1);
-    return dot(from->tangent, to->tangent, d + 1) >= cos(angle) &&
-           fabs(dot(way, from->tangent, d + 1)) >= length * cos(angle / 2) &&
-           fabs(dot(way, to->tangent, d + 1)) >= length * cos(angle / 2);
+    return jlt_along(from->tangent, to->tangent, d + 1) >= cos(angle) &&
+           fabs(jlt_along(way, from->tangent, d + 1)) >= length * cos(angle / 2) &&
+           fabs(jlt_along(way, to->tangent, d + 1)) >= length * cos(angle / 2);
 }
 
 /* ---- the first point of the other branch, at a period doubling or a branch point ---- */
@@ -344,7 +338,7 @@ static void other_direction(double *direction, const jlt_continuation_equation *
  * the direction across that tangent. */
 static void across(double *normal, const double *direction, const double *tangent)
 {
-    const double along = dot(direction, tangent, 3);
+    const double along = jlt_along(direction, tangent, 3);
 
     for (unsigned i = 0; i < 3; i++) normal[i] = direction[i] - along * tangent[i];
     const double length = jlt_linear_length(normal, 3);
@@ -360,7 +354,7 @@ static bool is_doubled(const jlt_chart *chart, const jlt_periodic *orbit, const 
 
     jlt_chart_difference(chart, apart, orbit->points + orbit->period / 2 * chart->dim, orbit->points);
     jlt_chart_scaled(chart, apart, apart);
-    return dot(way, direction, 3) >= jlt_linear_length(way, 3) * cos(0.15) && jlt_linear_length(apart, chart->dim) > offset;
+    return jlt_along(way, direction, 3) >= jlt_linear_length(way, 3) * cos(0.15) && jlt_linear_length(apart, chart->dim) > offset;
 }
 
 jlt_status jlt_continuation_switch(jlt_continuation_point *out, const jlt_family *family,

@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "core/guard.h"
 #include "dynamics/linear.h"
 #include "integrate/rest.h"
 
@@ -56,8 +57,7 @@ jlt_status jlt_map_return_end(jlt_map_return *out, double *q, double *slope, con
     flow->field->call(varied, flow->field->p, out->f);
     const double after = chart->flux(chart, varied, out->f);
     project(chart, slope, q, varied, out->f);
-    for (unsigned i = 0; i < d * d; i++)
-        if (!isfinite(slope[i])) return JLT_ERR_NONFINITE;
+    if (!jlt_guard_finite(slope, d * d)) return JLT_ERR_NONFINITE;
     for (unsigned i = 0; i < n; i++) told[i] = ldexp(varied[i], flow->units.state[i]);
     if (!jlt_chart_follows(chart, told)) return JLT_ERR_NO_CONVERGENCE;
     out->determinant = jlt_linear_determinant(slope, d);

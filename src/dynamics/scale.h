@@ -18,9 +18,10 @@ JLT_CHECKED jlt_status jlt_scale_find(jlt_system *system, const double *starts, 
  *  Out: shape (dim + 1,). Errors: as jlt_map_point, jlt_orbit_create. Cost: two returns. */
 JLT_CHECKED jlt_status jlt_scale_moves(double *out, jlt_map *map, const double *q);
 
-/** Where tangent vectors are to be measured: if the derivative of the return from q, shape (dim,), is more than 64 times as large
- *  in the sizes found as in the flow's units, take the latter. A state that the motion hardly moves may move others, and its size
- *  says nothing of that. Errors: NOMEM; ARG, as jlt_map_create. Cost: a return with its derivative. */
+/** Where tangent vectors are to be measured, and where one start told the sizes: if the derivative of the return from q, shape
+ *  (dim,), is more than 64 times as large in the sizes found as in the flow's units, take the latter. A state that the motion
+ *  hardly moves may move others, and its size says nothing of that.
+ *  Errors: NOMEM; ARG, as jlt_map_create. Cost: a return with its derivative. */
 JLT_CHECKED jlt_status jlt_scale_for_tangents(jlt_system *system, const double *q);
 
 /** Take the sizes of another system with the same section, such as one of the same family. */

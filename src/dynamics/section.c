@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/guard.h"
 #include "dynamics/chart_crossing.h"
 #include "dynamics/section_conditions.h"
 #include "dynamics/settling.h"
@@ -209,8 +210,7 @@ static jlt_status begin(jlt_section *self, jlt_return *row, const double *x, int
     jlt_chart_turn_back(chart, turned);
     x = turned;
     st = jlt_orbit_start(self->orbit, 0, x, time_direction);
-    for (unsigned i = 0; i < chart->states; i++)
-        if (!isfinite(x[i])) return JLT_ERR_NONFINITE;
+    if (!jlt_guard_finite(x, chart->states)) return JLT_ERR_NONFINITE;
     self->start_fate = JLT_FATE_ALIVE;
     if (st != JLT_OK && !jlt_section_fate_of(&self->start_fate, st)) return st;
     self->number = 0;

@@ -1,5 +1,7 @@
 #include "ext/arpack.h"
 
+#include "core/guard.h"
+
 #include <arpack/arpack.h>
 
 #include <limits.h>
@@ -100,8 +102,7 @@ jlt_status jlt_arpack_largest(double *re, double *im, size_t *found, const doubl
     jlt_status st;
 
     if (n < 3 || n > 4096 || wanted < 1 || wanted > n - 2) return JLT_ERR_ARG;
-    for (size_t i = 0; i < n * n; i++)
-        if (!isfinite(a[i])) return JLT_ERR_NONFINITE;
+    if (!jlt_guard_finite(a, n * n)) return JLT_ERR_NONFINITE;
     if ((start = calloc(n, sizeof *start)) == NULL) return JLT_ERR_NOMEM;
     /* A fixed start makes the answer repeatable; irrational steps keep it out of invariant subspaces. */
     for (size_t i = 0; i < n; i++) start[i] = 1.0 + 0.41421356237309503 * (double)i - 0.07 * (double)(i * i);

@@ -1,5 +1,6 @@
 #include "ext/eigen.h"
 
+#include "core/guard.h"
 #include "core/memory.h"
 #include "ext/gsl.h"
 
@@ -20,13 +21,6 @@ static jlt_status status_of(int gsl)
     if (gsl == GSL_SUCCESS) return JLT_OK;
     if (gsl == GSL_ENOMEM) return JLT_ERR_NOMEM;
     return gsl == GSL_EMAXITER || gsl == GSL_EFAILED ? JLT_ERR_NO_CONVERGENCE : JLT_ERR_NONFINITE;
-}
-
-static bool all_finite(const double *values, size_t count)
-{
-    for (size_t i = 0; i < count; i++)
-        if (!isfinite(values[i])) return false;
-    return true;
 }
 
 static void swap(double *a, double *b)
@@ -57,7 +51,7 @@ jlt_status jlt_eigen_values(double *re, double *im, const double *a, size_t n)
 {
     if (n == 0) return JLT_OK;
     if (n > INT_MAX / 3) return JLT_ERR_ARG;
-    if (!all_finite(a, n * n)) return JLT_ERR_NONFINITE;
+    if (!jlt_guard_finite(a, n * n)) return JLT_ERR_NONFINITE;
     const int size = (int)n, length = 3 * size, one = 1;
     JLT_FREED double *held = malloc(n * n * sizeof *held), *work = malloc(3 * n * sizeof *work);
     double no_vectors = 0.0;
@@ -68,14 +62,14 @@ jlt_status jlt_eigen_values(double *re, double *im, const double *a, size_t n)
     dgeev_("N", "N", &size, held, &size, re, im, &no_vectors, &one, &no_vectors, &one, work, &length, &info, 1, 1);
     if (info != 0) return JLT_ERR_NO_CONVERGENCE;
     jlt_eigen_sort(re, im, NULL, n);
-    return all_finite(re, n) && all_finite(im, n) ? JLT_OK : JLT_ERR_NONFINITE;
+    return jlt_guard_finite(re, n) && jlt_guard_finite(im, n) ? JLT_OK : JLT_ERR_NONFINITE;
 }
 
 jlt_status jlt_eigen_balance(double *size, const double *a, size_t n)
 {
     jlt_status st = JLT_OK;
 
-    if (!all_finite(a, n * n)) return JLT_ERR_NONFINITE;
+    if (!jlt_guard_finite(a, n * n)) return JLT_ERR_NONFINITE;
     jlt_gsl_quiet();
     gsl_matrix *work = gsl_matrix_alloc(n, n);
     if (work == NULL) return JLT_ERR_NOMEM;
@@ -93,7 +87,7 @@ jlt_status jlt_eigen_polynomial_roots(double *re, double *im, const double *coef
     JLT_FREED double *ascending = NULL, *roots = NULL;
 
     if (n == 0) return JLT_OK;
-    if (!all_finite(coefficients, n + 1)) return JLT_ERR_NONFINITE;
+    if (!jlt_guard_finite(coefficients, n + 1)) return JLT_ERR_NONFINITE;
     jlt_gsl_quiet();
     space = gsl_poly_complex_workspace_alloc(n + 1);
     ascending = calloc(n + 1, sizeof *ascending);
@@ -106,7 +100,7 @@ jlt_status jlt_eigen_polynomial_roots(double *re, double *im, const double *coef
         im[i] = roots[2 * i + 1];
     }
     jlt_eigen_sort(re, im, NULL, n);
-    if (!all_finite(re, n) || !all_finite(im, n)) st = JLT_ERR_NONFINITE;
+    if (!jlt_guard_finite(re, n) || !jlt_guard_finite(im, n)) st = JLT_ERR_NONFINITE;
 done:
     gsl_poly_complex_workspace_free(space);
     return st;
@@ -188,7 +182,7 @@ jlt_status jlt_eigen_least_squares(double *z, const double *a, const double *b, 
     decomposition of_a;
 
     if (columns == 0) return JLT_OK;
-    if (!all_finite(a, rows * columns) || !all_finite(b, rows)) return JLT_ERR_NONFINITE;
+    if (!jlt_guard_finite(a, rows * columns) || !jlt_guard_finite(b, rows)) return JLT_ERR_NONFINITE;
     JLT_PASS(decompose(&of_a, a, rows, columns));
     for (size_t j = 0; j < columns; j++) z[j] = 0.0;
     for (size_t k = 0; k < columns; k++) {
@@ -199,14 +193,14 @@ jlt_status jlt_eigen_least_squares(double *z, const double *a, const double *b, 
         for (size_t j = 0; j < columns; j++) z[j] += gsl_matrix_get(of_a.v, j, k) * (along / singular);
     }
     clear(&of_a);
-    return all_finite(z, columns) ? JLT_OK : JLT_ERR_NONFINITE;
+    return jlt_guard_finite(z, columns) ? JLT_OK : JLT_ERR_NONFINITE;
 }
 
 jlt_status jlt_eigen_norm(double *norm, const double *a, size_t n)
 {
     decomposition of_a;
 
-    if (!all_finite(a, n * n)) return JLT_ERR_NONFINITE;
+    if (!jlt_guard_finite(a, n * n)) return JLT_ERR_NONFINITE;
     JLT_PASS(decompose(&of_a, a, n, n));
     *norm = gsl_vector_get(of_a.s, 0);
     clear(&of_a);

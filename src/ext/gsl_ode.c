@@ -1,5 +1,6 @@
 #include "ext/gsl_ode.h"
 
+#include "core/guard.h"
 #include "ext/gsl.h"
 
 #include <gsl/gsl_errno.h>
@@ -23,8 +24,7 @@ static int call(double t, const double x[], double f[], void *self)
     (void)t;
     ode->field(ode->context, x, f);
     /* GSL accepts steps whose error estimate is NaN, but halves those in which the field returns an error. */
-    for (size_t i = 0; i < ode->dim; i++)
-        if (!isfinite(f[i])) return GSL_EDOM;
+    if (!jlt_guard_finite(f, ode->dim)) return GSL_EDOM;
     return GSL_SUCCESS;
 }
 
@@ -83,8 +83,7 @@ jlt_status jlt_gsl_ode_step(jlt_gsl_ode *self, double *x, double *f, double *h, 
     *rejected += d->e->failed_steps - failed;
     if (code == GSL_EDOM) return JLT_ERR_NONFINITE;
     if (code != GSL_SUCCESS || self->clock == before) return JLT_ERR_NO_PROGRESS;
-    for (size_t i = 0; i < self->dim; i++)
-        if (!isfinite(x[i])) return JLT_ERR_NONFINITE;
+    if (!jlt_guard_finite(x, self->dim)) return JLT_ERR_NONFINITE;
     for (size_t i = 0; i < self->dim; i++) f[i] = d->e->dydt_out[i];
     *taken = d->e->last_step;
     return JLT_OK;

@@ -106,13 +106,6 @@ bool jlt_edge_is_outside(const jlt_stepper *stepper)
     return stepper->watches && !(distance_of(stepper, stepper->x) > 0);
 }
 
-static double along(const double *gradient, const double *f, unsigned count)
-{
-    double sum = 0;
-    for (unsigned i = 0; i < count; i++) sum += gradient[i] * f[i];
-    return sum;
-}
-
 /* The time in which a quantity with this value and rate comes to zero: 0 if it is beyond, INFINITY if it does not approach zero. */
 static double time_to_zero(double value, double rate)
 {
@@ -129,7 +122,7 @@ static bool is_soon(const jlt_stepper *stepper)
     domain->values(stepper->x, domain->p, values);
     domain->gradients(stepper->x, domain->p, stepper->gradients);
     for (unsigned k = 0; k < domain->conditions; k++)
-        first = fmin(first, fabs(values[k] / along(stepper->gradients + k * domain->states, stepper->f, domain->states)));
+        first = fmin(first, fabs(values[k] / jlt_along(stepper->gradients + k * domain->states, stepper->f, domain->states)));
     return first <= near(stepper) * fabs(stepper->h);
 }
 
@@ -167,7 +160,8 @@ static double time_ahead(jlt_edge_part *out, const jlt_stepper *stepper)
         domain->gradients(x, domain->p, stepper->gradients);
     }
     for (unsigned k = 0; k < domain->conditions; k++) {
-        const double time = time_to_zero(values[k], ahead_of * along(stepper->gradients + k * domain->states, f, domain->states));
+        const double rate = jlt_along(stepper->gradients + k * domain->states, f, domain->states);
+        const double time = time_to_zero(values[k], ahead_of * rate);
         if (!(time < first)) continue;
         first = time;
         *out = (jlt_edge_part){ .is_condition = true, .index = k };
@@ -217,7 +211,7 @@ static double condition_rate(void *context, const double *x, const double *f)
     const jlt_domain *domain = &self->stepper->field->domain;
 
     domain->gradients(x, domain->p, self->stepper->gradients);
-    return along(self->stepper->gradients + self->index * domain->states, f, domain->states);
+    return jlt_along(self->stepper->gradients + self->index * domain->states, f, domain->states);
 }
 
 static jlt_status leave_conditions(double *theta, jlt_stepper *stepper)

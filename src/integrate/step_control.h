@@ -47,6 +47,14 @@ static inline double jlt_smaller(double a, double b)
     return a < b ? a : b;
 }
 
+/** The product of two vectors, shape (count,): of a gradient and a slope, the rate of the quantity along it. */
+static inline double jlt_along(const double *gradient, const double *slope, unsigned count)
+{
+    double sum = 0;
+    for (unsigned i = 0; i < count; i++) sum += gradient[i] * slope[i];
+    return sum;
+}
+
 /** The unit of time in which a first step is chosen. speed: the largest rate relative to its state's size, 0 at rest. The unit is
  *  1, but 1/speed for a motion so slow that an ordinary first step would change nothing. */
 static inline double jlt_first_unit(double speed)

@@ -13,13 +13,6 @@ enum { ATTEMPTS_MAX = 12, APPROACHES_MAX = 30 };
 
 static const double long_again = 0x1p-30; /* part of tau: after a longer step leaps are counted anew */
 
-static bool all_finite(const double *x, unsigned count)
-{
-    for (unsigned i = 0; i < count; i++)
-        if (!isfinite(x[i])) return false;
-    return true;
-}
-
 /* A step that is long enough to change the time. */
 static double shortest_step(const jlt_stepper *self) { return 8 * DBL_EPSILON * fabs(self->tau); }
 
@@ -132,7 +125,7 @@ jlt_status jlt_stepper_start(jlt_stepper *self, double t, const double *x, doubl
     const unsigned dim = self->field->dim;
     jlt_guard guard;
 
-    if (!isfinite(t) || !all_finite(x, dim)) return JLT_ERR_NONFINITE;
+    if (!isfinite(t) || !jlt_guard_finite(x, dim)) return JLT_ERR_NONFINITE;
     memcpy(self->x, x, dim * sizeof *x);
     if (self->columns > dim) self->x[dim] = t;
     memset(self->x_low, 0, self->stride * sizeof *self->x_low);
@@ -150,7 +143,7 @@ jlt_status jlt_stepper_start(jlt_stepper *self, double t, const double *x, doubl
     self->lost = (jlt_state_set){ 0 };
     note_lost(self);
     self->at_edge = jlt_edge_is_outside(self);
-    if (!all_finite(self->f, self->columns)) return JLT_ERR_NONFINITE;
+    if (!jlt_guard_finite(self->f, self->columns)) return JLT_ERR_NONFINITE;
     JLT_PASS(self->method->start(self));
     self->h_next = fmax(self->h_next, shortest_step(self));
     return JLT_OK;
@@ -158,7 +151,7 @@ jlt_status jlt_stepper_start(jlt_stepper *self, double t, const double *x, doubl
 
 jlt_status jlt_stepper_replace(jlt_stepper *self, const double *x, const double *scale)
 {
-    if (!all_finite(x, self->field->dim)) return JLT_ERR_NONFINITE;
+    if (!jlt_guard_finite(x, self->field->dim)) return JLT_ERR_NONFINITE;
     if (scale != NULL) memcpy(self->scale, scale, self->field->dim * sizeof *scale);
     for (unsigned i = 0; i < self->field->dim; i++)
         if (x[i] < self->x[i] || x[i] > self->x[i]) self->x_low[i] = 0;

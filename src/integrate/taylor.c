@@ -123,13 +123,6 @@ static bool expand(taylor *self, jlt_stepper *stepper, double h)
     return true;
 }
 
-static double along(const double *gradient, const double *slope, unsigned count)
-{
-    double sum = 0;
-    for (unsigned i = 0; i < count; i++) sum += gradient[i] * slope[i];
-    return sum;
-}
-
 /* Whether a condition that the step's slope makes rise at its end falls by the field there, to zero within such a step. */
 static bool turned_at_edge(const jlt_stepper *stepper, const double *end, const double *slope, const double *f, double h)
 {
@@ -141,7 +134,7 @@ static bool turned_at_edge(const jlt_stepper *stepper, const double *end, const 
     domain->gradients(end, domain->p, stepper->gradients);
     for (unsigned k = 0; k < domain->conditions; k++) {
         const double *gradient = stepper->gradients + (size_t)k * domain->states;
-        if (along(gradient, slope, domain->states) > 0 && value[k] < -h * along(gradient, f, domain->states)) return true;
+        if (jlt_along(gradient, slope, domain->states) > 0 && value[k] < -h * jlt_along(gradient, f, domain->states)) return true;
     }
     return false;
 }

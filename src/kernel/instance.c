@@ -1,5 +1,6 @@
 #include "kernel/instance.h"
 
+#include "core/guard.h"
 #include "core/memory.h"
 #include "kernel/descriptor.h"
 #include "kernel/kernel.h"
@@ -89,8 +90,7 @@ static jlt_status evaluate(const jlt_instance *instance, const jlt_kernel *kerne
 {
     const jlt_descriptor *d = instance->descriptor;
 
-    for (unsigned i = 0; i < d->state_count; i++)
-        if (!isfinite(x[i])) return JLT_ERR_NONFINITE;
+    if (!jlt_guard_finite(x, d->state_count)) return JLT_ERR_NONFINITE;
     for (unsigned i = 0; i < d->state_count; i++)
         if (x[i] <= instance->states[i].low || x[i] >= instance->states[i].high) return JLT_ERR_DOMAIN;
     if (!jlt_region_holds(d->domain_count, d->domain_values.call, instance->prepared, x)) return JLT_ERR_DOMAIN;

@@ -6,13 +6,6 @@
 #include <stdbool.h>
 #include <string.h>
 
-static bool all_finite(const double *values, size_t count)
-{
-    for (size_t i = 0; i < count; i++)
-        if (!isfinite(values[i])) return false;
-    return true;
-}
-
 jlt_status jlt_kernel_eval_function(double *out, jlt_kernel_function function, size_t outputs, const double *x,
                                     size_t count, const double *params, size_t param_count)
 {
@@ -20,11 +13,11 @@ jlt_status jlt_kernel_eval_function(double *out, jlt_kernel_function function, s
     jlt_guard guard;
 
     if (function == NULL || outputs > JLT_KERNEL_OUTPUTS_MAX) return JLT_ERR_UNSUPPORTED;
-    if ((x != NULL && !all_finite(x, count)) || !all_finite(params, param_count)) return JLT_ERR_NONFINITE;
+    if ((x != NULL && !jlt_guard_finite(x, count)) || !jlt_guard_finite(params, param_count)) return JLT_ERR_NONFINITE;
     jlt_guard_enter(&guard);
     function(x, params, result);
     JLT_PASS(jlt_guard_leave(&guard));
-    if (!all_finite(result, outputs)) return JLT_ERR_NONFINITE;
+    if (!jlt_guard_finite(result, outputs)) return JLT_ERR_NONFINITE;
     memcpy(out, result, outputs * sizeof *out);
     return JLT_OK;
 }
@@ -42,11 +35,11 @@ jlt_status jlt_kernel_prepare_params(double *prepared, const jlt_descriptor *des
 
     if (descriptor == NULL) return JLT_ERR_ARG;
     if (descriptor->prepare == NULL || descriptor->prepared_count > JLT_KERNEL_OUTPUTS_MAX) return JLT_ERR_UNSUPPORTED;
-    if (!all_finite(params, descriptor->param_count)) return JLT_ERR_NONFINITE;
+    if (!jlt_guard_finite(params, descriptor->param_count)) return JLT_ERR_NONFINITE;
     jlt_guard_enter(&guard);
     descriptor->prepare(params, result);
     JLT_PASS(jlt_guard_leave(&guard));
-    if (!all_finite(result, descriptor->prepared_count)) return JLT_ERR_NONFINITE;
+    if (!jlt_guard_finite(result, descriptor->prepared_count)) return JLT_ERR_NONFINITE;
     memcpy(prepared, result, descriptor->prepared_count * sizeof *prepared);
     return JLT_OK;
 }

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/guard.h"
 #include "kernel/descriptor.h"
 
 const jlt_way *jlt_way_of(const jlt_descriptor *from, const jlt_claim *claim)
@@ -102,8 +103,7 @@ jlt_status jlt_way_follow(const jlt_way *way, double *y, double *other, const do
         if (!isfinite(y[i])) return JLT_ERR_NONFINITE;
     }
     jlt_way_params(way, other, x, params);
-    for (unsigned i = 0; i < way->param_count; i++)
-        if (!isfinite(other[i])) return JLT_ERR_NONFINITE;
+    if (!jlt_guard_finite(other, way->param_count)) return JLT_ERR_NONFINITE;
     return JLT_OK;
 }
 

@@ -68,24 +68,25 @@ double jlt_look_points(const jlt_look *self)
     return self->points > 0 ? self->points : usual * reduction(self);
 }
 
-/* Write one line of text as a string in single quotes. Characters with a meaning to gnuplot become octal escapes in a concatenated
- * string: gnuplot 5.4 reads two single quotes at the start of a string as an empty string, and expands macros next to double
- * quotes. small: in smaller letters, for markup. */
-static void quote(FILE *stream, const char *text, size_t length, bool small)
+/* Write one line of text as a string in single quotes, between two texts of markup. Characters with a meaning to gnuplot become
+ * octal escapes in a concatenated string: gnuplot 5.4 reads two single quotes at the start of a string as an empty string, and
+ * expands macros next to double quotes. small: backslashes are markup as well. */
+static void quote(FILE *stream, const char *before, const char *text, size_t length, const char *behind, bool small)
 {
     const char *marks = small ? "'\"`@" : "'\"`@\\";
 
-    fputs(small ? "'{/*0.85 " : "'", stream);
+    fprintf(stream, "'%s", before);
     for (size_t i = 0; i < length; i++) {
         if (strchr(marks, text[i]) != NULL) fprintf(stream, "'.\"\\%03o\".'", (unsigned)text[i]);
         else fputc(text[i], stream);
     }
-    fputs(small ? "}'" : "'", stream);
+    fprintf(stream, "%s'", behind);
 }
 
 void jlt_look_quote(FILE *stream, const char *text)
 {
-    for (size_t length; length = strcspn(text, "\n"), quote(stream, text, length, false), text[length] != '\0'; text += length + 1)
+    for (size_t length; length = strcspn(text, "\n"), quote(stream, "", text, length, "", false), text[length] != '\0';
+         text += length + 1)
         fputs(".\"\\n\".", stream);
 }
 
@@ -124,11 +125,10 @@ double jlt_look_breadth(const char *label)
 
 /* How many bytes of a text to put on a line with this room, in units of the font size: up to a newline or its end, or to the last
  * blank that fits. A first word that does not fit ends after its last underscore that does, in markup one that is no mark; a word
- * without any stays whole. */
-static size_t fitting(const char *text, double room, bool markup)
+ * without any stays whole. size: of its first letter. */
+static size_t fitting(const char *text, double room, bool markup, double size)
 {
     size_t last = 0, joint = 0, i;
-    double size = 1;
 
     for (i = 0; text[i] != '\0' && text[i] != '\n'; i++) {
         if (text[i] == ' ') last = i;
@@ -147,10 +147,20 @@ unsigned jlt_look_lines(FILE *stream, const jlt_look *self, const char *text, bo
     const double room = self->width * 72 / 2.54 / jlt_look_points(self) - 6.5;
     unsigned lines = 1;
     bool small = false;
+    double size = 1;
 
     for (;; lines++) {
-        const size_t length = fitting(text, small ? room / 0.85 : room, markup);
-        if (stream != NULL) quote(stream, text, length, small);
+        const bool inside = size < 1; /* the line begins inside an index, which is opened anew */
+        const size_t length = fitting(text, small ? room / 0.85 : room, markup, size);
+        for (size_t i = 0; markup && i < length; i++)
+            if (is_mark(text, i)) size = size_after(size, text[i]);
+        if (stream != NULL) {
+            const char *const index = inside ? "_{" : "", *const end = size < 1 ? "}" : "";
+            char before[16], behind[4];
+            snprintf(before, sizeof before, "%s%s", small ? "{/*0.85 " : "", index);
+            snprintf(behind, sizeof behind, "%s%s", end, small ? "}" : "");
+            quote(stream, before, text, length, behind, small);
+        }
         if (text[length] == '\0') return lines;
         small = small || (markup && text[length] == '\n');
         text += length + (text[length] == ' ' || text[length] == '\n');
@@ -214,11 +224,11 @@ jlt_extent jlt_look_axis(FILE *stream, const jlt_look *self, char axis, const ch
     const bool turns = known && fabs(period - two_pi) < 1e-9 && range.high - range.low > two_pi / 2.001
                        && range.high - range.low < 1000;
     if (known && !turns) ticks = jlt_ticks_choose(range, room, axis == 'x');
-    const bool beside = axis == 'y' && panels > 1; /* where a label has no room for the power, it stands above the axis */
+    const bool beside = axis == 'y' && panels > 1; /* a label without room for the power: that stands on the right */
     write_label(stream, name, label, beside ? 0 : ticks.power);
     if (beside) fputs("\nunset label", stream);
     if (beside && ticks.power != 0)
-        fprintf(stream, "\nset label '{/*0.85 ×10^{%s%d}}' at graph 0,1 left offset 0,0.45", ticks.power < 0 ? "−" : "",
+        fprintf(stream, "\nset label '{/*0.85 ×10^{%s%d}}' at graph 1,1 left offset 0.5,-0.3", ticks.power < 0 ? "−" : "",
                 abs(ticks.power));
     fputs(axis == 'x' ? " offset 0,0.3\n" : "\n", stream);
     *letters = ticks.letters;

@@ -318,7 +318,7 @@ static void draw_half(jlt_plot *plot, const jlt_portrait_request *r, int side)
     static const struct {
         unsigned colour, mark;
         const char *name;
-    } kinds[] = { { 1, 3, "repelling" }, { 0, 7, "trace zero" }, { 4, 0, "attracting" } };
+    } kinds[] = { { 2, 3, "repelling" }, { 0, 7, "trace zero" }, { 4, 0, "attracting" } };
 
     fprintf(plot->stream, "set title 'half v_{slip} %c 0'\nplot $ORBITS using 1:(%d*$3>0?$2:NaN) ", side > 0 ? '>' : '<', side);
     jlt_look_pen(plot->stream, plot->look, (jlt_pen){ "lines", .colour = 7, .size = 0.1 });

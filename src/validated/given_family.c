@@ -39,11 +39,9 @@ static bool allows(const jlt_given_family *self, const ttc_symbol_entry *symbol,
 {
     const ttc_graph *graph = self->model->graph;
 
-    if (symbol->kind == TTC_STATE)
-        return (symbol->low == TTC_NONE || ttc_kind_of(graph, symbol->low) != TTC_NUMBER
-                || fmpq_cmp(ttc_coefficient(graph, symbol->low), low) < 0)
-               && (symbol->high == TTC_NONE || ttc_kind_of(graph, symbol->high) != TTC_NUMBER
-                   || fmpq_cmp(high, ttc_coefficient(graph, symbol->high)) < 0);
+    const fmpq *least = ttc_number_value(graph, symbol->low), *most = ttc_number_value(graph, symbol->high);
+
+    if (symbol->kind == TTC_STATE) return (least == NULL || fmpq_cmp(least, low) < 0) && (most == NULL || fmpq_cmp(high, most) < 0);
     switch (symbol->sign) {
     case TTC_POSITIVE: return fmpq_sgn(low) > 0;
     case TTC_NONNEGATIVE: return fmpq_sgn(low) >= 0;

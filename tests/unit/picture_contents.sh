@@ -35,6 +35,29 @@ sed -n '2p;$p' drawn | cut -d ' ' -f 1,2 | cmp -s - wanted || fail "other rows a
 jellett simulate lorenz --start x=1,y=1,z=20 --until 10.0001 --every 1/10000 --axes t,z --plot p.svg --keep p.gp -o rows.csv 2> log
 sed -n '/^\$ROWS/,/^END/p' p.gp | tail -2 | grep -q '^10.0001 ' || fail "the last of 100002 rows is not drawn: $(cat log)"
 
+# A name that is broken at the end of a line stays an index on the next one, and nothing behind it grows.
+long=quantity_with_a_name_that_no_line_of_a_small_picture_holds
+printf '%s\n' 'model long' "state $long" "eq $long = 0" "integral squared = $long^2" > long.tt
+jellett simulate ./long.tt --start $long=1 --until 1 --every 1 --size 8x6cm --plot p.svg --keep p.gp -o rows.csv 2> log ||
+    fail "a long name: $(cat log)"
+grep -qF "_}}'.\"\\n\".'{/*0.85 _{holds}=1; tier model" p.gp ||
+    fail "a long name: $(grep '^set multiplot' p.gp)"
+# Drifts are drawn where one has a value, and those of less than 1e-17 are said to be.
+grep -q 'label .drift ≥ 10^{−17}' p.gp || fail "drifts of 0: $(grep label p.gp)"
+jellett simulate ./long.tt --start $long=1e200 --until 1 --every 1 --plot p.svg --keep p.gp -o rows.csv 2> log ||
+    fail "drifts without values: $(cat log)"
+! grep -q drift p.gp || fail "drifts without values: $(grep label p.gp)"
+# A power of ten that counts stands beside its panel, where no title runs into it.
+jellett simulate ./long.tt --start $long=1e100 --until 1 --every 1 --plot p.svg --keep p.gp -o rows.csv 2> log
+grep -q 'label .*×10^{100}}. at graph 1,' p.gp || fail "the power of ten of a panel: $(grep label p.gp)"
+
+# Fixed points on M^2 are told from orbits in grey too.
+jellett portrait --set I1=2/5,I3=1/4 --start gamma3=0.5,v_nu=0.8,omega_tau=0,omega_n=0,omega3=0.9 --orbits 2 --until 1 \
+    --style grey --plot p.svg --keep p.gp -o rows.csv 2> log || fail "a portrait in grey: $(cat log)"
+orbits=$(grep -o "(1\*\$3>0?\$2:NaN) with lines lc rgb '[^']*" p.gp | grep -o '#[0-9a-f]*$')
+points=$(grep -oE "with points lc rgb '[^']*" p.gp | grep -o '#[0-9a-f]*$' | sort -u)
+[ -n "$orbits" ] && [ -n "$points" ] && [[ $points != *"$orbits"* ]] || fail "a portrait in grey: orbits $orbits, points $points"
+
 # A letter that no font has is named, where the picture is drawn here.
 base_title() { "${base[@]}" --title "$1" --plot p.$2 -o rows.csv 2> log || fail "--title '$1': $(cat log)"; }
 if command -v fc-list > fonts && [ -n "$(fc-list ':charset=3b3')" ]; then
