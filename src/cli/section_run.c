@@ -185,10 +185,7 @@ jlt_exit jlt_section_run_open(jlt_section_run *f)
         const jlt_status st = code == JLT_EXIT_DONE ? jlt_section_create(&f->section, &f->system->flow) : JLT_OK;
         if (st != JLT_OK) code = jlt_motion_fail(st, f->system, "section");
     }
-    if (code != JLT_EXIT_DONE || !o->check) return code;
-    const jlt_kernel_batch *kernels = o->motion.in_lanes ? jlt_batch_isa_best(f->system->instance->descriptor, 0) : NULL;
-    const jlt_status st = jlt_map_batch_create(&f->maps, &f->system->flow, kernels, NULL, (unsigned)o->motion.threads);
-    return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, f->system, "section");
+    return code;
 }
 
 bool jlt_section_run_are_enough(jlt_section_run *const *runs, size_t count)
@@ -335,17 +332,32 @@ static jlt_exit run_all(jlt_section_run *f, FILE *stream)
     return code;
 }
 
+/* Open what computes DP, for which each thread needs memory: many runs may be open, but one is written at a time. */
+static jlt_exit open_maps(jlt_map_batch **maps, const jlt_section_run *f)
+{
+    const jlt_motion_options *motion = &f->o->motion;
+    const jlt_kernel_batch *kernels = motion->in_lanes ? jlt_batch_isa_best(f->system->instance->descriptor, 0) : NULL;
+    const jlt_status st = jlt_map_batch_create(maps, &f->system->flow, kernels, NULL, (unsigned)motion->threads);
+
+    return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, f->system, "section");
+}
+
 jlt_exit jlt_section_run_write(jlt_section_run *f)
 {
     const jlt_section_run_options *o = f->o;
     FILE *stream = o->motion.common.table.file;
+    jlt_map_batch *maps = NULL;
 
+    JLT_PASS(o->check ? open_maps(&maps, f) : JLT_EXIT_DONE);
     jlt_motion_header(stream, &o->motion, f->system);
     f->table = (jlt_section_table){ .system = f->system, .least = strcmp(o->motion.contact, "report") == 0, .check = o->check,
-                                    .as_bits = o->motion.common.table.array != NULL, .maps = f->maps,
+                                    .as_bits = o->motion.common.table.array != NULL, .maps = maps,
                                     .time_direction = o->time_direction };
     jlt_section_table_names(stream, &f->table);
-    return run_all(f, stream);
+    const jlt_exit code = run_all(f, stream);
+    jlt_map_batch_destroy(maps);
+    f->table.maps = NULL;
+    return code;
 }
 
 void jlt_section_run_close(jlt_section_run *f)
@@ -353,7 +365,6 @@ void jlt_section_run_close(jlt_section_run *f)
     jlt_section_destroy(f->section);
     leave_batch(f);
     jlt_map_destroy(f->map);
-    jlt_map_batch_destroy(f->maps);
     jlt_section_levels_close(&f->levels);
     free(f->joined);
 }

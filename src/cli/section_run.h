@@ -44,7 +44,6 @@ typedef struct {
     jlt_writer writer; /* of the table */
     jlt_section_row *row;
     jlt_map *map;      /* for derivatives at saddles; NULL: not needed yet */
-    jlt_map_batch *maps; /* of --check */
     jlt_section *section;
     jlt_section_batch *batch; /* NULL: one at a time */
     jlt_section_batch_options batch_options;

@@ -168,10 +168,10 @@ static void arrive(jlt_section *self, double theta, const double *x)
     jlt_section_conditions_arrive(&self->watched, theta, x);
 }
 
-/* Fill a row, in the table's units, from t and x in the flow's. */
-/* Units are usually the table's own, and ldexp takes longer than all else here. */
+/* Units are usually the table's own, and ldexp takes longer than all else in `fill`. */
 static double scaled(double value, int exponent) { return exponent == 0 ? value : ldexp(value, exponent); }
 
+/* Fill a row, in the table's units, from t and x in the flow's. */
 static void fill(jlt_return *row, const jlt_section *self, double t, const double *x, bool on_section)
 {
     const jlt_chart *chart = self->flow.chart;

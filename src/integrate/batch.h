@@ -52,7 +52,7 @@ typedef struct {
     unsigned count;                  /* 1 .. JLT_BATCH_CONDITIONS_MAX */
     bool until_lost;                 /* an orbit is watched only until a value is <= 0: what is watched stays as it is there */
     bool seeks_least;                /* within a step also where one may only be less than before */
-    bool ends;                       /* an orbit on which a value is <= 0 ends as doubted: another method finds where that begins */
+    bool ends;                       /* an orbit on which a value is <= 0 or NaN ends as doubted: another method finds where */
 } jlt_batch_watch;
 
 /** The map, and how to compute it. Plain data; what it points to must live as long as it is used. */

@@ -263,9 +263,9 @@ jlt_status jlt_loss_first(double *theta, jlt_stepper *stepper, const jlt_event *
     JLT_PASS(jlt_loss_zero(&first, stepper, event, 1));
     if (!(w1 > 0)) {
         first = jlt_smaller(first, 1);
-    } else if (first <= 1 && value_at(stepper, event, first) > 0) { /* of the polynomial alone, maybe */
+    } else if (first <= 1 && !(value_at(stepper, event, first) <= 0)) { /* of the polynomial alone, maybe, or NaN */
         const double before = jlt_larger(first - 0.5 / SAMPLES, 0);
-        if (jlt_loss_least(stepper, event, before).value > 0) return JLT_OK;
+        if (!(jlt_loss_least(stepper, event, before).value <= 0)) return JLT_OK;
     }
     *theta = jlt_smaller(first, *theta);
     return JLT_OK;

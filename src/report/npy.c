@@ -168,8 +168,8 @@ static jlt_status widen(jlt_npy *self, size_t index, size_t width)
     return flush(self);
 }
 
-/* Returns false if the column holds numbers and the field is a text, or the field is too long for it. */
-static bool put_field(char *to, const jlt_table_column *column, const char *field, const char *end)
+/* Returns 0, or the width that the column needs where it holds numbers and the field is a text, or the field is too long for it. */
+static size_t put_field(char *to, const jlt_table_column *column, const char *field, const char *end)
 {
     char digits[JLT_DIGITS_SIZE];
     uint64_t bits;
@@ -178,17 +178,17 @@ static bool put_field(char *to, const jlt_table_column *column, const char *fiel
     if (jlt_bits_are_at(field, end)) {
         value = jlt_bits_read(field);
         if (column->is_text) end = jlt_digits_shortest(digits, value), field = digits;
-    } else if (!column->is_text && !jlt_table_number(&value, field, end)) return false;
+    } else if (!column->is_text && !jlt_table_number(&value, field, end)) return (size_t)(end - field);
     if (column->is_text) {
         const size_t size = (size_t)(end - field);
-        if (size > column->width) return false;
+        if (size > column->width) return size;
         memset(to, 0, column->width);
         memcpy(to, field, size);
-        return true;
+        return 0;
     }
     memcpy(&bits, &value, sizeof bits);
     put_number(to, bits, sizeof bits);
-    return true;
+    return 0;
 }
 
 /* Add a row to the block from the line of CSV that ends at `stop`. When a field does not fit its column, widen the column and begin
@@ -204,8 +204,9 @@ static jlt_status put_row(jlt_npy *self, const char *line, const char *stop)
         const jlt_table_column *column = &self->form.columns[i];
         const char *end = jlt_bits_are_at(field, stop) ? field + JLT_BITS_SIZE : jlt_table_field_end(field);
         if ((*end == ',') != (i + 1 < self->form.count)) return JLT_ERR_ARG;
-        if (!put_field(to, column, field, end)) {
-            JLT_PASS(widen(self, i, (size_t)(end - field)));
+        const size_t width = put_field(to, column, field, end);
+        if (width > 0) {
+            JLT_PASS(widen(self, i, width));
             return put_row(self, line, stop);
         }
         to += width_of(column);

@@ -73,7 +73,8 @@ static void columns_become_texts_when_their_fields_show_it(void **unused)
     }
 }
 
-/* A table in which numbers are decimal or bits, of the same bytes as an array: `late` becomes a text after some. */
+/* A table in which numbers are decimal or bits, of the same bytes as an array: `early` is a text from the first row on, `late`
+ * becomes one after some. */
 static char *mixed_table(void (*write)(FILE *, const double *, size_t), size_t *size)
 {
     static const double endings[] = { 0x1.a0a0a0a0a0a0ap10, 0x1.c2c230a2c230ap-30, 0x1.0000000a00000p0, -0x1.1010101010101p-1 };
@@ -81,9 +82,12 @@ static char *mixed_table(void (*write)(FILE *, const double *, size_t), size_t *
     char *text = NULL;
     FILE *file = open_memstream(&text, size);
 
-    fputs("a,b,c,d,late,word\n", file);
+    fputs("a,b,c,d,early,late,word\n", file);
     for (unsigned row = 0; row < 9; row++) {
         write(file, endings, 4);
+        fputc(',', file);
+        if (row == 0) fputs("x", file);
+        else write(file, &endings[row % 4], 1); /* more digits than a text of this column has letters so far */
         fputc(',', file);
         if (row == 6) fputs("x", file);
         else write(file, &n[row % 6], 1);
