@@ -99,7 +99,8 @@ bool ttc_task_open(const ttc_task *task); /* true while nothing is against the c
 
 /** Search for a point of the leaf at which a ratio, unless NULL, stands in this relation to zero. text: NULL, or gets the point. */
 ttc_search_result ttc_task_search(ttc_task *task, const ttc_ratio *ratio, ttc_relation relation, char **text);
-/* Returns true if identities alone show that there is no such point, also where the ratio's denominator vanishes. */
+/* Returns true if identities alone show that there is no such point, also where denominators of conditions vanish. False if that of
+ * the ratio can. */
 bool ttc_task_never_is(ttc_task *task, const ttc_ratio *ratio, ttc_relation relation);
 /* Search for a point of the leaf at which a ratio does not stand in this relation to zero. That there is none may hold but for
  * points put `aside`. */

@@ -44,8 +44,8 @@ static unsigned signs_by_elimination(signs_of_parts *s, const ttc_ratio *value, 
     ttc_ratio_init(task->ring, &other);
     ttc_ratio_set(task->ring, &other, value);
     if (sign == TTC_CAN_BE_POSITIVE) ttc_ratio_scale(task->ring, &other, value, task->ring->minus_one);
-    if (ttc_task_never_is(task, &other, TTC_IS_NONNEGATIVE)) signs = sign;
-    else if (ttc_task_never_is(task, &other, TTC_IS_POSITIVE)) signs = sign | TTC_CAN_BE_ZERO;
+    if (ttc_task_never_is(task, &other, TTC_IS_POSITIVE))
+        signs = ttc_task_never_is(task, &other, TTC_IS_NONNEGATIVE) ? sign : sign | TTC_CAN_BE_ZERO;
     ttc_ratio_clear(task->ring, &other);
     return signs;
 }
