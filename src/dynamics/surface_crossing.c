@@ -10,6 +10,7 @@ typedef struct {
     const jlt_system *system;
     unsigned fixed[INTEGRALS]; /* the integrals whose levels the section fixes, shape (level_count,) */
     double q[JLT_CHART_COORDINATES_MAX], x[STATES], values[INTEGRALS], gradients[INTEGRALS * STATES];
+    double size; /* jlt_field_size_at x */
 } look;
 
 static void find_fixed(look *self)
@@ -38,7 +39,7 @@ static double size_of_level(const look *self, unsigned k)
 
 static double size_of_state(const look *self, unsigned state)
 {
-    return fmax(jlt_field_size_at(&self->system->field, self->x), fabs(self->x[state]));
+    return fmax(self->size, fabs(self->x[state]));
 }
 
 /* Whether x with another value of one state lies over the same point, on the same levels, and is crossed in the flow's
@@ -141,6 +142,7 @@ jlt_status jlt_surface_crossing_met(const jlt_system *self, const jlt_chart_sect
     for (size_t i = 0; i < all && seen < LOOKS; i++) {
         jlt_chart_section_probe(section, here.q, i, ANGLES);
         if (chart->lift(chart, here.x, NULL, here.q) != JLT_OK) continue;
+        here.size = jlt_field_size_at(&self->field, here.x);
         if (section->section->level_count > 0) {
             d->integral_values.call(here.x, self->field.p, here.values);
             d->integral_gradients.call(here.x, self->field.p, here.gradients);
