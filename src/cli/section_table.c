@@ -134,7 +134,7 @@ void jlt_section_table_row(FILE *stream, void *table, const void *row)
     (self->as_bits ? jlt_csv_bits : jlt_csv_values)(stream, values, count);
     putc_unlocked(',', stream); /* a stream of this thread alone */
     jlt_section_fate_text(fate, system->observed, at->fate, at->lost);
-    fputs(fate, stream);
+    fputs_unlocked(fate, stream);
     if (self->least) jlt_csv_more(stream, &at->least, 1);
     if (self->check) jlt_csv_more(stream, x + system->flow.chart->states + d, CHECKED);
     putc_unlocked('\n', stream);

@@ -8,7 +8,7 @@
 #include "cli/interrupt.h"
 
 /* How much text is passed to an array at a time. */
-enum { BUFFER = 1 << 16 };
+enum { BUFFER = 1 << 18 };
 
 static jlt_exit cannot_write(const jlt_stream *self, int reason)
 {
