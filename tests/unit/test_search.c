@@ -79,15 +79,15 @@ static void a_parameter_that_may_be_zero_is_not_taken_for_positive(void **unused
     assert_int_equal(answer(&q), TTC_POINT_IMPOSSIBLE);
 }
 
-/* x y - 1 is negative somewhere, x^2 - 2 x y + 2 y^2 nowhere; no sign of a term says so. */
+/* x^4 - x^3 y + y^4 + 1/8 is negative nowhere: no sign of a term says so, nor a complete square. */
 static void the_solver_finds_what_signs_leave_open(void **unused)
 {
     (void)unused;
-    question q = ask(PLANE "let f = x^2 - 2*x*y + 2*y^2\nlet g = 1000001 - x\nlet h = x - 1000000\n");
+    question q = ask(PLANE "let f = x^4 - x^3*y + y^4 + 1/8\nlet g = 1000001 - x\nlet h = x - 1000000\n");
     require(&q, "g", TTC_IS_POSITIVE);
     require(&q, "h", TTC_IS_POSITIVE);
     assert_int_equal(answer(&q), TTC_POINT_FOUND);
-    q = ask(PLANE "let f = -(x^2 - 2*x*y + 2*y^2)\n");
+    q = ask(PLANE "let f = -(x^4 - x^3*y + y^4 + 1/8)\n");
     require(&q, "f", TTC_IS_POSITIVE);
     assert_int_equal(answer(&q), TTC_POINT_EXCLUDED);
 }
