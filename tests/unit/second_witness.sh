@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # That conditions have no real point is believed if Z3 and QEPCAD both find it: not with a QEPCAD that finds a point, that is not
-# sure, that says nothing or breaks off, and nothing is proved without one. What signs of terms decide, or complete squares, needs neither.
+# sure, that says nothing or breaks off, and nothing is proved without one. What signs of terms decide, or complete squares, needs
+# neither.
 source "$JLT_SOURCE_DIR/tests/scratch.sh"
 
 cat > asked.tt <<'TABLE'
