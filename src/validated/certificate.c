@@ -141,7 +141,8 @@ static json_t *prove_family(jlt_certificate_report *report, const json_t *json, 
     return shown;
 }
 
-static json_t *prove_pole(jlt_certificate_report *report, const json_t *json, const jlt_descriptor *d, jlt_step_watch *watch)
+static json_t *prove_pole(jlt_certificate_report *report, const json_t *json, const jlt_descriptor *d, bool replays,
+                          jlt_step_watch *watch)
 {
     jlt_given_pole given;
     jlt_pole_result result;
@@ -151,6 +152,7 @@ static json_t *prove_pole(jlt_certificate_report *report, const json_t *json, co
     *report = jlt_judge_say(JLT_CERTIFICATE_MALFORMED, "");
     if (jlt_given_pole_read(&given, json, d, false, report->problem)) {
         given.question.watch = watch;
+        given.replays = replays;
         jlt_pole_result_init(&result, d);
         st = jlt_pole_prove(&result, &given.question, given.instant);
         if (st == JLT_ERR_UNSUPPORTED)
@@ -166,8 +168,9 @@ static json_t *prove_pole(jlt_certificate_report *report, const json_t *json, co
     return shown;
 }
 
-/* Prove what follows from `given`; returns a new object `shown`, NULL unless the report is GOOD. */
-static json_t *prove(jlt_certificate_report *report, const char *kind, const json_t *json, const jlt_descriptor *d,
+/* Prove what follows from `given`; returns a new object `shown`, NULL unless the report is GOOD. replays: it is compared with that
+ * of a certificate. */
+static json_t *prove(jlt_certificate_report *report, const char *kind, const json_t *json, const jlt_descriptor *d, bool replays,
                      jlt_step_watch *watch)
 {
     jlt_given given;
@@ -176,9 +179,10 @@ static json_t *prove(jlt_certificate_report *report, const char *kind, const jso
     jlt_status st;
 
     if (strcmp(kind, "equilibria") == 0) return prove_family(report, json, d);
-    if (strcmp(kind, "pole") == 0) return prove_pole(report, json, d, watch);
+    if (strcmp(kind, "pole") == 0) return prove_pole(report, json, d, replays, watch);
     *report = jlt_judge_say(JLT_CERTIFICATE_MALFORMED, "");
     if (jlt_given_read(&given, json, d, watch, report->problem) && jlt_given_read_legs(&given, json, report->problem)) {
+        given.replays = replays;
         const bool serves = given.legs.turns == NULL || serves_turns(kind);
         st = serves ? jlt_cycle_create(&cycle, &given.question) : JLT_OK;
         if (!serves)
@@ -237,7 +241,7 @@ json_t *jlt_certificate_make(jlt_certificate_report *report, const char *kind, j
 
     *report = jlt_judge_say(JLT_CERTIFICATE_MALFORMED, "");
     d = jlt_given_table(given, own, report->problem);
-    if (d != NULL && is_defined(report, JLT_CERTIFICATE_MALFORMED, kind, d)) shown = prove(report, kind, given, d, watch);
+    if (d != NULL && is_defined(report, JLT_CERTIFICATE_MALFORMED, kind, d)) shown = prove(report, kind, given, d, false, watch);
     if (shown == NULL) return NULL;
     problem = jlt_said_problem(kind, given, shown);
     if (problem != NULL) {
@@ -276,7 +280,7 @@ void jlt_certificate_check(jlt_certificate_report *report, json_t *certificate, 
     *report = jlt_judge_say(JLT_CERTIFICATE_REFUSED, "its digest is not that of its text: it was changed after it was made");
     if (!digest_of(found, certificate) || strcmp(found, digest) != 0) return;
     if (!is_defined(report, JLT_CERTIFICATE_REFUSED, kind, d)) return;
-    json_auto_t *proved = prove(report, kind, given, d, watch), *words = NULL;
+    json_auto_t *proved = prove(report, kind, given, d, true, watch), *words = NULL;
     if (proved == NULL) return;
     if (!jlt_said_follows(said, proved))
         *report = jlt_judge_say(JLT_CERTIFICATE_REFUSED,

@@ -28,6 +28,7 @@ typedef struct {
     jlt_given_legs legs;
     const char *levels[JLT_FORMULAS_LEVELS_MAX]; /* borrowed from the descriptor */
     unsigned kept[JLT_CYCLE_STATES_MAX], kept_count;
+    bool replays; /* set by the caller: what is proved is only compared with a certificate (jlt_shown_ball) */
 } jlt_given;
 
 enum { JLT_GIVEN_DIGITS_MAX = 1000 };

@@ -100,10 +100,10 @@ json_t *jlt_given_pole_shown(const jlt_given_pole *self, const jlt_pole_result *
     for (unsigned i = 0; i < result->states; i++) {
         if (i == self->question.state) continue;
         if (result->vanishes[i]) json_array_append_new(vanish, json_string(d->states[i].name));
-        else json_object_set_new(limit, d->states[i].name, jlt_shown_ball(result->limit + i, digits));
+        else json_object_set_new(limit, d->states[i].name, jlt_shown_ball(result->limit + i, digits, self->replays));
     }
     return json_pack("{s:o,s:o,s:o,s:o,s:o,s:[o]}", "end", end_of(d, self->question.state, result->is_high), "vanish", vanish,
-                     "limit", limit, "time", jlt_shown_ball(result->time, digits), "conditions",
+                     "limit", limit, "time", jlt_shown_ball(result->time, digits, self->replays), "conditions",
                      jlt_shown_conditions(result->least, d), "claims", json_sprintf("pole %s", pole->name));
 }
 

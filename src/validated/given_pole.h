@@ -24,6 +24,7 @@ typedef struct {
     jlt_pole_question question; /* points into this object, which must not move */
     arb_ptr params, box;
     arf_t instant;              /* 0 if absent */
+    bool replays;               /* set by the caller, as of jlt_given */
 } jlt_given_pole;
 
 /** Read `given`. In any case the caller must call jlt_given_pole_clear. If `asks`, the instant may be absent. Returns false if the

@@ -131,6 +131,16 @@ static double width_of(arb_srcptr box, slong n)
     return width;
 }
 
+/* The same of M G(y0), which is that of no K smaller. */
+static double least_width(const operator *self)
+{
+    double width = -INFINITY;
+
+    for (slong i = 0; i < self->of->n; i++)
+        width = fmax(width, mag_get_d_log2_approx(arb_radref(arb_mat_entry(self->offset, i, 0))));
+    return width;
+}
+
 jlt_status jlt_krawczyk_prove(const jlt_krawczyk *self, jlt_krawczyk_verdict *verdict, arb_ptr solution, arb_srcptr box)
 {
     const slong n = self->n;
@@ -147,6 +157,7 @@ jlt_status jlt_krawczyk_prove(const jlt_krawczyk *self, jlt_krawczyk_verdict *ve
     for (double before = INFINITY; width_of(K, n) < before - 3;) {
         before = width_of(K, n);
         _arb_vec_set(solution, K, n);
+        if (least_width(&op) >= before - 3) break;
         JLT_PASS(operator_apply(&op, K, solution));
         for (slong i = 0; i < n; i++)
             if (!arb_intersection(K + i, K + i, solution + i, self->bits)) *verdict = JLT_KRAWCZYK_CONTRADICTED;

@@ -48,6 +48,25 @@ static bool holds_ball(const json_t *said, const json_t *proved)
     return jlt_numerals_ball(inner, proved, bits) && jlt_numerals_hold(said, inner, bits);
 }
 
+/* Whether lower bounds of conditions are not above those that were proved. "-inf" says nothing. */
+static bool bounds_follow(const json_t *said, const json_t *proved)
+{
+    const char *name;
+    json_t *bound;
+    bool good = json_object_size(said) == json_object_size(proved);
+    JLT_SCOPED(arb, least, found);
+
+    json_object_foreach((json_t *)(uintptr_t)said, name, bound) {
+        const json_t *other = json_object_get(proved, name);
+        const char *text = json_string_value(bound);
+        if (text == NULL || other == NULL) return false;
+        if (strcmp(text, "-inf") == 0 || json_equal(bound, other)) continue;
+        good = good && jlt_numerals_read(least, text, 64) && jlt_numerals_read(found, json_string_value(other), 64)
+               && arb_le(least, found);
+    }
+    return good;
+}
+
 static bool follows(const json_t *said, const json_t *proved);
 
 static bool all_follow(const json_t *said, const json_t *proved)
@@ -59,7 +78,7 @@ static bool all_follow(const json_t *said, const json_t *proved)
     json_object_foreach((json_t *)(uintptr_t)said, name, part) {
         const json_t *other = json_object_get(proved, name);
         /* conditions are named by the table, and their names may be those of the parts of a ball */
-        good = good && other != NULL && (strcmp(name, "conditions") == 0 ? json_equal(part, other) : follows(part, other));
+        good = good && other != NULL && (strcmp(name, "conditions") == 0 ? bounds_follow(part, other) : follows(part, other));
     }
     return good;
 }

@@ -12,7 +12,7 @@
 bool jlt_said_is_form(const char *kind, const json_t *given);
 
 /** Whether `said` follows from `proved`, both members "shown" of certificates: they have the same form, each ball of `said`
- *  contains that of `proved`, and everything else is equal. */
+ *  contains that of `proved`, no lower bound of a condition is above that of `proved`, and everything else is equal. */
 bool jlt_said_follows(const json_t *said, const json_t *proved);
 
 /** A sentence that names the words of a certificate of this kind that its numbers do not support; NULL if they support all. In:

@@ -6,18 +6,18 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Relative margin of bounds as written: a replay with another version of Arb, or order of operations, may differ in last bits. */
+/* Relative margin of bounds as written: a replay may differ in last bits. */
 static const double ROOM = 1e-5;
 
-/* The ball is written with twice its radius. */
-json_t *jlt_shown_ball(const arb_t ball, unsigned digits)
+json_t *jlt_shown_ball(const arb_t ball, unsigned digits, bool replays)
 {
+    const slong places = (slong)digits + (replays ? 10 : 0);
     json_t *out = NULL;
     JLT_SCOPED(arb, roomy);
 
     arb_set(roomy, ball);
-    mag_mul_2exp_si(arb_radref(roomy), arb_radref(roomy), 1);
-    char *text = arb_get_str(roomy, (slong)digits, ARB_STR_MORE), *between = strstr(text, " +/- "), *end = strchr(text, ']');
+    if (!replays) mag_mul_2exp_si(arb_radref(roomy), arb_radref(roomy), 1);
+    char *text = arb_get_str(roomy, places, ARB_STR_MORE), *between = strstr(text, " +/- "), *end = strchr(text, ']');
     if (strncmp(text, "[+/- ", 5) == 0 && end != NULL) { /* no digit of the midpoint is correct */
         *end = '\0';
         out = json_pack("{s:s,s:s}", "middle", "0", "radius", text + 5);
@@ -101,6 +101,11 @@ json_t *jlt_shown_conditions(const arf_struct *least, const jlt_descriptor *d)
     return conditions;
 }
 
+static json_t *ball_of(const arb_t ball, const jlt_given *given)
+{
+    return jlt_shown_ball(ball, given->question.digits, given->replays);
+}
+
 /* States other than the section's by names: x has these alone, or, with has_all, all of them. */
 static json_t *point_of(arb_srcptr x, bool has_all, const jlt_given *given)
 {
@@ -110,7 +115,7 @@ static json_t *point_of(arb_srcptr x, bool has_all, const jlt_given *given)
 
     for (unsigned i = 0; i < d->state_count; i++)
         if (i != given->question.column)
-            good = set(point, d->states[i].name, jlt_shown_ball(x++, given->question.digits)) && good;
+            good = set(point, d->states[i].name, ball_of(x++, given)) && good;
         else if (has_all) x++;
     if (good) return point;
     json_decref(point);
@@ -119,7 +124,6 @@ static json_t *point_of(arb_srcptr x, bool has_all, const jlt_given *given)
 
 json_t *jlt_shown_cycle(const jlt_cycle_result *result, const jlt_given *given, bool with_reversor)
 {
-    const unsigned digits = given->question.digits;
     json_t *shown = json_object(), *orbit = json_array(), *multipliers = json_array();
     bool good = true;
 
@@ -127,13 +131,13 @@ json_t *jlt_shown_cycle(const jlt_cycle_result *result, const jlt_given *given, 
         good = good && json_array_append_new(orbit, point_of(result->solution + i * result->unknowns, false, given)) == 0;
     for (unsigned i = 0; i < result->multipliers && result->multipliers <= 2; i++)
         good = good && json_array_append_new(multipliers,
-                   json_pack("{s:o,s:o}", "re", jlt_shown_ball(acb_realref(result->multiplier + i), digits), "im",
-                             jlt_shown_ball(acb_imagref(result->multiplier + i), digits))) == 0;
+                   json_pack("{s:o,s:o}", "re", ball_of(acb_realref(result->multiplier + i), given), "im",
+                             ball_of(acb_imagref(result->multiplier + i), given))) == 0;
     good = set(shown, "orbit", orbit) && good;
-    good = set(shown, "period", jlt_shown_ball(result->period, digits)) && good;
-    good = set(shown, "determinant", jlt_shown_ball(result->determinant, digits)) && good;
-    good = set(shown, "determinant_of_matrix", jlt_shown_ball(result->matrix_determinant, digits)) && good;
-    good = set(shown, "trace", jlt_shown_ball(result->trace, digits)) && good;
+    good = set(shown, "period", ball_of(result->period, given)) && good;
+    good = set(shown, "determinant", ball_of(result->determinant, given)) && good;
+    good = set(shown, "determinant_of_matrix", ball_of(result->matrix_determinant, given)) && good;
+    good = set(shown, "trace", ball_of(result->trace, given)) && good;
     good = set(shown, "multipliers", multipliers) && good;
     good = set(shown, "conditions", jlt_shown_conditions(result->least, given->question.descriptor)) && good;
     good = set(shown, "claims", claims_of(given, with_reversor)) && good;
@@ -152,7 +156,7 @@ json_t *jlt_shown_symmetry(const jlt_symmetry_result *result, const jlt_given *g
     bool good = set(part, "reversor", jlt_theorem_flipped(given->question.descriptor, result->reversor));
 
     if (result->type == JLT_SYMMETRY_ELLIPTIC)
-        good = set(part, "rotation", jlt_shown_ball(result->rotation, given->question.digits)) && good;
+        good = set(part, "rotation", ball_of(result->rotation, given)) && good;
     if (good) return part;
     json_decref(part);
     return NULL;
@@ -160,16 +164,14 @@ json_t *jlt_shown_symmetry(const jlt_symmetry_result *result, const jlt_given *g
 
 json_t *jlt_shown_twist(const jlt_elliptic_result *result, const jlt_given *given)
 {
-    const unsigned digits = given->question.digits;
-
     return json_pack("{s:s,s:o,s:o}", "coordinate", given->question.descriptor->states[given->kept[0]].name, "coefficient",
-                     jlt_shown_ball(result->form.twist, digits), "growth", jlt_shown_ball(result->form.growth, digits));
+                     ball_of(result->form.twist, given), "growth", ball_of(result->form.growth, given));
 }
 
 json_t *jlt_shown_homoclinic(const jlt_homoclinic_result *result, const jlt_given *given)
 {
     json_t *shown = jlt_shown_cycle(&result->saddle, given, true), *part = json_object();
-    bool good = set(part, "start", jlt_shown_ball(result->start, given->question.digits));
+    bool good = set(part, "start", ball_of(result->start, given));
 
     good = set(part, "first", point_of(result->solution, false, given)) && good;
     good = set(part, "point", point_of(result->point, true, given)) && good;

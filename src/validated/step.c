@@ -240,12 +240,14 @@ static bool watch(const jlt_step *self, arf_struct *least, const arb_t h)
 {
     const slong bits = self->accuracy.bits;
     bool inside = true;
-    JLT_SCOPED(arb, span, value);
+    JLT_SCOPED(arb, span, value, sharper);
 
     for (unsigned p = 0; p < PIECES; p++) {
         set_part(span, h, p, PIECES, bits);
         for (unsigned i = 0; i < self->of->valid_count; i++) {
             over(self, value, jlt_formulas_valid(self->of, i), span);
+            over_by_slope(self, sharper, jlt_formulas_valid(self->of, i), span);
+            if (arb_is_finite(value) && arb_is_finite(sharper)) (void)arb_intersection(value, value, sharper, bits);
             lower(least + i, value, bits);
         }
         for (unsigned i = 0; inside && i < self->of->domain_count; i++)
