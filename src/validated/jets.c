@@ -11,6 +11,7 @@ struct jlt_jets {
     unsigned degree, terms; /* of the polynomials; each of their `terms` coefficients is a time series */
     size_t size;
     bool *series;           /* (size,): whether the value depends on states */
+    size_t *place;          /* (size,): where its series begins in `values` */
     size_t *partner;        /* (size,): for a cosine, where the sine of its argument is, and the reverse; else 0 */
     arb_ptr values;         /* states, (dim, terms, length); the program's values, (size, terms, length); then the partners */
     size_t count;           /* number of balls in values */
@@ -35,12 +36,7 @@ static size_t state_of(const jlt_jets *self, ttc_value value)
 }
 
 /* The series of a value. */
-static arb_ptr series_of(const jlt_jets *self, ttc_value value)
-{
-    const size_t state = state_of(self, value);
-
-    return state != SIZE_MAX ? self->values + state * self->terms * self->length : at(self, value);
-}
+static arb_ptr series_of(const jlt_jets *self, ttc_value value) { return self->values + self->place[value]; }
 
 static jlt_status look_through(jlt_jets *self)
 {
@@ -49,7 +45,9 @@ static jlt_status look_through(jlt_jets *self)
     for (size_t v = 0; v < self->size; v++) {
         const ttc_instruction *i = ttc_program_at(self->program, (ttc_value)v);
         if (i->op == TTC_OP_FMA || i->op == TTC_OP_FMS || i->op == TTC_OP_FNMA) return JLT_ERR_UNSUPPORTED;
-        self->series[v] = state_of(self, (ttc_value)v) != SIZE_MAX;
+        const size_t state = state_of(self, (ttc_value)v);
+        self->series[v] = state != SIZE_MAX;
+        self->place[v] = (state != SIZE_MAX ? state : self->of->dim + v) * self->terms * self->length;
         for (unsigned k = 0; k < ttc_op_arity(i->op); k++) self->series[v] |= self->series[i->operands[k]];
         if (i->op == TTC_OP_COSINE || i->op == TTC_OP_SINE) self->partner[v] = self->size + partners++;
     }
@@ -77,7 +75,8 @@ jlt_status jlt_jets_create(jlt_jets **jets, const jlt_formulas *of, const ttc_pr
     self->size = ttc_program_size(program);
     self->series = calloc(self->size + 1, sizeof *self->series);
     self->partner = calloc(self->size + 1, sizeof *self->partner);
-    if (self->series == NULL || self->partner == NULL) return JLT_ERR_NOMEM;
+    self->place = calloc(self->size + 1, sizeof *self->place);
+    if (self->series == NULL || self->partner == NULL || self->place == NULL) return JLT_ERR_NOMEM;
     JLT_PASS(look_through(self));
     *jets = self;
     self = NULL; /* ownership moved to the caller */
@@ -91,6 +90,7 @@ void jlt_jets_destroy(jlt_jets *jets)
     if (jets->slopes != NULL) _arb_vec_clear(jets->slopes, (slong)jets->length);
     arb_clear(jets->scratch);
     free(jets->series);
+    free(jets->place);
     free(jets->partner);
     free(jets);
 }
@@ -188,7 +188,7 @@ static void step(jlt_jets *self, ttc_value value, arb_srcptr params, place n, sl
 
     switch (i->op) {
     case TTC_OP_INPUT: break;
-    case TTC_OP_PARAMETER: if (state_of(self, value) == SIZE_MAX) arb_set(r, params + i->index); break;
+    case TTC_OP_PARAMETER: if (series_of(self, value) == r) arb_set(r, params + i->index); break;
     case TTC_OP_CONSTANT: arb_set_fmpq(r, i->constant, bits); break;
     case TTC_OP_PI: arb_const_pi(r, bits); break;
     case TTC_OP_NEGATE: arb_neg(r + here, a + here); break;

@@ -12,8 +12,8 @@ struct jlt_step {
     jlt_rough around;
     jlt_jets *point, *plain;                /* jets over the midpoint; jets of order 0 */
     arb_ptr x;                              /* (dim,): midpoint or hull of the set */
-    arb_ptr V, W;                           /* (dim, dim, order + 1): Taylor coefficients of the derivative over the set, and over
-                                             * the rough enclosure */
+    arb_ptr V;                              /* (dim, dim, order + 1): Taylor coefficients of the derivative over the set */
+    mag_ptr W, A;                           /* the same shape: bounds of them, and of those of Df, over the rough enclosure */
     arb_mat_t image, slope, derivative, rest;
     jlt_step_watch *watch;
 };
@@ -38,7 +38,8 @@ jlt_status jlt_step_create(jlt_step **step, const jlt_formulas *of, arb_srcptr p
     self->params = _arb_vec_init((slong)of->params + 1);
     self->x = _arb_vec_init(n);
     self->V = _arb_vec_init(n * n * (accuracy.order + 1));
-    self->W = _arb_vec_init(n * n * (accuracy.order + 1));
+    self->W = _mag_vec_init(n * n * (accuracy.order + 1));
+    self->A = _mag_vec_init(n * n * (accuracy.order + 1));
     arb_mat_init(self->image, n, 1);
     arb_mat_init(self->slope, n, n);
     arb_mat_init(self->derivative, n, n);
@@ -59,7 +60,8 @@ void jlt_step_destroy(jlt_step *step)
     _arb_vec_clear(step->params, (slong)step->of->params + 1);
     _arb_vec_clear(step->x, n);
     _arb_vec_clear(step->V, n * n * (order + 1));
-    _arb_vec_clear(step->W, n * n * (order + 1));
+    _mag_vec_clear(step->W, n * n * (order + 1));
+    _mag_vec_clear(step->A, n * n * (order + 1));
     arb_mat_clear(step->image);
     arb_mat_clear(step->slope);
     arb_mat_clear(step->derivative);
@@ -70,35 +72,66 @@ void jlt_step_destroy(jlt_step *step)
     free(step);
 }
 
-static arb_ptr entry(const jlt_step *self, arb_ptr V, unsigned i, unsigned l)
+/* Where the series of entry (i, l) begins in V, W, A. */
+static size_t entry(const jlt_step *self, unsigned i, unsigned l)
 {
-    return V + (i * self->of->dim + l) * (self->accuracy.order + 1);
+    return (i * self->of->dim + l) * (self->accuracy.order + 1);
 }
 
-/* Taylor coefficients of the derivative, V_(k+1) = (sum over j of Df_j V_(k-j))/(k+1), V_0 = 1, from the series of Df in `jets`. */
-static void vary(const jlt_step *self, arb_ptr V, const jlt_jets *jets, slong bits)
+/* Taylor coefficients of the derivative, V_(k+1) = (sum over j of Df_j V_(k-j))/(k+1), V_0 = 1, from the series of Df over the
+ * set. */
+static void vary(const jlt_step *self)
 {
     const unsigned n = self->of->dim;
+    const slong bits = self->accuracy.bits;
 
     for (unsigned i = 0; i < n; i++)
-        for (unsigned l = 0; l < n; l++) arb_set_si(entry(self, V, i, l), i == l);
+        for (unsigned l = 0; l < n; l++) arb_set_si(self->V + entry(self, i, l), i == l);
     for (unsigned k = 0; k < self->accuracy.order; k++)
         for (unsigned i = 0; i < self->of->states; i++)
             for (unsigned l = 0; l < n; l++) {
-                arb_ptr next = entry(self, V, i, l) + k + 1;
+                arb_ptr next = self->V + entry(self, i, l) + k + 1;
                 arb_zero(next);
                 for (unsigned m = 0; m < n; m++) {
-                    const unsigned slope = jlt_formulas_slope(self->of, i, m), length = jlt_jets_output_length(jets, slope);
-                    arb_dot(next, next, 0, jlt_jets_output(jets, slope), 1, entry(self, V, m, l) + k, -1,
+                    const unsigned slope = jlt_formulas_slope(self->of, i, m);
+                    const unsigned length = jlt_jets_output_length(self->around.hull, slope);
+                    arb_dot(next, next, 0, jlt_jets_output(self->around.hull, slope), 1, self->V + entry(self, m, l) + k, -1,
                             (slong)(length <= k ? length : k + 1), bits);
                 }
                 arb_div_ui(next, next, k + 1, bits);
             }
 }
 
-/* Set the step's `rest` to the derivative's remainder over a step of length h: W_K h^K times the derivative's rough enclosure. It
- * need only reach three quarters of the digits, since it multiplies sets that are already small. Returns log2 of its largest entry
- * over what that tolerates. */
+/* Bounds of the same over the rough enclosure, W_(k+1) = (sum over j of |Df_j| W_(k-j))/(k+1), W_0 = 1. */
+static void bound_variation(const jlt_step *self)
+{
+    const unsigned n = self->of->dim, K = self->accuracy.order;
+
+    for (unsigned i = 0; i < self->of->states; i++)
+        for (unsigned m = 0; m < n; m++) {
+            const unsigned slope = jlt_formulas_slope(self->of, i, m), length = jlt_jets_output_length(self->around.rough, slope);
+            for (unsigned j = 0; j < length && j < K; j++)
+                arb_get_mag(self->A + entry(self, i, m) + j, jlt_jets_output(self->around.rough, slope) + j);
+        }
+    for (unsigned i = 0; i < n; i++)
+        for (unsigned l = 0; l < n; l++) mag_set_ui(self->W + entry(self, i, l), i == l);
+    for (unsigned k = 0; k < K; k++)
+        for (unsigned i = 0; i < self->of->states; i++)
+            for (unsigned l = 0; l < n; l++) {
+                mag_ptr next = self->W + entry(self, i, l) + k + 1;
+                mag_zero(next);
+                for (unsigned m = 0; m < n; m++) {
+                    const unsigned length = jlt_jets_output_length(self->around.rough, jlt_formulas_slope(self->of, i, m));
+                    mag_srcptr a = self->A + entry(self, i, m), w = self->W + entry(self, m, l) + k;
+                    for (unsigned j = 0; j <= k && j < length; j++) mag_addmul(next, a + j, w - j);
+                }
+                mag_div_ui(next, next, k + 1);
+            }
+}
+
+/* Set the step's `rest` to the derivative's remainder over a step of length h: W_K h^K times a bound of the derivative over the
+ * step. It need only reach three quarters of the digits, since it multiplies sets that are already small. Returns log2 of its
+ * largest entry over what that tolerates. */
 static double vary_rest(void *context, const arf_t h)
 {
     jlt_step *self = context;
@@ -106,32 +139,28 @@ static double vary_rest(void *context, const arf_t h)
     const slong bits = JLT_ROUGH_REST_BITS;
     double size = -INFINITY;
     JLT_SCOPED_MATRIX(arb, n, n, growth);
-    JLT_SCOPED(arb, power);
-    JLT_SCOPED(mag, bound);
+    JLT_SCOPED(mag, power, around, bound);
 
-    vary(self, self->W, self->around.rough, bits);
+    bound_variation(self);
     for (unsigned i = 0; i < self->of->states; i++)
-        for (unsigned l = 0; l < n; l++) {
-            arb_get_mag(bound, jlt_jets_output(self->around.rough, jlt_formulas_slope(self->of, i, l)));
-            arf_set_mag(arb_midref(arb_mat_entry(growth, i, l)), bound);
-            arb_mul_arf(arb_mat_entry(growth, i, l), arb_mat_entry(growth, i, l), h, bits);
+        for (unsigned m = 0; m < n; m++) {
+            arb_get_mag(bound, jlt_jets_output(self->around.rough, jlt_formulas_slope(self->of, i, m)));
+            arf_set_mag(arb_midref(arb_mat_entry(growth, i, m)), bound);
+            arb_mul_arf(arb_mat_entry(growth, i, m), arb_mat_entry(growth, i, m), h, bits);
         }
     arb_mat_exp(growth, growth, bits);
-    arb_set_arf(power, h);
-    arb_pow_ui(power, power, K, bits);
+    arf_get_mag(power, h);
+    mag_pow_ui(power, power, K);
     for (unsigned i = 0; i < n; i++)
         for (unsigned l = 0; l < n; l++) {
-            arb_ptr around = arb_mat_entry(growth, i, l);
-            if (i == l) arb_sub_ui(around, around, 1, bits);
-            arb_get_mag(bound, around);
-            arb_set_si(around, i == l);
-            arb_add_error_mag(around, bound);
-            arb_mul(arb_mat_entry(self->rest, i, l), entry(self, self->W, i, l) + K, power, bits);
-        }
-    arb_mat_mul(self->rest, self->rest, growth, bits);
-    for (unsigned i = 0; i < n; i++)
-        for (unsigned l = 0; l < n; l++) {
-            arb_get_mag(bound, arb_mat_entry(self->rest, i, l));
+            mag_zero(bound);
+            for (unsigned m = 0; m < n; m++) {
+                arb_get_mag(around, arb_mat_entry(growth, m, l));
+                mag_addmul(bound, self->W + entry(self, i, m) + K, around);
+            }
+            mag_mul(bound, bound, power);
+            arb_zero(arb_mat_entry(self->rest, i, l));
+            arb_add_error_mag(arb_mat_entry(self->rest, i, l), bound);
             size = fmax(size, mag_get_d_log2_approx(bound));
         }
     return size + 0.75 * (double)self->accuracy.tolerance;
@@ -150,7 +179,7 @@ static void build(jlt_step *self, const arb_t h)
                       jlt_jets_state(self->around.rough, i) + K, h, bits);
     for (unsigned i = 0; i < n; i++)
         for (unsigned l = 0; l < n; l++)
-            jlt_rough_sum(arb_mat_entry(self->slope, i, l), entry(self, self->V, i, l), K, zero, h, bits);
+            jlt_rough_sum(arb_mat_entry(self->slope, i, l), self->V + entry(self, i, l), K, zero, h, bits);
     arb_mat_add(self->derivative, self->slope, self->rest, bits);
 }
 
@@ -265,7 +294,7 @@ jlt_status jlt_step_advance(jlt_step *self, jlt_set *set, arf_t h, arb_t expansi
     jlt_jets_run(self->around.hull, self->x, self->params, bits);
     jlt_rough_choose(&self->around, h);
     if (!jlt_rough_validate(&self->around, h, vary_rest, self)) return JLT_ERR_NO_PROGRESS;
-    vary(self, self->V, self->around.hull, bits);
+    vary(self);
     for (unsigned i = 0; i < self->of->dim; i++) arb_set(self->x + i, arb_mat_entry(set->x, i, 0));
     jlt_jets_run(self->point, self->x, self->params, bits);
     JLT_SCOPED(arb, length);

@@ -145,7 +145,7 @@ static void balls_are_written_outwards_also_around_zero(void **unused)
         json_t *text;
         arb_set_d(ball, balls[i][0]);
         mag_set_d(arb_radref(ball), balls[i][1]);
-        text = jlt_shown_ball(ball, 20);
+        text = jlt_shown_ball(ball, 20, false);
         assert_true(jlt_numerals_ball(read, text, 200));
         assert_true(arb_contains(read, ball));
         assert_true(mag_cmp_2exp_si(arb_radref(read), 2) <= 0); /* written twice as wide, with three digits */
