@@ -13,6 +13,7 @@ struct jlt_step {
     jlt_jets *point, *plain;                /* jets over the midpoint; jets of order 0 */
     arb_ptr x;                              /* (dim,): midpoint or hull of the set */
     arb_ptr V;                              /* (dim, dim, order + 1): Taylor coefficients of the derivative over the set */
+    arb_ptr inverse;                        /* (order + 1,): 1/k at k > 0 */
     mag_ptr W, A;                           /* the same shape: bounds of them, and of those of Df, over the rough enclosure */
     arb_mat_t image, slope, derivative, rest;
     jlt_step_watch *watch;
@@ -38,12 +39,17 @@ jlt_status jlt_step_create(jlt_step **step, const jlt_formulas *of, arb_srcptr p
     self->params = _arb_vec_init((slong)of->params + 1);
     self->x = _arb_vec_init(n);
     self->V = _arb_vec_init(n * n * (accuracy.order + 1));
+    self->inverse = _arb_vec_init(accuracy.order + 1);
     self->W = _mag_vec_init(n * n * (accuracy.order + 1));
     self->A = _mag_vec_init(n * n * (accuracy.order + 1));
     arb_mat_init(self->image, n, 1);
     arb_mat_init(self->slope, n, n);
     arb_mat_init(self->derivative, n, n);
     arb_mat_init(self->rest, n, n);
+    for (unsigned k = 1; k <= accuracy.order; k++) {
+        arb_set_ui(self->inverse + k, k);
+        arb_inv(self->inverse + k, self->inverse + k, accuracy.bits);
+    }
     _arb_vec_set(self->params, params, (slong)of->params);
     JLT_PASS(jlt_jets_create(&self->point, of, of->motion, accuracy.order, 0));
     JLT_PASS(jlt_rough_init(&self->around, of, of->variation, self->params, accuracy, 0));
@@ -60,6 +66,7 @@ void jlt_step_destroy(jlt_step *step)
     _arb_vec_clear(step->params, (slong)step->of->params + 1);
     _arb_vec_clear(step->x, n);
     _arb_vec_clear(step->V, n * n * (order + 1));
+    _arb_vec_clear(step->inverse, order + 1);
     _mag_vec_clear(step->W, n * n * (order + 1));
     _mag_vec_clear(step->A, n * n * (order + 1));
     arb_mat_clear(step->image);
@@ -98,7 +105,7 @@ static void vary(const jlt_step *self)
                     arb_dot(next, next, 0, jlt_jets_output(self->around.hull, slope), 1, self->V + entry(self, m, l) + k, -1,
                             (slong)(length <= k ? length : k + 1), bits);
                 }
-                arb_div_ui(next, next, k + 1, bits);
+                arb_mul(next, next, self->inverse + k + 1, bits);
             }
 }
 
