@@ -102,6 +102,8 @@ ttc_search_result ttc_task_search(ttc_task *task, const ttc_ratio *ratio, ttc_re
 /* Returns true if identities alone show that there is no such point, also where denominators of conditions vanish. False if that of
  * the ratio can. */
 bool ttc_task_never_is(ttc_task *task, const ttc_ratio *ratio, ttc_relation relation);
+/* The signs that a ratio has at a few simple points of the leaf. */
+unsigned ttc_task_signs_met(ttc_task *task, const ttc_ratio *ratio);
 /* Search for a point of the leaf at which a ratio does not stand in this relation to zero. That there is none may hold but for
  * points put `aside`. */
 ttc_search_result ttc_task_search_against(ttc_task *task, const ttc_ratio *ratio, ttc_relation relation, char **text);
