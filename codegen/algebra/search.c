@@ -89,12 +89,16 @@ bool ttc_search_meets(ttc_witness *point, const ttc_conditions *conditions)
     return ttc_witness_meets_all(point, conditions) == TTC_HOLDS && ttc_witness_sines(point) == TTC_HOLDS;
 }
 
+bool ttc_search_attempt(ttc_witness *point, const ttc_conditions *conditions, unsigned attempt)
+{
+    choose(point, attempt);
+    return ttc_search_meets(point, conditions);
+}
+
 static bool try_numbers(ttc_witness *point, const ttc_conditions *conditions, unsigned *attempt, unsigned end)
 {
-    while (*attempt < end) {
-        choose(point, (*attempt)++);
-        if (ttc_search_meets(point, conditions)) return true;
-    }
+    while (*attempt < end)
+        if (ttc_search_attempt(point, conditions, (*attempt)++)) return true;
     return false;
 }
 
@@ -147,6 +151,7 @@ ttc_search_result ttc_search_point(ttc_witness *point, const ttc_conditions *con
     if (conditions->failed) return TTC_POINT_NOT_DECIDED;
     unsigned attempt = 0;
     if (try_numbers(point, conditions, &attempt, EARLY_ATTEMPTS) || try_rest(point, conditions)) return TTC_POINT_FOUND;
+    if (ttc_solver_has_excluded(point, conditions)) return TTC_POINT_EXCLUDED; /* where elimination did not */
     if (ttc_elimination_excludes(conditions)) return TTC_POINT_IMPOSSIBLE;
     choose(point, 0); /* simple values for variables that no condition uses, which the solver leaves as they are */
     ttc_solver_answer answer = ttc_solver_ask(point, conditions, false);

@@ -15,6 +15,9 @@ typedef enum {
  *  To the solver, functions are numbers within bounds: it may fail to exclude a point, but never excludes one that exists. */
 ttc_search_result ttc_search_point(ttc_witness *point, const ttc_conditions *conditions);
 
+/* Try the rational numbers of this attempt alone: 0, 1, ..., the simplest first. */
+bool ttc_search_attempt(ttc_witness *point, const ttc_conditions *conditions, unsigned attempt);
+
 /* The next point among rational numbers alone: from attempt number *attempt on, which becomes the number after that of the point.
  * Returns false if there is none up to the last attempt. */
 bool ttc_search_next(ttc_witness *point, const ttc_conditions *conditions, unsigned *attempt);

@@ -128,11 +128,16 @@ static bool qepcad_agrees(const ttc_question *q, double seconds)
     return none;
 }
 
+static void digest_of(char digest[DIGEST_SIZE], const ttc_question *q)
+{
+    const char *text = Z3_solver_to_string(q->z3, q->solver);
+    ttc_sha256(digest, text, strlen(text));
+}
+
 static ttc_solver_answer check(ttc_question *q)
 {
     char question[DIGEST_SIZE];
-    const char *text = Z3_solver_to_string(q->z3, q->solver);
-    ttc_sha256(question, text, strlen(text));
+    digest_of(question, q);
     if (is_settled(question)) return TTC_SOLVER_NO_POINT;
     const double begin = seconds_now();
     const Z3_lbool answer = Z3_solver_check(q->z3, q->solver);
@@ -142,18 +147,42 @@ static ttc_solver_answer check(ttc_question *q)
     return TTC_SOLVER_NO_POINT;
 }
 
+/* Returns false if memory is out. */
+static bool begin(ttc_question *q, ttc_witness *point, const ttc_conditions *conditions, bool with_functions)
+{
+    *q = (ttc_question){ .point = point, .z3 = context_of(point->ring) };
+    q->variables = calloc(point->ring->variable_count + 1, sizeof(Z3_ast));
+    if (q->variables == NULL) return false;
+    q->real = Z3_mk_real_sort(q->z3);
+    q->solver = make_solver(q->z3, 0);
+    ttc_question_state(q, conditions, with_functions);
+    return true;
+}
+
+static void end(ttc_question *q)
+{
+    Z3_solver_dec_ref(q->z3, q->solver);
+    free(q->variables);
+}
+
 /* Some versions of Z3 (4.8.12 is one) lose points beside zeros of what they eliminate: where a polynomial in the next variable
  * has a double root, they may learn that it has none. Hence that there is no point is believed only if QEPCAD finds the same. */
 ttc_solver_answer ttc_solver_ask(ttc_witness *point, const ttc_conditions *conditions, bool with_functions)
 {
-    ttc_question q = { .point = point, .z3 = context_of(point->ring) };
-    q.variables = calloc(point->ring->variable_count + 1, sizeof(Z3_ast));
-    if (q.variables == NULL) return TTC_SOLVER_SILENT;
-    q.real = Z3_mk_real_sort(q.z3);
-    q.solver = make_solver(q.z3, 0);
-    ttc_question_state(&q, conditions, with_functions);
+    ttc_question q;
+    if (!begin(&q, point, conditions, with_functions)) return TTC_SOLVER_SILENT;
     const ttc_solver_answer answer = q.too_large ? TTC_SOLVER_SILENT : check(&q);
-    Z3_solver_dec_ref(q.z3, q.solver);
-    free(q.variables);
+    end(&q);
     return answer;
+}
+
+bool ttc_solver_has_excluded(ttc_witness *point, const ttc_conditions *conditions)
+{
+    char question[DIGEST_SIZE];
+    ttc_question q;
+    if (settled_count == 0 || !begin(&q, point, conditions, false)) return false;
+    if (!q.too_large) digest_of(question, &q);
+    const bool excluded = !q.too_large && is_settled(question);
+    end(&q);
+    return excluded;
 }

@@ -15,4 +15,7 @@ typedef enum { TTC_SOLVER_POINT, TTC_SOLVER_NO_POINT, TTC_SOLVER_SILENT } ttc_so
  *  cos(a) >= 1 - a^2/2 and |sin(a)| <= |a|, strictly if a is not zero. Cost: bounded in the solver's own units of work. */
 ttc_solver_answer ttc_solver_ask(ttc_witness *point, const ttc_conditions *conditions, bool with_functions);
 
+/* Returns true if this question, without functions, was asked before, and the answer, NO_POINT, is remembered. */
+bool ttc_solver_has_excluded(ttc_witness *point, const ttc_conditions *conditions);
+
 #endif

@@ -60,7 +60,7 @@ static void write_digits(description *d, const ttc_ratio *ratio)
     arb_init(ball);
     ttc_witness_enclose(ball, d->point, ratio, PRECISION);
     char *digits = arb_get_str(ball, DIGITS, ARB_STR_NO_RADIUS);
-    fprintf(d->stream, "%s%s", digits, arb_is_int(ball) ? "" : "...");
+    fprintf(d->stream, "%s%s", arb_contains_zero(ball) ? "0" : digits, arb_is_int(ball) ? "" : "...");
     flint_free(digits);
     arb_clear(ball);
 }

@@ -178,6 +178,7 @@ static void prove_task(ttc_proof_run *run, size_t index, ttc_task *task, const c
     ttc_graph_clear_error(run->model->graph);
     task->is_integral = task->claim->kind == TTC_CLAIM_INVARIANT && ttc_prove_is_integral(task);
     ttc_task_run(task, prove);
+    ttc_prove_by_cofactor(task);
     if (task->status == TTC_PROVED && task->claim->kind == TTC_CLAIM_INTEGRAL && !task->varies)
         task->note = copy("constant on each part of its level, whatever the motion: being an integral says nothing");
     proof->status = task->status;

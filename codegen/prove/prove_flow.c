@@ -100,3 +100,74 @@ bool ttc_prove_is_integral(ttc_task *task)
     task->relies_on_solver |= inner.relies_on_solver;
     return true;
 }
+
+/* Look for a point at which a value is zero, and take it as the witness; where its rate is not zero there, the level is left. */
+static void look_for_zero(ttc_task *task, const ttc_ratio *value, const ttc_ratio *rate)
+{
+    enum { PRECISION = 128 };
+    ttc_witness point;
+    arb_t ball;
+    arb_init(ball);
+    if (ttc_witness_init(&point, task->field) && ttc_search_zero(&point, &task->domain, value->numerator, false)) {
+        char *text = ttc_witness_text(&point);
+        task->kept++;
+        ttc_witness_enclose(ball, &point, rate, PRECISION);
+        if (arb_is_finite(ball) && !arb_contains_zero(ball)) {
+            ttc_task_refute_at(task, text, rate, "the set is left: rate of %s", task->claim->name);
+        } else {
+            free(task->point);
+            task->point = text;
+        }
+    }
+    ttc_witness_clear(&point);
+    arb_clear(ball);
+}
+
+/* The right side of the claim is the rate of the left one, f: require that it is K f with K finite all over the domain. */
+static void prove_cofactor(ttc_task *task)
+{
+    ttc_ratio value, rate, below;
+    ttc_ratio_init(task->ring, &value);
+    ttc_ratio_init(task->ring, &rate);
+    ttc_ratio_init(task->ring, &below);
+    ttc_evaluate(task->field, &value, task->claim->expression);
+    ttc_evaluate(task->field, &rate, task->claim->other);
+    const bool serves = ttc_task_open(task) && !task->is_at_zeros && ttc_task_moves(task, &value)
+                        && fmpz_mpoly_is_fmpz(value.denominator, task->ring->context);
+    if (!serves) ttc_task_unsettle(task, "no cofactor is looked for");
+    if (serves && task->kept == 0) look_for_zero(task, &value, &rate);
+    if (ttc_task_open(task)) {
+        ttc_ratio_divide(task->ring, &rate, &rate, &value);
+        ttc_ratio_set_polynomial(task->ring, &below, rate.denominator);
+        const ttc_search_result pole = ttc_task_search_against(task, &below, TTC_IS_NONZERO, NULL);
+        if (pole != TTC_POINT_IMPOSSIBLE && pole != TTC_POINT_EXCLUDED) ttc_task_unsettle(task, "the cofactor may have a pole");
+    }
+    ttc_ratio_clear(task->ring, &below);
+    ttc_ratio_clear(task->ring, &rate);
+    ttc_ratio_clear(task->ring, &value);
+}
+
+void ttc_prove_by_cofactor(ttc_task *task)
+{
+    ttc_claim rest = *task->claim;
+    if (task->status != TTC_UNSETTLED || rest.kind != TTC_CLAIM_INVARIANT || rest.modulo_count + task->level_count > 0
+        || ttc_task_restricts_states(task)) return;
+    rest.kind = TTC_CLAIM_EQUAL;
+    rest.other = ttc_derive_field(task->model, rest.expression);
+    ttc_task inner = { .model = task->model, .claim = &rest, .role = task->role, .owner = task->owner, .outer = task,
+                       .verdict_of = task->verdict_of, .verdict_context = task->verdict_context };
+    if (rest.other == TTC_NONE) return;
+    ttc_task_run(&inner, prove_cofactor);
+    if (inner.status != TTC_UNSETTLED && inner.kept > 0) {
+        free(task->remainder);
+        free(task->point);
+        task->status = inner.status;
+        task->remainder = inner.remainder;
+        task->point = inner.point;
+        task->relies_on_solver |= inner.relies_on_solver;
+        inner.remainder = inner.point = NULL;
+    }
+    free(inner.remainder);
+    free(inner.point);
+    free(inner.note);
+}

@@ -102,6 +102,8 @@ ttc_search_result ttc_task_search(ttc_task *task, const ttc_ratio *ratio, ttc_re
 /* Returns true if identities alone show that there is no such point, also where denominators of conditions vanish. False if that of
  * the ratio can. */
 bool ttc_task_never_is(ttc_task *task, const ttc_ratio *ratio, ttc_relation relation);
+/* The signs that a ratio has at a few simple points of the leaf. */
+unsigned ttc_task_signs_met(ttc_task *task, const ttc_ratio *ratio);
 /* Search for a point of the leaf at which a ratio does not stand in this relation to zero. That there is none may hold but for
  * points put `aside`. */
 ttc_search_result ttc_task_search_against(ttc_task *task, const ttc_ratio *ratio, ttc_relation relation, char **text);
@@ -173,6 +175,10 @@ void ttc_prove_level_is_periodic(ttc_task *task, const ttc_claim *integral, uint
 /* Returns true if the expression of an invariant is shown to be constant along all motions of the level to which it is restricted:
  * each of its own levels is then kept, whatever its components are. */
 bool ttc_prove_is_integral(ttc_task *task);
+/* Settle an invariant f whose level cannot be solved: it is refuted at a point of the level at which f changes; and proved if there
+ * is such a point, and df/dt = K f with a cofactor K that is finite all over the domain, as f is then multiplied by exp of the
+ * integral of K. G. Darboux, Bull. Sci. Math. 2, 1878. */
+void ttc_prove_by_cofactor(ttc_task *task);
 
 /* The provers, one for each kind of claim. */
 void ttc_prove_integral(ttc_task *task);

@@ -60,11 +60,15 @@ static unsigned signs_of_value(signs_of_parts *s, ttc_id id, bool may_eliminate,
         signs = ttc_conditions_signs_of_product(ttc_conditions_signs(&s->task->domain, value.numerator),
                                                 ttc_conditions_signs(&s->task->domain, value.denominator));
     may_eliminate = may_eliminate && signs == TTC_CAN_BE_ANY && ttc_task_open(s->task);
-    if (may_eliminate) signs = signs_by_elimination(s, &value, TTC_CAN_BE_POSITIVE);
-    if (may_eliminate && signs == TTC_CAN_BE_ANY) signs = signs_by_elimination(s, &value, TTC_CAN_BE_NEGATIVE);
+    const unsigned met = may_eliminate ? ttc_task_signs_met(s->task, &value) : TTC_CAN_BE_ANY;
+    const bool may_be_positive = !(met & TTC_CAN_BE_NEGATIVE), may_be_negative = !(met & TTC_CAN_BE_POSITIVE);
+    if (may_be_positive) signs = signs_by_elimination(s, &value, TTC_CAN_BE_POSITIVE);
+    if (may_be_negative && signs == TTC_CAN_BE_ANY) signs = signs_by_elimination(s, &value, TTC_CAN_BE_NEGATIVE);
     may_search = may_search && may_eliminate && (signs & TTC_CAN_BE_ZERO);
-    if (may_search && (signs & TTC_CAN_BE_POSITIVE) && has_no_other_sign(s, &value, 1)) signs = TTC_CAN_BE_POSITIVE;
-    if (may_search && (signs & TTC_CAN_BE_NEGATIVE) && has_no_other_sign(s, &value, -1)) signs = TTC_CAN_BE_NEGATIVE;
+    if (may_search && may_be_positive && (signs & TTC_CAN_BE_POSITIVE) && has_no_other_sign(s, &value, 1))
+        signs = TTC_CAN_BE_POSITIVE;
+    if (may_search && may_be_negative && (signs & TTC_CAN_BE_NEGATIVE) && has_no_other_sign(s, &value, -1))
+        signs = TTC_CAN_BE_NEGATIVE;
     ttc_ratio_clear(s->task->ring, &value);
     return signs;
 }
@@ -114,7 +118,7 @@ static unsigned signs_in_two_parts(signs_of_parts *s, ttc_id id, unsigned sign)
     if (!leaves_out || !(of_rest & sign) || rest == TTC_NONE) return TTC_CAN_BE_ANY;
     ttc_ratio_init(s->task->ring, &value);
     ttc_evaluate(s->valuation, &value, rest);
-    if (ttc_task_open(s->task)) {
+    if (ttc_task_open(s->task) && !(ttc_task_signs_met(s->task, &value) & other)) {
         signs = signs_by_elimination(s, &value, sign);
         if (signs != TTC_CAN_BE_ANY) signs = ttc_conditions_signs_of_sum(aside, signs);
         if (signs != sign && has_no_other_sign(s, &value, sign == TTC_CAN_BE_POSITIVE ? 1 : -1)) signs = sign;

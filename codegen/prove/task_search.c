@@ -182,6 +182,28 @@ bool ttc_task_never_is(ttc_task *task, const ttc_ratio *ratio, ttc_relation rela
     return never;
 }
 
+unsigned ttc_task_signs_met(ttc_task *task, const ttc_ratio *ratio)
+{
+    enum { ATTEMPTS = 6, PRECISION = 64 };
+    const size_t mark = ttc_conditions_mark(&task->domain);
+    const bool contradictory = task->domain.contradictory;
+    unsigned signs = 0;
+    ttc_witness point;
+    arb_t value;
+    arb_init(value);
+    add_new_roots(task);
+    if (ttc_witness_init(&point, task->field))
+        for (unsigned i = 0; i < ATTEMPTS && signs != (TTC_CAN_BE_NEGATIVE | TTC_CAN_BE_POSITIVE); i++) {
+            if (!ttc_search_attempt(&point, &task->domain, i)) continue;
+            ttc_witness_enclose(value, &point, ratio, PRECISION);
+            signs |= arb_is_positive(value) ? TTC_CAN_BE_POSITIVE : arb_is_negative(value) ? TTC_CAN_BE_NEGATIVE : 0;
+        }
+    ttc_witness_clear(&point);
+    arb_clear(value);
+    ttc_conditions_rewind(&task->domain, mark, contradictory);
+    return signs;
+}
+
 static const ttc_relation opposite[] = { [TTC_IS_POSITIVE] = TTC_IS_NONNEGATIVE, [TTC_IS_NONNEGATIVE] = TTC_IS_POSITIVE,
                                          [TTC_IS_NONZERO] = TTC_IS_ZERO, [TTC_IS_ZERO] = TTC_IS_NONZERO };
 
