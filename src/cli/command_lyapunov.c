@@ -225,7 +225,7 @@ static void follow_alone(exponents *self, history *rows)
     jlt_map_watch(self->map, self->system->flow.observed);
     if (self->status == JLT_OK) self->status = jlt_lyapunov_run(self->map, &self->state, self->q, self->o.returns, observe, rows);
     const jlt_section_least least = jlt_map_least(self->map);
-    if (least.value <= 0) self->lost = (int)least.condition; /* after the last return */
+    self->lost = jlt_lyapunov_loss(least.value, least.condition); /* after the last return that `observe` saw */
 }
 
 static jlt_exit write_history(exponents *self)
@@ -255,6 +255,8 @@ static jlt_exit write_history(exponents *self)
     if (self->lost >= 0)
         fprintf(stderr, "jellett: on the way %s is lost, and the model does not hold from there on\n",
                 jlt_observed_condition(self->system->flow.observed, (unsigned)self->lost));
+    if (self->lost == JLT_LYAPUNOV_UNKNOWN)
+        fputs("jellett: it is not known whether the model holds on the way: a condition of it has no value there\n", stderr);
     if (self->status == JLT_ERR_DOMAIN && state->returns > 0) {
         fprintf(
             stderr,

@@ -41,7 +41,8 @@ static const struct argp_option option_table[] = {
       "For symmetric orbits: points on each of the lines that the section's reversor keeps, between which more are put where "
       "orbits differ much from one to the next; default 1000; 0 for none", 1 },
     { "start", 'a', "NAME=VALUE,...", 0,
-      "Begin Newton's method at this point only, and look for an orbit of exactly N returns, N from --period", 1 },
+      "Begin Newton's method at this point only, and look for an orbit of exactly N returns, N from --period; where it finds none, "
+      "of fewer that divide N", 1 },
     { "hold", HOLD, "NAME,...", 0, "With --start, where orbits come in families: the coordinates that keep their values", 1 },
     { "line", LINE, "NAME=LOW:HIGH:COUNT", 0,
       "Look for symmetric orbits on one line only: through --start, along this coordinate, of at most N returns, N from "
@@ -175,6 +176,17 @@ static jlt_exit held_mask(unsigned char *held, const options *o, const jlt_chart
     return JLT_EXIT_DONE;
 }
 
+/* Find the orbit of `period` returns from q, by Newton's method for them all; or, where that fails, one of fewer that divide them:
+ * near a strongly unstable orbit, returns of q soon lead away from its points. */
+static jlt_status find_closed(jlt_periodic *out, jlt_map *map, const double *q, size_t period, const unsigned char *held)
+{
+    const jlt_status st = jlt_periodic_find(map, out, q, period, held);
+
+    for (size_t fewer = 1; jlt_orbits_is_miss(st) && fewer < period; fewer++)
+        if (period % fewer == 0 && jlt_periodic_find(map, out, q, fewer, held) == JLT_OK) return JLT_OK;
+    return st;
+}
+
 /* If Newton's method finds no orbit from the start q: follow q for `settle` returns, and find the attracting orbit there. */
 static jlt_status find_attracting(jlt_periodic *out, jlt_map *map, const options *o, const double *q)
 {
@@ -217,7 +229,7 @@ static jlt_exit from_start(jlt_orbits *list, jlt_map *map, const jlt_symmetric_l
 
     JLT_PASS(jlt_motion_scale(system, line->base, NULL));
     if (o->line == NULL) {
-        st = jlt_periodic_find(map, &orbit, line->base, o->period_max, held);
+        st = find_closed(&orbit, map, line->base, o->period_max, held);
         if (st == JLT_ERR_NO_CONVERGENCE) st = find_attracting(&orbit, map, o, line->base);
         if (st == JLT_OK && orbit.type == JLT_ORBIT_DEGENERATE && o->hold == NULL)
             fputs("jellett: a multiplier is 1 or -1: if orbits come in a family, this is any one of it; --hold keeps coordinates "

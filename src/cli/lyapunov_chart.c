@@ -99,6 +99,7 @@ jlt_exit jlt_lyapunov_chart_write(jlt_motion_map *picture, jlt_map *map, jlt_map
             beside += saddles[i].has_left;
             strayed += images.status[i] == JLT_ERR_NO_CONVERGENCE && chart->solved_count > 0;
             losses.orbits += lost[i] != JLT_LYAPUNOV_NO_ORBIT;
+            losses.unknown += lost[i] == JLT_LYAPUNOV_UNKNOWN;
             if (lost[i] >= 0) losses.all++, losses.lost[lost[i]]++;
             jlt_csv_values(table->file, q + i * d, d);
             fputc(',', table->file);

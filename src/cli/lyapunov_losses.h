@@ -6,7 +6,11 @@
 #include "dynamics/section_batch.h"
 #include "dynamics/system.h"
 
-enum { JLT_LYAPUNOV_HELD = -1, JLT_LYAPUNOV_NO_ORBIT = -2 };
+/* UNKNOWN: a condition has had no value, and none is known to have broken. */
+enum { JLT_LYAPUNOV_HELD = -1, JLT_LYAPUNOV_NO_ORBIT = -2, JLT_LYAPUNOV_UNKNOWN = -3 };
+
+/** What it is called that the conditions were least `least`, NaN without a value, this one by its index. */
+int jlt_lyapunov_loss(double least, unsigned condition);
 
 /** Follow the orbits from q, shape (count, dim), for `returns` returns, orbit i under systems[system_of[i]], shape (count,), NULL:
  *  under the first. systems: shape (system_count,), alike but for parameters and levels. Out: lost, shape (count,): the index of

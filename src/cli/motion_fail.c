@@ -77,10 +77,10 @@ jlt_exit jlt_motion_no_reversor(const jlt_system *system, const char *what)
     const jlt_chart *chart = system->flow.chart;
     const jlt_descriptor *d = system->instance->descriptor;
 
-    if (chart->level != 0)
-        return jlt_command_fail(JLT_EXIT_INPUT, "%s, which changes of signs do at STATE = 0 alone, not at %s = %.10g: take "
+    if (!jlt_chart_is_mirrored(chart))
+        return jlt_command_fail(JLT_EXIT_INPUT, "%s, which changes of signs do at STATE = 0 alone%s, not at %s = %.10g: take "
                                 "another --section, as %s=0",
-                                what, d->states[chart->column].name,
+                                what, chart->turn != 0 ? " and half a turn from it" : "", d->states[chart->column].name,
                                 ldexp(chart->level, system->flow.units.state[chart->column]), d->states[chart->column].name);
     if (chart->reversible) return jlt_command_fail(JLT_EXIT_INPUT, "%s: that of %s keeps other lines", what, d->model);
     if (system->surface != NULL && has_reversor(system))

@@ -23,7 +23,9 @@ void jlt_orbit_losses_add(jlt_orbit_losses *self, const jlt_flow *flow, const jl
     self->orbits++;
     /* A DP that contracts by all its digits is 0, whatever it is of its own size. */
     watch_defect(self, fmin(fabs(orbit->defect), fabs(orbit->determinant_slope - orbit->determinant)), value);
-    if (jlt_section_loss(&at, flow, orbit->points, orbit->period, 1) != JLT_OK || !(at.least <= 0)) return;
+    if (jlt_section_loss(&at, flow, orbit->points, orbit->period, 1) != JLT_OK) return;
+    if (isnan(at.least)) self->unknown++;
+    if (!(at.least <= 0)) return;
     if (self->all++ == 0) self->first = value;
     self->lost[at.lost]++;
 }
@@ -32,6 +34,10 @@ static void tell_conditions(const jlt_orbit_losses *self, const jlt_observed *ob
 {
     char text[512], first[48] = "";
 
+    if (self->unknown > 0)
+        fprintf(stderr,
+                "jellett: %sof %zu of %zu orbits it is not known whether the model holds: a condition of it has no value there\n",
+                where, self->unknown, self->orbits);
     if (self->all == 0) return;
     jlt_section_table_lost(text, sizeof text, self->lost, self->all, observed);
     if (isfinite(self->first)) snprintf(first, sizeof first, ", first at %.10g,", self->first);

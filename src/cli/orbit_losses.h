@@ -7,6 +7,7 @@
 /** Plain data; zeroed, it has counted nothing. */
 typedef struct {
     size_t orbits, all, lost[JLT_OBSERVED_CONDITIONS_MAX]; /* orbits; those that lose a condition, and by condition */
+    size_t unknown;                                        /* those that lose none, but on which one has no value somewhere */
     double first;                                          /* the value at the first of these */
     double defect, blurred_at; /* the worst defect of det DP, if it is above what tells types of orbits; the value at the first */
 } jlt_orbit_losses;

@@ -112,8 +112,8 @@ jlt_exit jlt_section_run_verdict(const jlt_section_run *f)
     const bool interrupted = jlt_motion_interrupted(&o->motion);
 
     if (interrupted)
-        fprintf(stderr, "jellett: interrupted; %zu whole rows of %zu orbits are saved in %s\n", sum->rows, sum->orbits,
-                f->o->motion.common.table.path);
+        fprintf(stderr, "jellett: interrupted; %zu whole rows of %zu orbits are saved in %s\n", sum->rows - f->table.dropped,
+                sum->orbits, f->o->motion.common.table.path);
     if (sum->empty > 0)
         fprintf(stderr, "jellett: at %zu point%s of the grid there is no state on these levels\n", sum->empty,
                 ttc_text_plural(sum->empty));

@@ -59,16 +59,26 @@ void jlt_section_table_names(FILE *stream, const jlt_section_table *table)
 /* Only a return has a DP, and only of an orbit that goes on. */
 static bool is_asked(const jlt_section_row *row) { return row->number > 0 && row->fate == JLT_FATE_ALIVE; }
 
-/* Put what was found from the point before, image number `index`, into the row's columns. */
-static void take_image(jlt_section_table *self, double *columns, const jlt_map_images *images, size_t index)
+static void keep_worst(double *worst, double value)
 {
-    const unsigned d = self->system->flow.chart->dim;
+    if (value > *worst || isnan(value)) *worst = value; /* and stays so */
+}
+
+/* Put what was found from the point before, image number `index`, into the row's columns. Returns false if an interrupt cut it
+ * off. */
+static bool take_image(jlt_section_table *self, jlt_section_row *row, const jlt_map_images *images, size_t index)
+{
+    const jlt_chart *chart = self->system->flow.chart;
+    const unsigned d = chart->dim;
+    double *before = checked_at(chart, row), *columns = before + d;
     const volatile sig_atomic_t *const interrupt = self->system->flow.interrupt;
-    const double defect = images->defect[index], share = fabs(defect) / images->bound[index];
+    const double defect = images->defect[index];
 
     if (images->status[index] != JLT_OK) {
-        self->unchecked += !(interrupt != NULL && *interrupt);
-        return;
+        if (interrupt != NULL && *interrupt) return false;
+        if (isnan(before[0]) || !jlt_chart_follows(chart, row->values + d)) self->strayed++;
+        else self->unchecked++;
+        return true;
     }
     self->checked++;
     columns[0] = 0;
@@ -76,33 +86,39 @@ static void take_image(jlt_section_table *self, double *columns, const jlt_map_i
     columns[1] = images->determinant[index];
     columns[2] = images->expansion[index];
     columns[3] = defect;
-    if (!(share <= self->worst_share)) self->worst_share = share;
-    if (!(fabs(defect) <= self->worst_defect)) self->worst_defect = fabs(defect);
+    keep_worst(&self->worst_share, defect == 0 ? 0 : fabs(defect) / images->bound[index]);
+    keep_worst(&self->worst_defect, fabs(defect));
+    return true;
 }
 
-jlt_status jlt_section_table_check(void *table, void *rows, size_t count)
+jlt_status jlt_section_table_check(void *table, void *rows, size_t *count)
 {
     jlt_section_table *self = table;
     const jlt_chart *chart = self->system->flow.chart;
     const unsigned d = chart->dim;
+    const size_t all = *count;
     jlt_map_images images;
     jlt_status st;
 
-    JLT_PASS(jlt_map_batch_images(&images, d, count));
-    JLT_FREED double *points = calloc(count, (d + 1) * sizeof *points); /* the points; behind them the bounds */
+    JLT_PASS(jlt_map_batch_images(&images, d, all));
+    JLT_FREED double *points = calloc(all, (d + 1) * sizeof *points); /* the points; behind them the bounds */
     size_t asked = 0;
-    for (size_t i = 0; points != NULL && i < count; i++) {
+    for (size_t i = 0; points != NULL && i < all; i++) {
         jlt_section_row *row = row_at(chart, rows, i);
         if (is_asked(row)) memcpy(points + asked++ * d, checked_at(chart, row), d * sizeof *points);
     }
-    images.bound = points != NULL ? points + count * d : NULL;
+    images.bound = points != NULL ? points + all * d : NULL;
     st = points != NULL ? jlt_map_batch_apply(self->maps, &images, points, asked, 1, self->time_direction) : JLT_ERR_NOMEM;
-    for (size_t i = 0, index = 0; st == JLT_OK && i < count; i++) {
+    bool is_whole = self->dropped == 0;
+    for (size_t i = 0, index = 0; st == JLT_OK && i < all && is_whole; i++) {
         jlt_section_row *row = row_at(chart, rows, i);
         double *columns = checked_at(chart, row) + d;
         for (unsigned k = 0; k < CHECKED; k++) columns[k] = NAN;
-        if (is_asked(row)) take_image(self, columns, &images, index++);
+        if (is_asked(row)) is_whole = take_image(self, row, &images, index++);
+        if (!is_whole) *count = i;
     }
+    if (self->dropped > 0) *count = 0;
+    self->dropped += all - *count;
     jlt_map_batch_images_clear(&images);
     return st;
 }
@@ -142,14 +158,15 @@ void jlt_section_table_row(FILE *stream, void *table, const void *row)
 
 bool jlt_section_table_verdict(const jlt_section_table *table)
 {
-    if (table->unchecked > 0)
-        fprintf(stderr, "jellett: DP could not be computed at %zu of %zu returns%s\n", table->unchecked,
-                table->unchecked + table->checked,
-                table->system->flow.chart->solved_count > 0 ? ": from or to another branch of --solve there is none" : "");
-    if (table->checked == 0) return table->unchecked == 0;
+    const size_t without = table->unchecked + table->strayed;
+
+    if (without > 0)
+        fprintf(stderr, "jellett: DP could not be computed at %zu of %zu returns%s\n", without, without + table->checked,
+                table->unchecked == 0 ? ": from or to another branch of --solve there is none" : "");
+    if (table->checked == 0) return without == 0;
     fprintf(stderr, "jellett: det DP against flux and divergence: worst relative defect %.2g; at most %.2g of its bound\n",
             table->worst_defect, table->worst_share);
-    return table->worst_share <= 1;
+    return table->worst_share <= 1 && table->unchecked == 0;
 }
 
 void jlt_section_table_lost(char *text, size_t size, const size_t *orbits, size_t all, const jlt_observed *observed)

@@ -15,7 +15,8 @@ typedef struct {
     jlt_map_batch *maps; /* computes DP for `check`; not owned */
     int time_direction;
     double worst_share, worst_defect; /* the largest ratio of a defect to its bound, the largest defect */
-    size_t checked, unchecked;        /* returns whose DP was computed; whose DP could not be */
+    size_t checked, strayed, unchecked; /* returns with DP; without, from or to another branch, where there is none; without */
+    size_t dropped;                     /* rows left out, from the first return whose DP an interrupt cut off */
 } jlt_section_table;
 
 /* What the table shows of one return. */
@@ -39,10 +40,10 @@ void jlt_section_table_names(FILE *stream, const jlt_section_table *table);
 void jlt_section_table_row(FILE *stream, void *table, const void *row);
 
 /** Compute the columns of `check` for rows, as a jlt_writer_complete. Errors: NOMEM; as jlt_batch_section. */
-JLT_CHECKED jlt_status jlt_section_table_check(void *table, void *rows, size_t count);
+JLT_CHECKED jlt_status jlt_section_table_check(void *table, void *rows, size_t *count);
 
-/** Print on standard error what the check of DP found. Returns false if a defect of det DP exceeds its bound, or if there were
- *  returns but DP could be computed at none of them. */
+/** Print on standard error what the check of DP found. Returns false if a defect of det DP exceeds its bound or is not a number, if
+ *  DP could not be computed at a return that has one, or if no return has one. */
 bool jlt_section_table_verdict(const jlt_section_table *table);
 
 /** Name the conditions that orbits lose: "contact", or "contact (2) or grip (1)". Out: text, `size` bytes. orbits, shape

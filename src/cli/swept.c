@@ -1,5 +1,7 @@
 #include "cli/swept.h"
 
+#include "base/text.h"
+
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -38,6 +40,7 @@ typedef struct {
     size_t all;   /* points */
     jlt_worker worker;
     char *told;   /* the last messages of a point that were shown */
+    size_t repeated, repeated_at; /* later points at which they were the same; the last of these */
     size_t lost, refused; /* points whose process was ended by a signal; points that refused their input */
     jlt_exit worst;
 } sweep;
@@ -76,12 +79,29 @@ static size_t next_point(const void *context, size_t point)
 
 /* ---- what a point wrote ---- */
 
-/* Print the messages of a point, unless they repeat those of the point before. */
+/* Print at how many points the last messages were repeated. */
+static void tell_repeated(sweep *self)
+{
+    char where[JLT_GRID_PLACE_MAX];
+
+    if (self->repeated == 0) return;
+    (void)jlt_grid_place(where, self->rows.axes, self->rows.count, self->repeated_at);
+    fprintf(stderr, "jellett: the same at %zu more point%s, up to %s\n", self->repeated, ttc_text_plural(self->repeated), where);
+    self->repeated = 0;
+}
+
+/* Print the messages of a point, or count them if they are those that were printed last. */
 static void tell(sweep *self, size_t point, const char *words)
 {
     char where[JLT_GRID_PLACE_MAX];
 
-    if (*words == '\0' || (self->told != NULL && strcmp(self->told, words) == 0)) return;
+    if (*words == '\0') return;
+    if (self->told != NULL && strcmp(self->told, words) == 0) {
+        self->repeated++;
+        self->repeated_at = point;
+        return;
+    }
+    tell_repeated(self);
     (void)jlt_grid_place(where, self->rows.axes, self->rows.count, point);
     fprintf(stderr, "jellett: at %s:\n%s", where, words);
     free(self->told);
@@ -156,6 +176,7 @@ static jlt_exit compute_all(sweep *self)
         jlt_progress_show(&progress, i + 1, self->all);
     }
     jlt_progress_end(&progress);
+    tell_repeated(self);
     jlt_worker_close(&self->worker);
     if (code == JLT_EXIT_DONE) code = jlt_swept_rows_finish(&self->rows);
     if (code == JLT_EXIT_DONE && self->rows.names == NULL && *interrupt == 0)

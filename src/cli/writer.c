@@ -40,12 +40,12 @@ static piece write_piece(const jlt_writer *self, size_t first)
 
 jlt_status jlt_writer_flush(jlt_writer *self)
 {
-    const size_t count = (self->count + PIECE - 1) / PIECE;
     piece *pieces;
     jlt_status st = JLT_OK;
 
+    if (self->count > 0 && self->complete != NULL) JLT_PASS(self->complete(self->context, self->rows, &self->count));
+    const size_t count = (self->count + PIECE - 1) / PIECE;
     if (count == 0) return ferror(self->stream) ? JLT_ERR_IO : JLT_OK;
-    if (self->complete != NULL) JLT_PASS(self->complete(self->context, self->rows, self->count));
     pieces = calloc(count, sizeof *pieces);
     if (pieces == NULL) return JLT_ERR_NOMEM;
 #if defined(_OPENMP)
@@ -67,9 +67,10 @@ jlt_status jlt_writer_put(jlt_writer *self, const void *row)
 {
     memcpy(self->rows + self->count++ * self->width, row, self->width);
     if (self->room == 1) {
+        size_t count = 1;
         self->count = 0;
-        if (self->complete != NULL) JLT_PASS(self->complete(self->context, self->rows, 1));
-        self->text(self->stream, self->context, self->rows);
+        if (self->complete != NULL) JLT_PASS(self->complete(self->context, self->rows, &count));
+        if (count > 0) self->text(self->stream, self->context, self->rows);
         return ferror(self->stream) ? JLT_ERR_IO : JLT_OK;
     }
     return self->count == self->room ? jlt_writer_flush(self) : JLT_OK;

@@ -10,8 +10,9 @@
 /** A function that writes one row to `stream`. Several threads may call it at once, each with its own stream. */
 typedef void (*jlt_writer_text)(FILE *stream, void *context, const void *row);
 
-/** A function that completes rows, `count` of them one behind another, before they are written. */
-typedef jlt_status (*jlt_writer_complete)(void *context, void *rows, size_t count);
+/** A function that completes rows, *count of them one behind another, before they are written. In/out: count, less if the rows
+ *  from there on are to be left out. */
+typedef jlt_status (*jlt_writer_complete)(void *context, void *rows, size_t *count);
 
 typedef struct {
     FILE *stream;

@@ -76,7 +76,8 @@ jlt_status jlt_chart_plane(jlt_chart *out, unsigned states, unsigned column, dou
     out->states = states;
     out->column = column;
     out->level = level;
-    out->reversible = signs != NULL && signs[column] < 0 && level == 0;
+    out->turns_over = signs != NULL && signs[column] < 0;
+    out->reversible = out->turns_over && jlt_chart_is_mirrored(out);
     for (i = 0, k = 0; i < states; i++) {
         if (i == column) continue;
         out->names[k] = names[i];
@@ -90,11 +91,17 @@ jlt_status jlt_chart_plane(jlt_chart *out, unsigned states, unsigned column, dou
     return JLT_OK;
 }
 
+bool jlt_chart_is_mirrored(const jlt_chart *self)
+{
+    return fabs(reduce(2 * self->level, self->turn)) <= 16 * DBL_EPSILON * fabs(self->level);
+}
+
 void jlt_chart_set_periods(jlt_chart *self, const double *periods)
 {
     unsigned i, k;
 
     self->turn = periods[self->column];
+    self->reversible = self->turns_over && jlt_chart_is_mirrored(self);
     for (i = 0, k = 0; i < self->states; i++)
         if (i != self->column) self->period[k++] = periods[i];
 }

@@ -32,6 +32,7 @@ struct jlt_chart {
     unsigned roots;                      /* on planes and their levels: how many of the last states are lifted roots */
     const jlt_quantity *bounds;          /* (states,): a lift lies within their open intervals; NULL: anywhere */
     const jlt_domain *domain;            /* whose conditions hold at a lift; NULL: none */
+    bool turns_over;                     /* the reversor changes the sign of x[column] */
     bool reversible;                     /* q -> mirror * q with time reversed maps the return map to its inverse */
     int mirror[JLT_CHART_DIM_MAX];       /* +1 or -1 */
     int scale[JLT_CHART_DIM_MAX],        /* binary exponents of the typical sizes of coordinates, in which lengths are counted, */
@@ -59,10 +60,13 @@ struct jlt_chart {
 
 /** The chart of a plain section x[column] = level: q are the other states, in order. signs, shape (states,), +1 or -1, when
  *  the model has the reversor x -> signs * x; NULL: none. It is used when the section contains the reversor's fixed points
- *  (signs[column] = -1 and level = 0). names: shape (states,), kept by reference.
+ *  (signs[column] = -1, and jlt_chart_is_mirrored). names: shape (states,), kept by reference.
  *  Errors: ARG, states outside 2 .. JLT_CHART_STATES_MAX, column >= states, or a level that is not finite. */
 JLT_CHECKED jlt_status jlt_chart_plane(jlt_chart *out, unsigned states, unsigned column, double level,
                                        const char *const *names, const int *signs);
+
+/** Whether x[column] = level and x[column] = -level are one section: at level 0, and half a turn from it. */
+bool jlt_chart_is_mirrored(const jlt_chart *self);
 
 /** Declare the states with periods[i] != 0 to be angles; periods: shape (states,). Their coordinates are brought into
  *  (-period/2, period/2], and points whose coordinates differ by periods are the same point. For plane sections. */

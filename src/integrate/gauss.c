@@ -41,7 +41,7 @@ typedef struct {
     double *end, *end_low;     /* (stride,): the point a step leads to, and its rounding error */
     double *end_f;             /* (stride,): the slope there */
     double *sizes;             /* (N,): of the Legendre coefficients, relative to the states, as binary logarithms */
-    double *scratch;           /* (2, columns): work */
+    double *scratch;           /* work, (2, columns); of a field without batched kernels (2, N, columns) */
     double *spread;            /* the field's prepared values in every lane, for batched kernels; NULL: none are needed */
     const double *p;           /* these, or what the field passes through */
     double dense_error;
@@ -81,7 +81,9 @@ static jlt_status create(jlt_stepper *stepper)
     if (self == NULL) return JLT_ERR_NOMEM;
 
     /* Rows of eight first, so that all of them stay aligned. */
-    double *block = jlt_memory_array((5 * dim + 2 + 3 * columns) * N + 3 * stepper->stride + 2 * dim + 4 * columns, sizeof *block);
+    const size_t scratch = 2 * columns * (field->batch == NULL ? N : 1);
+    double *block =
+        jlt_memory_array((5 * dim + 2 + 3 * columns) * N + 3 * stepper->stride + 2 * dim + 2 * columns + scratch, sizeof *block);
     if (block == NULL) return JLT_ERR_NOMEM;
     self->block = self->legendre = block;
     self->trial = self->legendre + columns * N;
@@ -94,7 +96,7 @@ static jlt_status create(jlt_stepper *stepper)
     self->end_low = self->end + stepper->stride;
     self->end_f = self->end_low + stepper->stride;
     self->scratch = self->end_f + stepper->stride;
-    double *rest = self->scratch + 2 * columns;
+    double *rest = self->scratch + scratch;
     place(&self->nodes, &rows, &rest, stepper);
     place(&self->inside, &rows, &rest, stepper);
     self->batch = instance(field->batch);

@@ -5,7 +5,8 @@
 #include "integrate/field.h"
 #include "integrate/gauss_batch.h"
 
-/** Evaluate nodes->f at nodes->x. p: the field's prepared values, in every lane for batched kernels; scratch, (2, dim): work. */
+/** Evaluate nodes->f at nodes->x. p: the field's prepared values, in every lane for batched kernels; scratch: work for a field
+ *  without them, shape (2, JLT_GAUSS_BATCH_NODES, dim). */
 void jlt_gauss_nodes_evaluate(const jlt_gauss_batch *batch, const jlt_field *field, const double *p, double *scratch,
                               const jlt_gauss_nodes *nodes);
 

@@ -184,4 +184,16 @@ for sweep in '' '--sweep k=1:2:2'; do
     sed 's/^[0-9],//' out | awk -F, -v pi=3.141592653589793 '/^20000,/ { n++; bad += ($2 - 2*pi*$1)^2 > 9e-20 }
         END { exit !(n > 0 && !bad) }' || fail "times of exponents $sweep: $(tail -2 out)"
 done
+# Half a turn from 0 a reversor that changes the phase's sign leads to the section, too. A pendulum on a shaken support: orbits
+# followed backwards are the mirror images, and the equilibria are symmetric; elsewhere it leads to another section.
+printf '%s\n' 'model shaken' 'state q' 'state p' 'state phi' 'angle cq sq = cos(q) sin(q)' 'angle cf sf = cos(phi) sin(phi)' \
+    'eq q = p' 'eq p = - sq - 16*cf*sq' 'eq phi = 4' 'periodic phi = 2*pi' 'periodic q = 2*pi' 'reversor q -> -q, phi -> -phi' \
+    > shaken.tt
+for at in 0 pi -pi 3*pi; do
+    expect 0 '^4,30,30,[1-9].*,1$' jellett separation ./shaken.tt --section phi=$at --mirror q,phi --grid q=-3:3:6,p=-1:1:5 \
+        --cells q=-3:3:40,p=-10:10:41 --settle 0 --returns 4
+    expect 0 '^1,0,0,1.57.*,yes,flip saddle' jellett orbits ./shaken.tt --section phi=$at --start q=0,p=0
+done
+expect 3 'at STATE = 0 alone and half a turn from it, not at phi = 1:' jellett separation ./shaken.tt --section phi=1 \
+    --grid q=-3:3:6,p=-1:1:5
 exit $status

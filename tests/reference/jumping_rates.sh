@@ -10,6 +10,10 @@ image=$(awk 'BEGIN { r = sqrt(9.25) - 2; printf "%.17g", sqrt(r^2 - 0.25) }')
 expect 0 '^0,1,' jellett section ./dry.tt --section x=0 --start v=3 --returns 1
 awk -F, -v v="$image" '/^0,1,/ { exit !(($4 - v)^2 < 1e-20) }' out || fail "states: $(cat out)"
 expect 1 'DP could not be computed at 1 of 1 returns' jellett section ./dry.tt --section x=0 --start v=3 --returns 1 --check
+# A check that one return of two evades does not pass: one orbit meets the jump at x = 3, the other does not.
+printf '%s\n' 'model step' 'state x' 'state v' 'root a = sqrt((x - 3)^2)' 'eq x = v' 'eq v = - x - (x - 3)/a' > step.tt
+expect 1 'DP could not be computed at 1 of 2 returns$' jellett section ./step.tt --section x=0 --start v=0.5 --start v=3 \
+    --returns 1 --check
 for how in '--method gauss' '--method dop853' '--method rkf45' '--tol 1e-5' '--tol 1e-15' '--set mu=1e-4'; do
     expect 3 'a rate jumps on the way' jellett lyapunov ./dry.tt --section x=0 --start v=3 --returns 1 $how
 done

@@ -114,6 +114,22 @@ for how in "" "--method gauss"; do
     [ -n "$of" ] && grep -q "on $of orbits contact is lost" err || fail "a chart, $how: not '$of': $(cat err)"
 done
 
+# A condition without a value at the section, sin(x)/x at 0: nothing is known, and all commands say so.
+printf '%s\n' 'model none' 'state x' 'state y' 'state z' 'eq x = y' 'eq y = - x + y*(1 - x^2 - y^2)' 'eq z = - z/10' \
+    'angle c s = cos(x) sin(x)' 'valid near : 2 - s/x > 0' > none.tt
+none=(./none.tt --section x=0)
+for command in "section --start y=1,z=1 --returns 2" "lyapunov --grid y=1:2:2,z=1 --returns 2" "orbits --start y=1,z=0"; do
+    expect 0 'orbits it is not known whether the model holds: a cond' jellett ${command%% *} "${none[@]}" ${command#* }
+done
+expect 0 'jellett: it is not known whether the model holds on the way' jellett lyapunov "${none[@]}" --start y=1,z=1 --returns 2
+# So at every point of a sweep: what is the same at the next ones is counted.
+sed -i 's/^state x$/param k\ndefault k = 1\nstate x/; s/(1 - x/(k - x/' none.tt
+for command in section lyapunov; do
+    expect 0 '^jellett: the same at 2 more points, up to k=2$' jellett $command "${none[@]}" --start y=1,z=1 --returns 2 \
+        --sweep k=1:2:3
+    [ "$(grep -c 'not known whether' err)" -eq 1 ] || fail "$command --sweep: says '$(cat err)'"
+done
+
 # The least value of a condition that holds is that of the motion, not of the steps: 1 and 2 - sqrt(5/4), where 2 - sin t and
 # 2 - cos(t)/2 - sin t are least, to a millionth of it, 2^-20.
 printf '%s\n' 'model least' 'state x' 'state v' 'state z' 'state w' 'eq x = v' 'eq v = -x' 'eq z = w' 'eq w = -z/100' \
