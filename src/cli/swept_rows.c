@@ -7,6 +7,7 @@
 #include "cli/plot.h"
 #include "core/memory.h"
 #include "kernel/descriptor.h"
+#include "kernel/units.h"
 #include "report/csv.h"
 #include "report/table.h"
 
@@ -222,7 +223,7 @@ static void caption(jlt_plot *plot, const jlt_swept_rows *self)
     }
 }
 
-/* The label of a column, as jlt_plot_label; the columns that are no states have the units that the commands' own pictures give. */
+/* The label of a column, as jlt_plot_label; columns of commands have the units that the commands' own pictures give. */
 static void column_label(char *label, const jlt_swept_rows *self, const char *name)
 {
     static const char *const units[][2] = { { "t", "s" }, { "T", "s" }, { "time", "s" }, { "divergence", "1/s" } };
@@ -231,6 +232,7 @@ static void column_label(char *label, const jlt_swept_rows *self, const char *na
 
     jlt_plot_label(label, self->model, name);
     if (jlt_descriptor_param(self->model, name, &index) || jlt_descriptor_state(self->model, name, &index)) return;
+    if (!jlt_units_has_time(self->model)) return;
     if (*digits != '\0' && digits[strspn(digits, "0123456789")] == '\0') jlt_look_label(label, name, "1/s");
     for (size_t i = 0; i < sizeof units / sizeof *units; i++)
         if (strcmp(name, units[i][0]) == 0) jlt_look_label(label, name, units[i][1]);

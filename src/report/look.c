@@ -253,11 +253,12 @@ void jlt_look_log(FILE *stream, const jlt_look *self, char axis, const char *lab
     const bool short_range = typed && floor(log(range.high) / log(base) + 1e-9) < ceil(log(range.low) / log(base) - 1e-9) + 1;
     if (short_range) ticks = jlt_ticks_choose(range, room, axis == 'x');
     write_label(stream, name, label, ticks.power);
-    fprintf(stream, "%s\nset logscale %c %d\n", axis == 'x' ? " offset 0,0.3" : "", axis, base);
+    fputs(axis == 'x' ? " offset 0,0.3\n" : "\n", stream);
     if (short_range) jlt_ticks_list(stream, name, range, &ticks, true);
     else if (range.high > range.low && base == 10) jlt_ticks_decades(stream, name, &range, room, !typed);
     else if (base == 10) fprintf(stream, "set %ctics autofreq\nset format %c '10^{%%T}'\n", axis, axis);
     if (range.high > range.low) fprintf(stream, "set %crange [%.15g:%.15g]\n", axis, range.low, range.high);
+    fprintf(stream, "set logscale %c %d\n", axis, base); /* gnuplot warns if a range from before it is negative */
 }
 
 void jlt_look_key(FILE *stream, const jlt_look *self, const char *where)

@@ -101,6 +101,7 @@ for command in models verify "eigen --set a3=0 --at $at" "measure --set I3=0" "s
     "simulate --start $start --until 1 --every 0.1" "orbits --period 1 --grid 0x0 --samples 20"; do
     # shellcheck disable=SC2086
     expect 5 into_full jellett $command
+    grep -q 'cannot write to standard output: No space' "$scratch/err" || fail "$command: $(cat "$scratch/err")"
 done
 # A small stack is made as large as is allowed; where that is too little, this is said before anything crashes.
 on_stack() { (ulimit "$1" 256; "${@:2}"); }

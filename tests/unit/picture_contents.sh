@@ -15,13 +15,27 @@ while read -r unit line; do
 done << END
 s simulate $top
 s simulate $top --axes t,gamma3
+s simulate $top --sweep a3=0.5:0.51:2 --axes t,contact_force
 s lyapunov --returns 4
 - simulate lorenz --start x=1,y=1,z=20 --times 0,1/2,1
 - simulate lorenz --start x=1,y=1,z=20 --times 0,1/2,1 --axes t,z
 - lyapunov lorenz --section z=27 --start x=-13.76,y=-19.58 --returns 4
+- lyapunov lorenz --section z=27 --start x=-13.76,y=-19.58 --returns 3 --sweep rho=27:28:2 --axes rho,lambda1
 - lyapunov lorenz --section z=27 --grid x=-14:-13:2,y=-20:-19:2 --returns 1
 - eigen lorenz
 END
+# What a table observes has its unit in the picture of a sweep too.
+for sweep in '' '--sweep a3=0.5:0.51:2'; do
+    # shellcheck disable=SC2086
+    jellett simulate $top $sweep --axes t,contact_force --plot p.svg --keep p.gp -o rows.csv 2> log
+    grep -qF 'kg*m/s' p.gp || fail "contact_force $sweep: $(grep label p.gp)"
+done
+
+# A script that is kept draws without a warning, also a logarithmic panel below one of negative numbers.
+printf '%s\n' 'model below' 'state y' 'eq y = 0' 'integral kept = y' > below.tt
+jellett simulate ./below.tt --start y=-9 --until 1 --every 1/8 --plot p.svg --keep p.gp -o rows.csv 2> log
+gnuplot p.gp > log 2>&1
+[ ! -s log ] || fail "gnuplot warns of a script that is kept: $(head -3 log)"
 
 # Neither memory nor gnuplot's time grows with the rows of an orbit; its end is drawn.
 jellett simulate --start gamma3=-0.6,v_nu=0.5,omega_tau=0.3,omega_n=1,omega3=0.8 --until 10 --every 1/20000 --axes t,gamma3 \
