@@ -9,6 +9,7 @@
 #include "kernel/descriptor.h"
 #include "kernel/units.h"
 #include "report/csv.h"
+#include "report/symbol.h"
 #include "report/table.h"
 
 /* The length of the line at the start of the text, without its newline. Out: *next, the line after it, NULL if there is none. */
@@ -254,7 +255,12 @@ jlt_exit jlt_swept_rows_draw(const jlt_swept_rows *self)
         return code;
     }
     jlt_plot_block(&plot, "POINTS", self->common->drawn);
-    jlt_plot_words(&plot, "%s: jellett %s at each %s\n", self->model->model, self->what, self->axes[0].name);
+    jlt_plot_words(&plot, "%s: jellett %s at each ", self->model->model, self->what);
+    for (size_t i = 0; i < self->count; i++) {
+        if (i > 0) jlt_plot_words(&plot, ", ");
+        jlt_symbol_write(plot.title.stream, self->axes[i].name);
+    }
+    jlt_plot_words(&plot, "\n");
     caption(&plot, self);
     for (unsigned k = 0; k < 2; k++) {
         column_label(label, self, names[k]);

@@ -170,14 +170,15 @@ unsigned jlt_look_lines(FILE *stream, const jlt_look *self, const char *text, bo
 
 void jlt_look_label(char *label, const char *name, const char *unit)
 {
+    const bool counts = unit[0] != '\0' && strcmp(unit, "1") != 0;
     FILE *stream = fmemopen(label, JLT_LOOK_LABEL_MAX, "w");
 
     *label = '\0';
     if (stream == NULL) return;
     jlt_symbol_write(stream, name);
-    if (unit[0] != '\0' && strcmp(unit, "1") != 0) {
-        fputs(" [", stream);
-        jlt_symbol_plain(stream, unit, strlen(unit));
+    if (counts || *name == '\0') {
+        fputs(*name != '\0' ? " [" : "[", stream);
+        jlt_symbol_unit(stream, counts ? unit : "1");
         fputc(']', stream);
     }
     fclose(stream);

@@ -51,8 +51,8 @@ unsigned jlt_look_lines(FILE *stream, const jlt_look *self, const char *text, bo
 /** The approximate width of a label in markup, in units of the font size. */
 double jlt_look_breadth(const char *label);
 
-/** The label "SYMBOL [UNIT]" of an axis as markup, without the unit where that is "" or "1". Out: label, shape
- *  (JLT_LOOK_LABEL_MAX,). */
+/** The label "SYMBOL [UNIT]" of an axis as markup, without the unit where that is "" or "1"; "[UNIT]" where the name is "". Out:
+ *  label, shape (JLT_LOOK_LABEL_MAX,). */
 void jlt_look_label(char *label, const char *name, const char *unit);
 
 /** Write the axis 'x' or 'y' with its label in markup, its range and as many ticks as fit. panels: how many panels share the

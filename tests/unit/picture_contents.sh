@@ -24,16 +24,18 @@ s lyapunov --returns 4
 - lyapunov lorenz --section z=27 --grid x=-14:-13:2,y=-20:-19:2 --returns 1
 - eigen lorenz
 END
-# What a table observes has its unit in the picture of a sweep too.
+# What a table observes has its unit in the picture of a sweep too; exponents are raised wherever a unit stands.
 for sweep in '' '--sweep a3=0.5:0.51:2'; do
     # shellcheck disable=SC2086
     jellett simulate $top $sweep --axes t,contact_force --plot p.svg --keep p.gp -o rows.csv 2> log
-    grep -qF 'kg*m/s' p.gp || fail "contact_force $sweep: $(grep label p.gp)"
+    grep -qF 'kg*m/s^{2}]' p.gp || fail "contact_force $sweep: $(grep label p.gp)"
 done
+grep -qF 'jellett simulate at each a_{3}' p.gp || fail "the title of a sweep: $(grep title p.gp)"
 
 # A script that is kept draws without a warning, also a logarithmic panel below one of negative numbers.
-printf '%s\n' 'model below' 'state y' 'eq y = 0' 'integral kept = y' > below.tt
+printf '%s\n' 'model below' 'state y [m^-2]' 'eq y = 0' 'integral kept = y' > below.tt
 jellett simulate ./below.tt --start y=-9 --until 1 --every 1/8 --plot p.svg --keep p.gp -o rows.csv 2> log
+grep -qF "ylabel '[m^{−2}]'" p.gp || fail "the unit of a panel: $(grep ylabel p.gp)"
 gnuplot p.gp > log 2>&1
 [ ! -s log ] || fail "gnuplot warns of a script that is kept: $(head -3 log)"
 
