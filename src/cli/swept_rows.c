@@ -116,6 +116,7 @@ static jlt_exit write_rows(jlt_swept_rows *self, size_t point, const char *text,
     return JLT_EXIT_DONE;
 }
 
+/* Find the picture's columns by --axes, before a second point is computed. */
 static jlt_exit choose(jlt_swept_rows *self)
 {
     JLT_FREED char *text = strdup(self->names);
@@ -146,23 +147,17 @@ static const char *names_in(const char *text)
 jlt_exit jlt_swept_rows_finish(jlt_swept_rows *self)
 {
     FILE *file = self->common->table.file;
-    char *held = self->held;
-    jlt_exit code;
+    JLT_FREED char *held = self->held;
+    jlt_csv_names names;
 
     if (held == NULL) return JLT_EXIT_DONE;
     self->held = NULL;
-    code = choose(self);
-    if (code == JLT_EXIT_DONE) {
-        fputs(self->header, file);
-        jlt_csv_names names;
-        FILE *line = jlt_csv_names_begin(&names, file);
-        for (size_t k = 0; k < self->count; k++) fprintf(line, "%s,", self->axes[k].name);
-        fputs(self->names, line);
-        jlt_csv_names_end(&names);
-        code = write_rows(self, self->held_point, held, names_in(held));
-    }
-    free(held);
-    return code;
+    fputs(self->header, file);
+    FILE *line = jlt_csv_names_begin(&names, file);
+    for (size_t k = 0; k < self->count; k++) fprintf(line, "%s,", self->axes[k].name);
+    fputs(self->names, line);
+    jlt_csv_names_end(&names);
+    return write_rows(self, self->held_point, held, names_in(held));
 }
 
 jlt_exit jlt_swept_rows_take(jlt_swept_rows *self, size_t point, const char *text)
@@ -175,7 +170,7 @@ jlt_exit jlt_swept_rows_take(jlt_swept_rows *self, size_t point, const char *tex
         self->header = comments(text, NULL);
         self->held = strdup(text);
         self->held_point = point;
-        return self->names != NULL && self->header != NULL && self->held != NULL ? JLT_EXIT_DONE : jlt_command_no_memory();
+        return self->names != NULL && self->header != NULL && self->held != NULL ? choose(self) : jlt_command_no_memory();
     }
     if (self->held != NULL) {
         char *common = comments(self->header, text);

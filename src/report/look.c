@@ -319,18 +319,13 @@ void jlt_look_steps(FILE *stream, const jlt_look *self, unsigned count)
     fprintf(stream, ")\nset cbrange [-0.5:%g]\nunset colorbox\n", count - 0.5);
 }
 
-void jlt_look_value(FILE *stream, double value)
+void jlt_look_row(FILE *stream, const double *values, size_t count)
 {
     char text[JLT_DIGITS_SIZE];
 
-    jlt_digits_shortest(text, value);
-    fputs(isnan(value) ? "NaN" : text, stream);
-}
-
-void jlt_look_row(FILE *stream, const double *values, size_t count)
-{
     for (size_t i = 0; i < count; i++) {
-        jlt_look_value(stream, values[i]);
+        jlt_digits_shortest(text, values[i]);
+        fputs(isnan(values[i]) ? "NaN" : text, stream);
         fputc(i + 1 < count ? ' ' : '\n', stream);
     }
 }

@@ -91,9 +91,7 @@ void jlt_look_palette(FILE *stream, const jlt_look *self, const char *label, jlt
 /** Write a palette that gives each of the values 0 .. count - 1 its colour (jlt_look_colour), without a colour box. */
 void jlt_look_steps(FILE *stream, const jlt_look *self, unsigned count);
 
-/** Write data: a number with the fewest digits that read back bit for bit; a line of numbers, values (count,), with blanks
- *  between them. */
-void jlt_look_value(FILE *stream, double value);
+/** Write a line of data, values (count,), each with the fewest digits that read back bit for bit, with blanks between them. */
 void jlt_look_row(FILE *stream, const double *values, size_t count);
 
 #endif

@@ -31,6 +31,11 @@ for sweep in '' '--sweep a3=0.5:0.51:2'; do
     grep -qF 'kg*m/s^{2}]' p.gp || fail "contact_force $sweep: $(grep label p.gp)"
 done
 grep -qF 'jellett simulate at each a_{3}' p.gp || fail "the title of a sweep: $(grep title p.gp)"
+# --axes of a sweep are refused when its first point has said which columns there are.
+printf '%s\n' 'model drops' 'param k' 'default k = 1' 'state y' 'eq y = -k' 'valid up : y > 0' > drops.tt
+jellett simulate ./drops.tt --start y=1 --times 2 --sweep k=1:2:2 --axes k,none --plot p.svg -o rows.csv 2> log
+{ [ $? -eq 2 ] && grep -q "no 'none' to draw; there are k, t, y, fate" log && grep -q 'at k=1' log && ! grep -q 'at k=2' log; } ||
+    fail "--axes k,none: $(cat log)"
 
 # A script that is kept draws without a warning, also a logarithmic panel below one of negative numbers.
 printf '%s\n' 'model below' 'state y [m^-2]' 'eq y = 0' 'integral kept = y' > below.tt
