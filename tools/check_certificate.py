@@ -250,6 +250,8 @@ def main(arguments):
         name = certificate["given"]["table"]["name"]
         if table_file is None:
             table_file = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "codegen", "models", name + ".tt")
+            if not os.path.exists(table_file):
+                raise Unserved("there is no table %s in codegen/models: name its file by --table" % name)
         table = open(table_file, "rb").read()
         if hashlib.sha256(table).hexdigest() != certificate["given"]["table"]["sha256"]:
             raise Unserved("the table %s has another SHA-256" % table_file)

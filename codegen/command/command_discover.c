@@ -78,10 +78,7 @@ static void settle(void *context, const ttc_discovery_settled *settled)
 static char *joined(const char *a, const char *b, const char *c)
 {
     char *text = malloc(strlen(a) + strlen(b) + strlen(c) + 1);
-    if (text == NULL) return NULL;
-    strcpy(text, a);
-    strcat(text, b);
-    return strcat(text, c);
+    return text == NULL ? NULL : strcat(strcat(strcpy(text, a), b), c);
 }
 
 /* Only claims below the lines of the table are to be proved. */
@@ -286,16 +283,19 @@ static bool learn(work *w, ttc_discovery *d)
     return report != NULL;
 }
 
-/* Look for integrals over the denominators of the command line, if asked to. Returns false if one is zero, or no ratio. */
+/* Look for integrals over the denominators Q of the command line, if asked to. Returns false if one is zero, or no polynomial, so
+ * that the product K Q/Q, K an integral, is no P/Q. */
 static bool divide(work *w, ttc_discovery *d, bool looks)
 {
     bool divides = true;
     ttc_ratio denominator;
     ttc_ratio_init(d->flow->ring, &denominator);
     for (size_t i = 0; divides && i < w->denominator_count; i++) {
-        divides = ttc_discovery_value(d, &denominator, w->expressions[i])
-                  && !fmpz_mpoly_is_zero(denominator.numerator, d->flow->ring->context);
-        if (!divides) w->status = refuse(w, TTC_EXIT_BAD_TABLE, "--denominator '%s' is zero, or no ratio", w->denominators[i]);
+        const bool is_ratio = ttc_discovery_value(d, &denominator, w->expressions[i])
+                              && !fmpz_mpoly_is_zero(denominator.numerator, d->flow->ring->context);
+        divides = is_ratio && ttc_flow_degree(d->flow, denominator.denominator) == 0;
+        if (!divides) w->status = refuse(w, TTC_EXIT_BAD_TABLE, "--denominator '%s' %s", w->denominators[i],
+                                         is_ratio ? "divides by what moves (expected a polynomial)" : "is zero, or no ratio");
         else if (looks) ttc_discover_integrals(d, &denominator, w->denominators[i]);
     }
     ttc_ratio_clear(d->flow->ring, &denominator);
@@ -331,9 +331,8 @@ static void seek(work *w)
         w->status = refuse(w, TTC_EXIT_BAD_TABLE, "--when '%s': no point of the domain of %s is known to be so (%s)", options->when,
                            w->model->name, w->reason);
     } else if (!ttc_discovery_fits(d, &columns)) {
-        w->status = refuse(w, TTC_EXIT_MEMORY,
-                           "degree %d takes a matrix of %zu columns, %.3g GiB (expected at most %d GiB: take a smaller --degree, "
-                           "or allow for more by --memory)",
+        w->status = refuse(w, TTC_EXIT_MEMORY, "degree %d takes a matrix of %zu columns, %.3g GiB (expected at most %d GiB: take a "
+                           "smaller --degree, or allow for more by --memory)",
                            options->degree, columns, d->too_large / (1 << 30), options->memory);
     } else if (divide(w, d, false)) {
         if (w->problems != NULL) w->found = ttc_command_discover_json(d, w->path, w->sha256, options->when);

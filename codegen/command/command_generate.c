@@ -176,10 +176,10 @@ static void tell_consequence(const ttc_model *model, const ttc_proof *proof, con
                              bool refuse)
 {
     const char *cut = resting->length > 200 ? "..." : "";
-    char status[160];
+    char status[400];
     snprintf(status, sizeof status, "%s", ttc_proof_status_name(proof->status));
     if (proof->status == TTC_UNSETTLED && proof->remainder != NULL)
-        snprintf(status, sizeof status, "not settled (%.120s)", proof->remainder);
+        snprintf(status, sizeof status, "not settled (%.300s%s)", proof->remainder, strlen(proof->remainder) > 300 ? "..." : "");
     if (resting->length > 0 && refuse)
         ttc_command_complain(model, proof->place, NULL, "the %s claim '%s' is %s, and kernels rest on it (%.200s%s): correct it, "
                              "or write them marked as unproved with --unproved", proof->kind, proof->name, status,

@@ -62,7 +62,7 @@ static const struct argp_option discover_options[] = {
     { "degree", OPTION_DEGREE, "D", 0, "Largest degree of the polynomials, in states, roots and functions; default 4", 0 },
     { "when", OPTION_WHEN, "PARAM=EXPR,...", 0, "Set parameters first, as the clause 'when' of a claim does", 0 },
     { "denominator", OPTION_DENOMINATOR, "EXPR,...", 0,
-      "Also look for integrals P/EXPR, with each EXPR in turn, and for products of powers of the factors of EXPR", 0 },
+      "Also look for integrals P/EXPR, with each EXPR, a polynomial, and for products of powers of the factors of EXPR", 0 },
     { "seek", OPTION_SEEK, "KIND,...", 0, "Look only for these: integrals, factors, densities; default all", 0 },
     { "memory", OPTION_MEMORY, "GIB", 0, "Memory that matrices may take; default 8 GiB", 0 },
     END_OF_OPTIONS

@@ -289,6 +289,8 @@ void ttc_extactic_find(ttc_discovery *d, ttc_factors *out)
         ttc_discovery_remark(d, "         coefficients rational in the parameters (they divide the extactic polynomial, of "
                                 "degree %d)", ttc_flow_degree(flow, determinant));
     }
+    if (flow->count == 2 && d->degree > 1 && e.degree == 1)
+        ttc_discovery_remark(d, "factors of degree 2 are left out: the extactic polynomial has too many terms for them");
     d->host.settle(d->host.context, &(ttc_discovery_settled){ "factors", "P' = K P", e.degree, why == NULL, 0, 0 });
     extactic_clear(&e);
 }

@@ -54,8 +54,9 @@ jlt_exit jlt_command_no_memory(void)
 
 jlt_exit jlt_command_cannot_write(const char *path)
 {
-    return jlt_command_fail(JLT_EXIT_IO, "cannot write '%s': %s (choose a folder that exists and has room)", path,
-                            strerror(errno));
+    if (jlt_command_is_standard_output(path))
+        return jlt_command_fail(JLT_EXIT_IO, "cannot write to standard output: %s", strerror(errno));
+    return jlt_command_fail(JLT_EXIT_IO, "cannot write '%s': %s (choose a folder that exists and has room)", path, strerror(errno));
 }
 
 jlt_exit jlt_command_exit(jlt_status status)
@@ -167,7 +168,7 @@ jlt_exit jlt_command_deliver(jlt_command_output *output, const char *path)
         code = jlt_command_no_memory();
     } else if (jlt_command_is_standard_output(path)) {
         if (fwrite(output->text, 1, output->size, stdout) != output->size || fflush(stdout) != 0) {
-            code = jlt_command_fail(JLT_EXIT_IO, "cannot write to standard output: %s", strerror(errno));
+            code = jlt_command_cannot_write(path);
             clearerr(stdout);
         }
     } else {

@@ -173,6 +173,8 @@ static jlt_exit held_mask(unsigned char *held, const options *o, const jlt_chart
         text += length;
         if (*text == ',') text++;
     }
+    if (memchr(held, 0, chart->dim) == NULL)
+        return jlt_command_fail(JLT_EXIT_INPUT, "--hold %s: no coordinate is left to solve for: leave one out", o->hold);
     return JLT_EXIT_DONE;
 }
 

@@ -103,6 +103,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
         if (strcmp(o->motion.contact, "report") == 0)
             argp_error(state, "--contact report writes a column of orbits, and rows here are boxes: write end, or leave it out");
         if (o->json && o->motion.common.sweep != NULL) argp_error(state, "--sweep writes rows: leave out --json");
+        if (o->json) jlt_common_no_table(&o->motion.common, state, "a report");
         if (o->motion.common.plot != NULL && o->eigenvalues == 0)
             argp_error(state, "--plot draws the density that stays: leave out --eigenvalues 0");
         return 0;

@@ -54,8 +54,10 @@ void jlt_eigen_reason(char *text, const jlt_eigen_row *row)
         snprintf(text, size, "Newton's method finds no equilibrium from here (try another guess with --at)");
     else if (e->status == JLT_ERR_EMPTY) {
         const jlt_equilibria *refuted = jlt_family_refuted(d);
-        snprintf(text, size, "this state is no equilibrium: residual %.6g, relative %.3g (--at gives its states; --find looks "
-                             "for one nearby)%s%s%s", e->result.residual, e->result.residual_ratio,
+        char relative[32] = "";
+        if (isfinite(e->result.residual_ratio)) snprintf(relative, sizeof relative, ", relative %.3g", e->result.residual_ratio);
+        snprintf(text, size, "this state is no equilibrium: residual %.6g%s (--at gives its states; --find looks for one "
+                             "nearby)%s%s%s", e->result.residual, relative,
                  refuted != NULL ? "; the family " : "", refuted != NULL ? refuted->name : "",
                  refuted != NULL ? " is refuted, and gives none" : "");
     }

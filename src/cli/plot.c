@@ -83,12 +83,14 @@ void jlt_plot_block(jlt_plot *self, const char *name, const char *rows)
 
 void jlt_plot_label(char *label, const jlt_descriptor *model, const char *name)
 {
+    const char *unit = "";
     size_t index;
 
-    jlt_look_label(label, name,
-                   jlt_descriptor_param(model, name, &index)   ? model->params[index].unit
-                   : jlt_descriptor_state(model, name, &index) ? model->states[index].unit
-                                                               : "");
+    for (unsigned i = 0; i < model->observe_count; i++)
+        if (strcmp(model->observes[i].name, name) == 0) unit = model->observes[i].unit;
+    if (jlt_descriptor_param(model, name, &index)) unit = model->params[index].unit;
+    if (jlt_descriptor_state(model, name, &index)) unit = model->states[index].unit;
+    jlt_look_label(label, name, unit);
 }
 
 const char *jlt_plot_timed(const jlt_descriptor *model, const char *in_seconds, const char *without)

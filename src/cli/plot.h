@@ -37,7 +37,7 @@ void jlt_plot_value(jlt_plot *self, const char *name, double value);
 /** Write a block of data, $NAME for gnuplot. rows: lines of numbers; NULL: none. */
 void jlt_plot_block(jlt_plot *self, const char *name, const char *rows);
 
-/** The label of an axis for a quantity of this name, with its unit if it is a parameter or state of the model. Out: label, shape
+/** The label of an axis for a quantity of this name, with its unit if the model has or observes it. Out: label, shape
  *  (JLT_LOOK_LABEL_MAX,). */
 void jlt_plot_label(char *label, const jlt_descriptor *model, const char *name);
 

@@ -116,6 +116,7 @@ jlt_exit jlt_section_picture_draw(jlt_section_picture *self, const jlt_common *c
     } looks[] = { { "alive", 0 }, { "pole+", 1 }, { "pole-", 6 }, { "lost contact", 3 }, { "come to rest", 4 },
                   { "left the domain", 5 }, { "out of budget", 7 }, { "not finite", 8 }, { "not converged", 8 },
                   { "without progress", 8 } };
+    const double size = fmin(0.5, fmax(0.2, 8/sqrt((double)self->count + 1))); /* few points are larger */
     jlt_plot plot;
     bool first = true;
     FILE *stream;
@@ -140,7 +141,7 @@ jlt_exit jlt_section_picture_draw(jlt_section_picture *self, const jlt_common *c
         fprintf(stream, "%s$POINTS using 1:($3==%d?$2:NaN) ", first ? "" : ", ", fate);
         if (self->count > DOTS && common->look.size == 1)
             fprintf(stream, "with dots lc rgb '%s'", jlt_look_colour(plot.look, looks[fate].colour));
-        else jlt_look_pen(stream, plot.look, (jlt_pen){ "points", .colour = looks[fate].colour, .size = 0.2 });
+        else jlt_look_pen(stream, plot.look, (jlt_pen){ "points", .colour = looks[fate].colour, .size = size });
         fprintf(stream, " notitle, keyentry with points pt 7 ps 0.8 lc rgb '%s' title '%zu %s'",
                 jlt_look_colour(plot.look, looks[fate].colour), self->by_fate[fate], looks[fate].name);
         first = false;

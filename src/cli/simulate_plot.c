@@ -164,7 +164,7 @@ static void draw_states(jlt_plot *plot, const jlt_simulate_request *r)
         unsigned series = 0, entries = 0;
         jlt_extent range = JLT_EXTENT_NONE;
         char label[JLT_LOOK_LABEL_MAX];
-        snprintf(label, sizeof label, "[%s]", units[k][0] != '\0' ? units[k] : "1");
+        jlt_look_label(label, "", units[k]);
         for (unsigned i = 0; i < d->state_count; i++) {
             if (strcmp(units[k], d->states[i].unit) != 0) continue;
             jlt_extent_add(&range, r->extents[1 + i].low);

@@ -13,7 +13,7 @@ enum { BUFFER = 1 << 18 };
 static jlt_exit cannot_write(const jlt_stream *self, int reason)
 {
     errno = reason;
-    return jlt_command_cannot_write(self->path);
+    return jlt_command_cannot_write(self->file == stdout ? NULL : self->path);
 }
 
 /* The write function of an array's FILE. Signals are held meanwhile, since rows may be moved in the file. */

@@ -7,7 +7,9 @@
 #include "cli/plot.h"
 #include "core/memory.h"
 #include "kernel/descriptor.h"
+#include "kernel/units.h"
 #include "report/csv.h"
+#include "report/symbol.h"
 #include "report/table.h"
 
 /* The length of the line at the start of the text, without its newline. Out: *next, the line after it, NULL if there is none. */
@@ -114,6 +116,7 @@ static jlt_exit write_rows(jlt_swept_rows *self, size_t point, const char *text,
     return JLT_EXIT_DONE;
 }
 
+/* Find the picture's columns by --axes, before a second point is computed. */
 static jlt_exit choose(jlt_swept_rows *self)
 {
     JLT_FREED char *text = strdup(self->names);
@@ -144,23 +147,17 @@ static const char *names_in(const char *text)
 jlt_exit jlt_swept_rows_finish(jlt_swept_rows *self)
 {
     FILE *file = self->common->table.file;
-    char *held = self->held;
-    jlt_exit code;
+    JLT_FREED char *held = self->held;
+    jlt_csv_names names;
 
     if (held == NULL) return JLT_EXIT_DONE;
     self->held = NULL;
-    code = choose(self);
-    if (code == JLT_EXIT_DONE) {
-        fputs(self->header, file);
-        jlt_csv_names names;
-        FILE *line = jlt_csv_names_begin(&names, file);
-        for (size_t k = 0; k < self->count; k++) fprintf(line, "%s,", self->axes[k].name);
-        fputs(self->names, line);
-        jlt_csv_names_end(&names);
-        code = write_rows(self, self->held_point, held, names_in(held));
-    }
-    free(held);
-    return code;
+    fputs(self->header, file);
+    FILE *line = jlt_csv_names_begin(&names, file);
+    for (size_t k = 0; k < self->count; k++) fprintf(line, "%s,", self->axes[k].name);
+    fputs(self->names, line);
+    jlt_csv_names_end(&names);
+    return write_rows(self, self->held_point, held, names_in(held));
 }
 
 jlt_exit jlt_swept_rows_take(jlt_swept_rows *self, size_t point, const char *text)
@@ -173,7 +170,7 @@ jlt_exit jlt_swept_rows_take(jlt_swept_rows *self, size_t point, const char *tex
         self->header = comments(text, NULL);
         self->held = strdup(text);
         self->held_point = point;
-        return self->names != NULL && self->header != NULL && self->held != NULL ? JLT_EXIT_DONE : jlt_command_no_memory();
+        return self->names != NULL && self->header != NULL && self->held != NULL ? choose(self) : jlt_command_no_memory();
     }
     if (self->held != NULL) {
         char *common = comments(self->header, text);
@@ -222,7 +219,7 @@ static void caption(jlt_plot *plot, const jlt_swept_rows *self)
     }
 }
 
-/* The label of a column, as jlt_plot_label; the columns that are no states have the units that the commands' own pictures give. */
+/* The label of a column, as jlt_plot_label; columns of commands have the units that the commands' own pictures give. */
 static void column_label(char *label, const jlt_swept_rows *self, const char *name)
 {
     static const char *const units[][2] = { { "t", "s" }, { "T", "s" }, { "time", "s" }, { "divergence", "1/s" } };
@@ -231,6 +228,7 @@ static void column_label(char *label, const jlt_swept_rows *self, const char *na
 
     jlt_plot_label(label, self->model, name);
     if (jlt_descriptor_param(self->model, name, &index) || jlt_descriptor_state(self->model, name, &index)) return;
+    if (!jlt_units_has_time(self->model)) return;
     if (*digits != '\0' && digits[strspn(digits, "0123456789")] == '\0') jlt_look_label(label, name, "1/s");
     for (size_t i = 0; i < sizeof units / sizeof *units; i++)
         if (strcmp(name, units[i][0]) == 0) jlt_look_label(label, name, units[i][1]);
@@ -252,7 +250,12 @@ jlt_exit jlt_swept_rows_draw(const jlt_swept_rows *self)
         return code;
     }
     jlt_plot_block(&plot, "POINTS", self->common->drawn);
-    jlt_plot_words(&plot, "%s: jellett %s at each %s\n", self->model->model, self->what, self->axes[0].name);
+    jlt_plot_words(&plot, "%s: jellett %s at each ", self->model->model, self->what);
+    for (size_t i = 0; i < self->count; i++) {
+        if (i > 0) jlt_plot_words(&plot, ", ");
+        jlt_symbol_write(plot.title.stream, self->axes[i].name);
+    }
+    jlt_plot_words(&plot, "\n");
     caption(&plot, self);
     for (unsigned k = 0; k < 2; k++) {
         column_label(label, self, names[k]);

@@ -170,14 +170,15 @@ unsigned jlt_look_lines(FILE *stream, const jlt_look *self, const char *text, bo
 
 void jlt_look_label(char *label, const char *name, const char *unit)
 {
+    const bool counts = unit[0] != '\0' && strcmp(unit, "1") != 0;
     FILE *stream = fmemopen(label, JLT_LOOK_LABEL_MAX, "w");
 
     *label = '\0';
     if (stream == NULL) return;
     jlt_symbol_write(stream, name);
-    if (unit[0] != '\0' && strcmp(unit, "1") != 0) {
-        fputs(" [", stream);
-        jlt_symbol_plain(stream, unit, strlen(unit));
+    if (counts || *name == '\0') {
+        fputs(*name != '\0' ? " [" : "[", stream);
+        jlt_symbol_unit(stream, counts ? unit : "1");
         fputc(']', stream);
     }
     fclose(stream);
@@ -253,11 +254,12 @@ void jlt_look_log(FILE *stream, const jlt_look *self, char axis, const char *lab
     const bool short_range = typed && floor(log(range.high) / log(base) + 1e-9) < ceil(log(range.low) / log(base) - 1e-9) + 1;
     if (short_range) ticks = jlt_ticks_choose(range, room, axis == 'x');
     write_label(stream, name, label, ticks.power);
-    fprintf(stream, "%s\nset logscale %c %d\n", axis == 'x' ? " offset 0,0.3" : "", axis, base);
+    fputs(axis == 'x' ? " offset 0,0.3\n" : "\n", stream);
     if (short_range) jlt_ticks_list(stream, name, range, &ticks, true);
     else if (range.high > range.low && base == 10) jlt_ticks_decades(stream, name, &range, room, !typed);
     else if (base == 10) fprintf(stream, "set %ctics autofreq\nset format %c '10^{%%T}'\n", axis, axis);
     if (range.high > range.low) fprintf(stream, "set %crange [%.15g:%.15g]\n", axis, range.low, range.high);
+    fprintf(stream, "set logscale %c %d\n", axis, base); /* gnuplot warns if a range from before it is negative */
 }
 
 void jlt_look_key(FILE *stream, const jlt_look *self, const char *where)
@@ -317,18 +319,13 @@ void jlt_look_steps(FILE *stream, const jlt_look *self, unsigned count)
     fprintf(stream, ")\nset cbrange [-0.5:%g]\nunset colorbox\n", count - 0.5);
 }
 
-void jlt_look_value(FILE *stream, double value)
+void jlt_look_row(FILE *stream, const double *values, size_t count)
 {
     char text[JLT_DIGITS_SIZE];
 
-    jlt_digits_shortest(text, value);
-    fputs(isnan(value) ? "NaN" : text, stream);
-}
-
-void jlt_look_row(FILE *stream, const double *values, size_t count)
-{
     for (size_t i = 0; i < count; i++) {
-        jlt_look_value(stream, values[i]);
+        jlt_digits_shortest(text, values[i]);
+        fputs(isnan(values[i]) ? "NaN" : text, stream);
         fputc(i + 1 < count ? ' ' : '\n', stream);
     }
 }

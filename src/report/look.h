@@ -51,8 +51,8 @@ unsigned jlt_look_lines(FILE *stream, const jlt_look *self, const char *text, bo
 /** The approximate width of a label in markup, in units of the font size. */
 double jlt_look_breadth(const char *label);
 
-/** The label "SYMBOL [UNIT]" of an axis as markup, without the unit where that is "" or "1". Out: label, shape
- *  (JLT_LOOK_LABEL_MAX,). */
+/** The label "SYMBOL [UNIT]" of an axis as markup, without the unit where that is "" or "1"; "[UNIT]" where the name is "". Out:
+ *  label, shape (JLT_LOOK_LABEL_MAX,). */
 void jlt_look_label(char *label, const char *name, const char *unit);
 
 /** Write the axis 'x' or 'y' with its label in markup, its range and as many ticks as fit. panels: how many panels share the
@@ -91,9 +91,7 @@ void jlt_look_palette(FILE *stream, const jlt_look *self, const char *label, jlt
 /** Write a palette that gives each of the values 0 .. count - 1 its colour (jlt_look_colour), without a colour box. */
 void jlt_look_steps(FILE *stream, const jlt_look *self, unsigned count);
 
-/** Write data: a number with the fewest digits that read back bit for bit; a line of numbers, values (count,), with blanks
- *  between them. */
-void jlt_look_value(FILE *stream, double value);
+/** Write a line of data, values (count,), each with the fewest digits that read back bit for bit, with blanks between them. */
 void jlt_look_row(FILE *stream, const double *values, size_t count);
 
 #endif

@@ -24,6 +24,19 @@ void jlt_symbol_plain(FILE *stream, const char *text, size_t length)
     }
 }
 
+void jlt_symbol_unit(FILE *stream, const char *unit)
+{
+    for (size_t length = strcspn(unit, "^"); *unit != '\0'; length = strcspn(unit, "^")) {
+        jlt_symbol_plain(stream, unit, length);
+        unit += length;
+        if (*unit == '\0') return;
+        const bool below = unit[1] == '-';
+        const size_t digits = strspn(unit + 1 + below, "0123456789");
+        fprintf(stream, "^{%s%.*s}", below ? "−" : "", (int)digits, unit + 1 + below);
+        unit += 1 + below + digits;
+    }
+}
+
 /* Write the first `length` characters of a name, as a Greek letter if they name one. Returns whether one letter was written. */
 static bool write_part(FILE *stream, const char *name, size_t length)
 {

@@ -14,4 +14,7 @@ void jlt_symbol_number(FILE *stream, double value);
 /** Write `length` bytes of text with gnuplot's marks escaped, so that enhanced text shows them as they are. */
 void jlt_symbol_plain(FILE *stream, const char *text, size_t length);
 
+/** Write a unit of a table in gnuplot's enhanced text, with exponents raised: kg*m^{2}/s. */
+void jlt_symbol_unit(FILE *stream, const char *unit);
+
 #endif

@@ -273,7 +273,7 @@ void jlt_certificate_check(jlt_certificate_report *report, json_t *certificate, 
     if (form == NULL || strcmp(form, format_name) != 0 || kind == NULL || !jlt_theorem_is_kind(kind) || digest == NULL
         || !json_is_object(given) || !json_is_object(said))
         return;
-    *report = jlt_judge_say(JLT_CERTIFICATE_MALFORMED, "it has members that a certificate of its kind has not");
+    *report = jlt_judge_say(JLT_CERTIFICATE_MALFORMED, "its members are not those of a certificate of its kind");
     if (json_object_size(certificate) != 6 || !jlt_said_is_form(kind, given)) return;
     d = jlt_given_table(given, own, report->problem);
     if (d == NULL) return;

@@ -8,10 +8,10 @@ section="section --start eta=0.1,gamma3=-0.6 --returns 5"
 manifolds="manifolds --length 0.2 --count 20"
 mkdir folder
 ln -s . loop
-ln -s new.svg to_new.svg
+ln -s new.svg to_new
 for file in old.svg old.csv; do echo content > $file; done
-ln old.svg hard.svg
-ln -s ../old.svg folder/soft.svg
+ln old.svg hard
+ln -s ../old.svg folder/soft
 cp "$JLT_SOURCE_DIR/tests/reference/data/grid_regular_51.csv" reference.csv
 before=$(ls -AR)
 refused() { # STATUS ARGUMENTS
@@ -26,11 +26,11 @@ refused() { # STATUS ARGUMENTS
     [ "$(cat old.svg old.csv)" = "content"$'\n'"content" ] || fail "$*: an old file is changed"
 }
 refused 2 "$section -o same.svg --plot same.svg"
-refused 2 "$section -o same.svg --plot loop/same.svg"
-refused 2 "$section -o ./same.svg --plot same.svg"
-refused 2 "$section -o new.svg --plot to_new.svg"
-refused 2 "$section -o old.svg --plot hard.svg"
-refused 2 "$section -o old.svg --plot folder/soft.svg"
+refused 2 "$section --keep same.svg --plot loop/same.svg"
+refused 2 "$section --keep ./same.svg --plot same.svg"
+refused 2 "$section -o to_new --plot new.svg"
+refused 2 "$section -o hard --plot old.svg"
+refused 2 "$section -o folder/soft --plot old.svg"
 refused 2 "$section --plot same.svg --keep same.svg"
 refused 2 "$section -o same --plot p.svg --keep same"
 refused 2 "$manifolds -o same --crossings same"

@@ -258,6 +258,12 @@ refused() {
     grep -qF -- "$words" "$scratch/err" || fail "$*: no '$words' in: $(cat "$scratch/err")"
     [ ! -s "$scratch/out" ] || fail "$*: says $(head -1 "$scratch/out")"
 }
+# An invariant conic (3 x^2 - 2 x y + 2 y^2 + x + 2 k) too long to be looked for is left out with a word.
+printf '%s\n' 'model conic' 'param k' 'state x' 'state y' 'let Q = 3*x^2 - 2*x*y + 2*y^2 + x + 2*k' \
+    'eq x = Q*(3*x - 2*y + 2) + (4*y - 2*x)*2' 'eq y = -Q*(3*x + y + 2) - (6*x - 2*y + 1)*2' > "$scratch/conic.tt"
+ttc discover --seek factors --degree 2 "$scratch/conic.tt" | grep -q "# factors of degree 2 are left out: the extactic" ||
+    fail "conics: $(ttc discover --seek factors --degree 2 "$scratch/conic.tt")"
+printf '%s\n' 'model hyperbola' 'state x' 'state y' 'eq x = x' 'eq y = -y' > "$scratch/hyperbola.tt"
 refused 3 "has no parameter 'q' (expected one of sigma rho beta)" --when q=1 codegen/models/lorenz.tt
 refused 3 "error:" --when 'rho=(1' codegen/models/lorenz.tt
 refused 2 "sets nothing" --when rho codegen/models/lorenz.tt
@@ -265,6 +271,9 @@ refused 3 "expected" --denominator 'x+unknown' codegen/models/lorenz.tt
 for seek in integrals,factors,densities factors; do
     refused 3 "--denominator 'a' is zero, or no ratio" --seek $seek --when a=0 --denominator x^2+1,a "$scratch/spring.tt"
     refused 3 "--denominator 'x-x' is zero, or no ratio" --seek $seek --denominator x,x-x codegen/models/lorenz.tt
+    # x*y is an integral y/(1/x): a ratio in place of a polynomial would be said to have none.
+    refused 3 "--denominator '1/x' divides by what moves (expected a polynomial)" --seek $seek --denominator 1/x --degree 1 \
+        "$scratch/hyperbola.tt"
 done
 refused 2 "unknown kind 'all'" --seek all codegen/models/lorenz.tt
 refused 3 "has no equations" tests/proof/models/henon_heiles_section.tt

@@ -138,6 +138,6 @@ P
 expect_text 1 "does not follow" jellett check -m ./ball.tt ball.json
 
 # Nothing stands beside what is proved.
-forged cycle 3 "it has members that a certificate of its kind has not" 'c["note"] = "the only cycle"' 'g["note"] = "all"' \
+forged cycle 3 "its members are not those of a certificate of its kind" 'c["note"] = "the only cycle"' 'g["note"] = "all"' \
     'g["table"]["title"] = "another"' 'g["section"]["note"] = "1"' 'leg["note"] = 7' 'g["homoclinic"] = {}'
 exit $status

@@ -101,6 +101,7 @@ for command in models verify "eigen --set a3=0 --at $at" "measure --set I3=0" "s
     "simulate --start $start --until 1 --every 0.1" "orbits --period 1 --grid 0x0 --samples 20"; do
     # shellcheck disable=SC2086
     expect 5 into_full jellett $command
+    grep -q 'cannot write to standard output: No space' "$scratch/err" || fail "$command: $(cat "$scratch/err")"
 done
 # A small stack is made as large as is allowed; where that is too little, this is said before anything crashes.
 on_stack() { (ulimit "$1" 256; "${@:2}"); }
@@ -109,6 +110,11 @@ expect 0 on_stack -Ss jellett section --start eta=0.1,gamma3=-0.6 --returns 5
 expect 0 on_stack -s jellett models
 grep -q 'the stack is limited to 256 KiB' "$scratch/err" || fail "nothing is said of a small stack: $(cat "$scratch/err")"
 for tool in build test run install-deps regenerate; do expect 0 "$JLT_SOURCE_DIR/tools/$tool" --help; done
+for tool in build test run install-deps regenerate test-fresh bench/run bench/stability; do
+    (cd / && "${JLT_SOURCE_DIR#/}/tools/$tool" --help) > "$scratch/out" 2> "$scratch/err"
+    { [ ! -s "$scratch/err" ] && grep -q "^usage: tools/$tool" "$scratch/out"; } || fail "$tool --help: $(cat "$scratch/err")"
+done
+expect 2 "$JLT_SOURCE_DIR/tools/run" --none
 for tool in build install-deps regenerate "test --preset"; do
     # shellcheck disable=SC2086
     expect 2 "$JLT_SOURCE_DIR"/tools/$tool none

@@ -15,13 +15,34 @@ while read -r unit line; do
 done << END
 s simulate $top
 s simulate $top --axes t,gamma3
+s simulate $top --sweep a3=0.5:0.51:2 --axes t,contact_force
 s lyapunov --returns 4
 - simulate lorenz --start x=1,y=1,z=20 --times 0,1/2,1
 - simulate lorenz --start x=1,y=1,z=20 --times 0,1/2,1 --axes t,z
 - lyapunov lorenz --section z=27 --start x=-13.76,y=-19.58 --returns 4
+- lyapunov lorenz --section z=27 --start x=-13.76,y=-19.58 --returns 3 --sweep rho=27:28:2 --axes rho,lambda1
 - lyapunov lorenz --section z=27 --grid x=-14:-13:2,y=-20:-19:2 --returns 1
 - eigen lorenz
 END
+# What a table observes has its unit in the picture of a sweep too; exponents are raised wherever a unit stands.
+for sweep in '' '--sweep a3=0.5:0.51:2'; do
+    # shellcheck disable=SC2086
+    jellett simulate $top $sweep --axes t,contact_force --plot p.svg --keep p.gp -o rows.csv 2> log
+    grep -qF 'kg*m/s^{2}]' p.gp || fail "contact_force $sweep: $(grep label p.gp)"
+done
+grep -qF 'jellett simulate at each a_{3}' p.gp || fail "the title of a sweep: $(grep title p.gp)"
+# --axes of a sweep are refused when its first point has said which columns there are.
+printf '%s\n' 'model drops' 'param k' 'default k = 1' 'state y' 'eq y = -k' 'valid up : y > 0' > drops.tt
+jellett simulate ./drops.tt --start y=1 --times 2 --sweep k=1:2:2 --axes k,none --plot p.svg -o rows.csv 2> log
+{ [ $? -eq 2 ] && grep -q "no 'none' to draw; there are k, t, y, fate" log && grep -q 'at k=1' log && ! grep -q 'at k=2' log; } ||
+    fail "--axes k,none: $(cat log)"
+
+# A script that is kept draws without a warning, also a logarithmic panel below one of negative numbers.
+printf '%s\n' 'model below' 'state y [m^-2]' 'eq y = 0' 'integral kept = y' > below.tt
+jellett simulate ./below.tt --start y=-9 --until 1 --every 1/8 --plot p.svg --keep p.gp -o rows.csv 2> log
+grep -qF "ylabel '[m^{−2}]'" p.gp || fail "the unit of a panel: $(grep ylabel p.gp)"
+gnuplot p.gp > log 2>&1
+[ ! -s log ] || fail "gnuplot warns of a script that is kept: $(head -3 log)"
 
 # Neither memory nor gnuplot's time grows with the rows of an orbit; its end is drawn.
 jellett simulate --start gamma3=-0.6,v_nu=0.5,omega_tau=0.3,omega_n=1,omega3=0.8 --until 10 --every 1/20000 --axes t,gamma3 \

@@ -286,9 +286,9 @@ sed -n '/^\$GRID/,/^END/p' p.gp | grep -cx '[nN]a[nN]' | grep -qx $((white + emp
 # A table's own columns have units in the picture of a sweep as well.
 for axes in "lambda1 λ_{1} 1/s" "t t s" "divergence divergence 1/s"; do
     read -r name shown unit <<< "$axes"
-    jellett lyapunov lorenz --section z=27 --start x=-13,y=-19 --returns 3 --sweep rho=27:28:2 --axes rho,$name \
+    jellett lyapunov --start eta=0.02,gamma3=-0.61 --returns 3 --sweep a3=0.5:0.51:2 --axes a3,$name \
         --plot p.svg --keep p.gp -o rows.csv 2> log || fail "lyapunov --sweep: $(cat log)"
-    grep -qF "set ylabel '$shown [$unit]'" p.gp || fail "lyapunov --sweep: no unit in $(grep ylabel p.gp)"
+    grep -q "set ylabel '$shown \[.*$unit\]'" p.gp || fail "lyapunov --sweep: no unit in $(grep ylabel p.gp)"
 done
 # Low panels have room for fewer labels beside their axes.
 jellett portrait --level E=2,G=0.3,F0=0.1 --orbits 2 --until 1 --size 8x8.1 --plot p.svg --keep p.gp -o rows.csv 2> log &&

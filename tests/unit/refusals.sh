@@ -103,6 +103,7 @@ refuse 3 "more points than can be counted" jellett rod --start "$start" --sweep 
 refuse 3 "more points than can be counted" jellett fates --sweep E=1:2:4194304,G=0:1:2097152,a3=0:1:2097152
 refuse 3 "has 1000000000000000000 points; at most 1000000000000 are computed" jellett section --grid 1000000000x1000000000
 refuse 2 "--hold keeps coordinates of --start" jellett orbits --hold eta
+refuse 3 "--hold eta,gamma3: no coordinate is left to solve for" jellett orbits --start "$point" --hold eta,gamma3
 refuse 2 "--start and --grid exclude each other" jellett orbits --start "$point" --grid 3x3
 refuse 2 "--start and --grid exclude each other" jellett lyapunov --start "$point" --grid 3x3
 refuse 3 "--line: the section has no coordinate 'x'; it has eta, gamma3" jellett orbits --start "$point" --line x=0:1:3
@@ -153,6 +154,10 @@ refuse 3 "section: nothing goes by these names" jellett bench section --referenc
 refuse 3 "slope: nothing goes by these names" jellett bench slope --reference "$data/slopes_regular_51.csv" --method none
 refuse 5 "cannot read 'none': No such file" jellett bench section --reference none
 refuse 3 "is no such table" jellett bench section --reference /dev/null
+
+# Names that promise another kind of file.
+refuse 2 "'folder/out.png' would be text under a picture's name" jellett section --start "$point" -o folder/out.png
+refuse 2 "a report is no table" jellett transfer --boxes 8x8 --json -o folder/out.npy
 
 # The file that cannot be written is the one that is named.
 refuse 5 "cannot write 'none/script'" jellett measure --set I3=0 --plot folder/p.svg --keep none/script --output folder/out
