@@ -147,11 +147,23 @@ static void prove_cofactor(ttc_task *task)
     ttc_ratio_clear(task->ring, &value);
 }
 
+/* What divides may vanish on a whole part of the level. */
+static bool divides(const ttc_task *task)
+{
+    const ttc_model *model = task->model;
+    for (size_t i = 0; i < model->divisor_count; i++) {
+        const ttc_divisor *divisor = &model->divisors[i];
+        if (divisor->role == task->role && divisor->owner == task->owner) return true;
+        if (divisor->role == TTC_DIVIDES_SYMBOL && ttc_model_depends(model, task->claim->expression, divisor->owner)) return true;
+    }
+    return false;
+}
+
 void ttc_prove_by_cofactor(ttc_task *task)
 {
     ttc_claim rest = *task->claim;
     if (task->status != TTC_UNSETTLED || rest.kind != TTC_CLAIM_INVARIANT || rest.modulo_count + task->level_count > 0
-        || ttc_task_restricts_states(task)) return;
+        || ttc_task_restricts_states(task) || divides(task)) return;
     rest.kind = TTC_CLAIM_EQUAL;
     rest.other = ttc_derive_field(task->model, rest.expression);
     ttc_task inner = { .model = task->model, .claim = &rest, .role = task->role, .owner = task->owner, .outer = task,

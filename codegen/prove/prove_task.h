@@ -175,9 +175,9 @@ void ttc_prove_level_is_periodic(ttc_task *task, const ttc_claim *integral, uint
 /* Returns true if the expression of an invariant is shown to be constant along all motions of the level to which it is restricted:
  * each of its own levels is then kept, whatever its components are. */
 bool ttc_prove_is_integral(ttc_task *task);
-/* Settle an invariant f whose level cannot be solved: it is refuted at a point of the level at which f changes; and proved if there
- * is such a point, and df/dt = K f with a cofactor K that is finite all over the domain, as f is then multiplied by exp of the
- * integral of K. G. Darboux, Bull. Sci. Math. 2, 1878. */
+/* Settle an invariant f that does not divide, whose level cannot be solved: it is refuted at a point of the level at which f
+ * changes; and proved if there is such a point, and df/dt = K f with a cofactor K that is finite all over the domain, as f is then
+ * multiplied by exp of the integral of K. G. Darboux, Bull. Sci. Math. 2, 1878. */
 void ttc_prove_by_cofactor(ttc_task *task);
 
 /* The provers, one for each kind of claim. */
