@@ -140,7 +140,7 @@ refuse time 'no such time' 'g["time"] = "own"' 3
 refuse outside 'not shown to lie in the domain' 'g["box"]["gamma3"] = "1"' 1
 refuse missing 'it must give all 5 states' 'del g["box"]["omega3"]' 3
 refuse sign 'does not allow this value' 'g["parameters"]["m"] = "-1"' 3
-refuse member 'members that a certificate of its kind has not' 'g["turns"] = 1' 3
+refuse member 'its members are not those of a certificate of its kind' 'g["turns"] = 1' 3
 
 expect 1 'not proved: the states of the box' jellett certify pole --start gamma3=-0.9,v_nu=0,omega_tau=0,omega_n=0,omega3=0 \
     --spread gamma3=0.2
