@@ -271,6 +271,10 @@ jlt_status jlt_system_levels(jlt_system *self, const jlt_level *levels, unsigned
     plane.dim += plane.roots; /* as before add_roots */
     JLT_TRY(invariants_of(&integrals, &plane_of(self)->told_conserved, told));
     JLT_TRY(jlt_chart_level_init(&self->chart.level, &plane, &integrals, levels, count, told->descriptor, told->params));
+    for (unsigned i = 0; i < count; i++) {
+        const double period = told->descriptor->states[levels[i].state].period;
+        if (is_proved(told->descriptor, levels[i].state, period)) self->chart.level.turns[i] = period;
+    }
     if (!determines(self)) st = JLT_ERR_EMPTY;
     if (plane.reversible) self->chart.level.base.reversible &= keeps_levels(self, &plane, &integrals, levels, count);
 done:
