@@ -74,6 +74,8 @@ grep -q '^# saddle of period 1: y=-0.12030059' out || fail "the saddle: $(grep s
 expect 3 "the orbit near .* \(y=-?0.[0-9]*, py=.*\) is no saddle but centre" jellett manifolds "${level[@]}" --start y=0.25,py=0
 expect 0 '^y,py,exponent,t$' jellett lyapunov "${level[@]}" --grid y=-0.1:0.1:2,py=0 --returns 3
 expect 3 "y has no range" jellett separation "${level[@]}" --mirror x,py
+expect 3 "^jellett: --cells, by default 200x200: y has no range" jellett separation "${level[@]}" --mirror x,py \
+    --grid y=-0.1:0.2:2,py=0.05
 expect 0 '^4,' jellett separation "${level[@]}" --mirror x,py --grid y=-0.1:0.2:2,py=0.05 --cells y=-0.5:0.6:9,py=-0.4:0.4:9 \
     --returns 4 --settle 2
 
