@@ -222,7 +222,8 @@ bool jlt_system_is_reversed(const jlt_system *self, const int *signs)
     return true;
 }
 
-/* Whether the reversor of a plane section keeps these integrals at all test points, to rounding, and so leads to the same level. */
+/* Whether the reversor of a plane section, which mirrors its state at the section, keeps these integrals at all test points, to
+ * rounding, and so leads to the same level. */
 static bool keeps_levels(const jlt_system *self, const jlt_chart *plane, const jlt_invariants *integrals, const jlt_level *levels,
                          unsigned count)
 {
@@ -233,7 +234,8 @@ static bool keeps_levels(const jlt_system *self, const jlt_chart *plane, const j
     for (int k = 0; k < POINTS; k++) {
         point_number(self, x, k);
         integrals->values(x, integrals->p, here);
-        for (unsigned i = 0, c = 0; i < plane->states; i++) x[i] *= i == plane->column ? -1 : plane->mirror[c++];
+        for (unsigned i = 0, c = 0; i < plane->states; i++)
+            x[i] = i == plane->column ? 2 * plane->level - x[i] : plane->mirror[c++] * x[i];
         integrals->values(x, integrals->p, there);
         for (unsigned i = 0; i < count; i++) {
             const double a = here[levels[i].integral], b = there[levels[i].integral];
