@@ -129,6 +129,16 @@ jlt_exit jlt_assign_refuse_region(const char *what, const jlt_descriptor *descri
                             descriptor->model, region->name, region->text, value);
 }
 
+jlt_exit jlt_assign_refuse_interval(const char *what, const jlt_quantity *quantity)
+{
+    const double low = quantity->low, high = quantity->high;
+
+    if (isinf(low) || isinf(high))
+        return jlt_command_fail(JLT_EXIT_INPUT, "%s: %s must lie %s %.10g", what, quantity->name, isinf(low) ? "below" : "above",
+                                isinf(low) ? high : low);
+    return jlt_command_fail(JLT_EXIT_INPUT, "%s: %s must lie strictly between %.10g and %.10g", what, quantity->name, low, high);
+}
+
 jlt_exit jlt_assign_params(double **params, const jlt_descriptor *d, const jlt_assign_list *list)
 {
     const jlt_region *region;

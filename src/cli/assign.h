@@ -42,6 +42,9 @@ const char *jlt_assign_fraction(const jlt_assign_list *list, const char *name);
  *  Returns JLT_EXIT_INPUT. */
 jlt_exit jlt_assign_refuse_region(const char *what, const jlt_descriptor *descriptor, const jlt_region *region, double value);
 
+/** Say that the value of `what` for a quantity is outside its open interval. */
+jlt_exit jlt_assign_refuse_interval(const char *what, const jlt_quantity *quantity);
+
 /** Print that parameter number `index` must not have this value, and which values the table allows. Returns JLT_EXIT_INPUT. */
 jlt_exit jlt_assign_refuse(const jlt_descriptor *descriptor, size_t index, double value);
 

@@ -169,7 +169,7 @@ static void write_text(FILE *stream, const jlt_measure_finding *f)
     jlt_digits_shortest(trace, f->obstruction.trace);
     fprintf(stream, "\nthe trace is %s (", trace);
     jlt_decimal_write_error(stream, f->obstruction.trace_error);
-    fputs("), so no invariant measure has a smooth positive density (Proposition 1)\n", stream);
+    fputs("), so no invariant measure has a smooth positive density\n", stream);
 }
 
 static json_t *obstruction_json(const jlt_measure_finding *f)

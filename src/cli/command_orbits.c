@@ -42,7 +42,7 @@ static const struct argp_option option_table[] = {
       "orbits differ much from one to the next; default 1000; 0 for none", 1 },
     { "start", 'a', "NAME=VALUE,...", 0,
       "Begin Newton's method at this point only, and look for an orbit of exactly N returns, N from --period; where it finds none, "
-      "of fewer that divide N", 1 },
+      "also by --settle, of fewer that divide N", 1 },
     { "hold", HOLD, "NAME,...", 0, "With --start, where orbits come in families: the coordinates that keep their values", 1 },
     { "line", LINE, "NAME=LOW:HIGH:COUNT", 0,
       "Look for symmetric orbits on one line only: through --start, along this coordinate, of at most N returns, N from "
@@ -170,36 +170,43 @@ static jlt_exit held_mask(unsigned char *held, const options *o, const jlt_chart
         while (k < chart->dim && (strlen(chart->names[k]) != length || strncmp(chart->names[k], text, length) != 0)) k++;
         if (k == chart->dim) return jlt_motion_no_coordinate(chart, "--hold", text, length);
         held[k] = 1;
-        text += length;
-        if (*text == ',') text++;
+        text += length + (text[length] == ',');
     }
     if (memchr(held, 0, chart->dim) == NULL)
         return jlt_command_fail(JLT_EXIT_INPUT, "--hold %s: no coordinate is left to solve for: leave one out", o->hold);
     return JLT_EXIT_DONE;
 }
 
-/* Find the orbit of `period` returns from q, by Newton's method for them all; or, where that fails, one of fewer that divide them:
- * near a strongly unstable orbit, returns of q soon lead away from its points. */
-static jlt_status find_closed(jlt_periodic *out, jlt_map *map, const double *q, size_t period, const unsigned char *held)
+/* Find an orbit of a number of returns that divides `period`. Returns whether there is one. */
+static bool find_shorter(jlt_periodic *out, jlt_map *map, const double *q, size_t period, const unsigned char *held)
 {
-    const jlt_status st = jlt_periodic_find(map, out, q, period, held);
-
-    for (size_t fewer = 1; jlt_orbits_is_miss(st) && fewer < period; fewer++)
-        if (period % fewer == 0 && jlt_periodic_find(map, out, q, fewer, held) == JLT_OK) return JLT_OK;
-    return st;
+    for (size_t shorter = 1; shorter < period; shorter++)
+        if (period % shorter == 0 && jlt_periodic_find(map, out, q, shorter, held) == JLT_OK) return true;
+    return false;
 }
 
-/* If Newton's method finds no orbit from the start q: follow q for `settle` returns, and find the attracting orbit there. */
-static jlt_status find_attracting(jlt_periodic *out, jlt_map *map, const options *o, const double *q)
+/* Follow the start q for `settle` returns. Returns whether Newton's method finds an attracting orbit there. */
+static bool find_attracting(jlt_periodic *out, jlt_map *map, const options *o, const double *q)
 {
-    jlt_periodic orbit;
     jlt_image settled;
 
-    if (o->settle == 0 || o->hold != NULL || jlt_map_point(map, &settled, q, o->settle, 1) != JLT_OK ||
-        jlt_periodic_find(map, &orbit, settled.q, o->period_max, NULL) != JLT_OK || orbit.type != JLT_ORBIT_ATTRACTING)
-        return JLT_ERR_NO_CONVERGENCE;
-    *out = orbit;
-    return JLT_OK;
+    return o->settle > 0 && o->hold == NULL && jlt_map_point(map, &settled, q, o->settle, 1) == JLT_OK &&
+           jlt_periodic_find(map, out, settled.q, o->period_max, NULL) == JLT_OK && out->type == JLT_ORBIT_ATTRACTING;
+}
+
+/* Find an orbit by Newton's method from q, of all returns that are asked for: near q, or attracting. Where there is none, find one
+ * of fewer returns: near a strongly unstable orbit, those of q soon lead away from its points. */
+static jlt_status find_orbit(jlt_periodic *out, jlt_map *map, const options *o, const double *q, const unsigned char *held)
+{
+    const size_t period = o->period_max;
+    const jlt_status st = jlt_periodic_find(map, out, q, period, held);
+    jlt_periodic attracting;
+
+    if (!jlt_orbits_is_miss(st)) return st;
+    const bool attracts = st == JLT_ERR_NO_CONVERGENCE && find_attracting(&attracting, map, o, q);
+    if (!(attracts && attracting.period == period) && find_shorter(out, map, q, period, held)) return JLT_OK;
+    if (attracts) *out = attracting;
+    return attracts ? JLT_OK : st;
 }
 
 /* Read the start, the coordinates of --hold and the line of --line, which is left without samples if there is none. */
@@ -231,8 +238,7 @@ static jlt_exit from_start(jlt_orbits *list, jlt_map *map, const jlt_symmetric_l
 
     JLT_PASS(jlt_motion_scale(system, line->base, NULL));
     if (o->line == NULL) {
-        st = find_closed(&orbit, map, line->base, o->period_max, held);
-        if (st == JLT_ERR_NO_CONVERGENCE) st = find_attracting(&orbit, map, o, line->base);
+        st = find_orbit(&orbit, map, o, line->base, held);
         if (st == JLT_OK && orbit.type == JLT_ORBIT_DEGENERATE && o->hold == NULL)
             fputs("jellett: a multiplier is 1 or -1: if orbits come in a family, this is any one of it; --hold keeps coordinates "
                   "of --start, and --level chooses one\n", stderr);
@@ -363,8 +369,7 @@ static jlt_exit run(int argc, char **argv)
     ttc_options_parse(&parser, argc, argv, &o);
     if (jlt_swept_done(&code, &swept, &o.motion.common)) return code;
     common->lanes = o.motion.starts[0] == NULL;
-    if (!searches_nowhere(&o)) o.motion.grid = o.grid;
-    if (!searches_nowhere(&o)) o.motion.other = default_grid;
+    if (!searches_nowhere(&o)) o.motion.grid = o.grid, o.motion.other = default_grid;
     JLT_PASS(jlt_motion_system(&system, &o.motion));
     if (system->surface == NULL && o.grid == NULL && o.motion.starts[0] == NULL)
         return jlt_command_fail(JLT_EXIT_USAGE, "say where to search: --start or --grid");

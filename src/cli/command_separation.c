@@ -69,6 +69,8 @@ static const struct argp parser = {
     children, NULL, NULL,
 };
 
+static const char default_cells[] = "200x200";
+
 /* Read the grid of starts and the cells, each of shape (2,). */
 static jlt_exit read_cells(jlt_grid_axis *axes, jlt_grid_axis *cells, const options *o, const jlt_system *system)
 {
@@ -80,7 +82,7 @@ static jlt_exit read_cells(jlt_grid_axis *axes, jlt_grid_axis *cells, const opti
     if (!chart->reversible)
         return jlt_motion_no_reversor(system, "the comparison needs a reversor that takes the section to itself, crossed as it is");
     JLT_PASS(jlt_motion_axes(axes, system, o->motion.grid, "--grid"));
-    return jlt_motion_cells(cells, system, o->cells, "--cells");
+    return jlt_motion_cells(cells, system, o->cells, o->cells != default_cells ? "--cells" : "--cells, by default 200x200");
 }
 
 static jlt_exit measure(jlt_separation *table, size_t *rows, const jlt_grid_axis *axes, const jlt_grid_axis *cells,
@@ -130,7 +132,7 @@ static const jlt_swept_form swept = { &jlt_command_separation, true, 6 };
 
 static jlt_exit run(int argc, char **argv)
 {
-    JLT_CLEARED(jlt_motion_end) options o = { .cells = "200x200", .returns = 1024, .settle = 200 };
+    JLT_CLEARED(jlt_motion_end) options o = { .cells = default_cells, .returns = 1024, .settle = 200 };
     jlt_grid_axis axes[JLT_CHART_DIM_MAX], cells[JLT_CHART_DIM_MAX];
     jlt_separation table[48];
     jlt_common *common = &o.motion.common;

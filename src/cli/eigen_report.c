@@ -20,8 +20,7 @@ static const char *source_of(const jlt_linearization *r, const jlt_eigenvalue *v
 static const char *consequence(const jlt_linearization *r)
 {
     if (r->obstructs)
-        return r->exists ? "the trace is not zero: no invariant measure has a smooth positive density around this equilibrium "
-                           "(Proposition 1)"
+        return r->exists ? "the trace is not zero: no invariant measure has a smooth positive density around this equilibrium"
                          : "the trace is not zero here, but that an equilibrium with such a trace exists is not proved: nothing "
                            "follows";
     return r->trace_error > 0.0 ? "the trace is zero to within its error, and excludes no invariant measure"

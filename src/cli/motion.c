@@ -221,16 +221,21 @@ jlt_exit jlt_motion_no_orbit(jlt_status status, const jlt_system *system, const 
 }
 
 /* Check a start that the section answered with this status: print why no orbit can begin there. On a plane section that is the
- * condition that fails, also where something divides by zero. */
+ * interval or condition that fails, also where something divides by zero. */
 static jlt_exit check_start(jlt_status status, const jlt_system *system, const char *start, const double *q)
 {
     const jlt_region *region = NULL;
+    const jlt_descriptor *d = system->instance->descriptor;
     const jlt_chart *chart = &system->chart.plane; /* in the table's units */
     double x[JLT_CHART_STATES_MAX], value;
+    size_t index;
 
-    if ((status == JLT_OK || status == JLT_ERR_DOMAIN) && system->surface == NULL && chart->lift(chart, x, NULL, q) == status &&
-        jlt_region_check(&region, &value, system->instance->descriptor, system->instance->params, x) == JLT_ERR_DOMAIN)
-        return jlt_assign_refuse_region(start, system->instance->descriptor, region, value);
+    if ((status == JLT_OK || status == JLT_ERR_DOMAIN) && system->surface == NULL && chart->lift(chart, x, NULL, q) == status) {
+        if (jlt_descriptor_check_state(d, x, &index) == JLT_ERR_DOMAIN)
+            return jlt_assign_refuse_interval(start, &d->states[index]);
+        if (jlt_region_check(&region, &value, d, system->instance->params, x) == JLT_ERR_DOMAIN)
+            return jlt_assign_refuse_region(start, d, region, value);
+    }
     return status == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(status, system, start);
 }
 

@@ -25,8 +25,8 @@ jlt_exit jlt_motion_fail(jlt_status status, const jlt_system *system, const char
                                 what);
     if (status == JLT_ERR_NO_CONVERGENCE && system != NULL && system->flow.chart->solved_count > 0)
         return jlt_command_fail(JLT_EXIT_NUMERICAL,
-                                "%s: %s, or a return left the branch of --solve: try another --direction or section", what,
-                                jlt_status_text(status));
+                                "%s: %s, or a return left the branch of --solve, or, where an integral grows with an angle, the "
+                                "levels: try another --direction or section", what, jlt_status_text(status));
     if (status == JLT_ERR_BUDGET && system != NULL)
         return jlt_command_fail(JLT_EXIT_NUMERICAL,
                                 "%s: %s on one return, which lasts too long (--max-steps allows more), or whose motion is stiff: "

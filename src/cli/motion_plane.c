@@ -23,8 +23,7 @@ static jlt_exit read_section(jlt_motion_plane *out, const jlt_motion_options *op
     if (code != JLT_EXIT_DONE) return code;
     const jlt_quantity *state = &d->states[out->column];
     if (out->section.low > state->low && out->section.low < state->high) return JLT_EXIT_DONE;
-    return jlt_command_fail(JLT_EXIT_INPUT, "--section: %s must lie strictly between %.10g and %.10g", state->name, state->low,
-                            state->high);
+    return jlt_assign_refuse_interval("--section", state);
 }
 
 /* The first reversor that the table proves and whose fixed points lie on the section; NULL: none. */

@@ -135,10 +135,7 @@ jlt_exit jlt_motion_refuse_point(const jlt_surface *surface, const double *q, co
     for (unsigned k = 0; surface != NULL && k < surface->section->coordinate_count; k++) {
         const jlt_quantity *c = &surface->section->coordinates[k];
         if (surface->section->is_angle[k] || c->period != 0 || (q[k] > c->low && q[k] < c->high)) continue;
-        if (isinf(c->low) || isinf(c->high))
-            return jlt_command_fail(JLT_EXIT_INPUT, "%s: %s must lie %s %.10g", text, c->name, isinf(c->low) ? "below" : "above",
-                                    isinf(c->low) ? c->high : c->low);
-        return jlt_command_fail(JLT_EXIT_INPUT, "%s: %s must lie strictly between %.10g and %.10g", text, c->name, c->low, c->high);
+        return jlt_assign_refuse_interval(text, c);
     }
     return JLT_EXIT_DONE;
 }

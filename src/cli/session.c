@@ -88,8 +88,7 @@ jlt_exit jlt_session_start(jlt_session *self)
             return jlt_command_fail(JLT_EXIT_INPUT, "--start: give %s as well (every state of %s has to be named)",
                                     d->states[i].name, d->model);
     if (jlt_descriptor_check_state(d, self->x, &index) != JLT_OK)
-        return jlt_command_fail(JLT_EXIT_INPUT, "--start: %s must lie strictly between %g and %g", d->states[index].name,
-                                d->states[index].low, d->states[index].high);
+        return jlt_assign_refuse_interval("--start", &d->states[index]);
     if (jlt_region_check(&region, &value, d, self->params, self->x) != JLT_OK)
         return region == NULL ? jlt_command_no_memory() : jlt_assign_refuse_region("--start", d, region, value);
     return JLT_EXIT_DONE;

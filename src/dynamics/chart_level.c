@@ -198,12 +198,15 @@ static bool follows(const jlt_chart *base, const double *x)
     const jlt_chart_level *self = (const jlt_chart_level *)base;
     double q[JLT_CHART_DIM_MAX], lifted[JLT_CHART_STATES_MAX], own[JLT_CHART_STATES_MAX], off[M], sizes[M], matrix[M * M];
 
-    if (!(look(self, off, sizes, matrix, NULL, x) <= on_levels)) return false;
     lower(base, q, NULL, x);
     if (lift(base, lifted, NULL, q) != JLT_OK) return false;
     memcpy(own, lifted, base->states * sizeof *x);
-    for (unsigned i = 0; i < unknowns(base); i++) own[base->solved[i]] = x[base->solved[i]];
-    return solve(self, own) == JLT_OK && are_one(self, lifted, own);
+    /* Where an integral grows with an angle, a turn leads to another level, unless one of a solved state makes up for it. */
+    for (unsigned i = 0; i < unknowns(base); i++) {
+        const unsigned state = base->solved[i];
+        own[state] = self->turns[i] == 0 ? x[state] : lifted[state] + remainder(x[state] - lifted[state], self->turns[i]);
+    }
+    return look(self, off, sizes, matrix, NULL, own) <= on_levels && solve(self, own) == JLT_OK && are_one(self, lifted, own);
 }
 
 jlt_status jlt_chart_level_init(jlt_chart_level *out, const jlt_chart *plane, const jlt_invariants *integrals,

@@ -24,6 +24,7 @@ typedef struct {
     jlt_invariants integrals; /* all of the table's, at most JLT_CHART_INTEGRALS_MAX; then relations of lifted roots */
     jlt_level levels[JLT_INVARIANTS_MAX];
     unsigned free[JLT_CHART_DIM_MAX]; /* the state of each coordinate */
+    double turns[JLT_INVARIANTS_MAX]; /* of each solved state, its period; 0: none, as it is unless set */
 } jlt_chart_level;
 
 /** Make the chart from a plane section, whose angles are declared before, and levels, shape (count,). What `integrals`, the

@@ -222,7 +222,8 @@ bool jlt_system_is_reversed(const jlt_system *self, const int *signs)
     return true;
 }
 
-/* Whether the reversor of a plane section keeps these integrals at all test points, to rounding, and so leads to the same level. */
+/* Whether the reversor of a plane section, which mirrors its state at the section, keeps these integrals at all test points, to
+ * rounding, and so leads to the same level. */
 static bool keeps_levels(const jlt_system *self, const jlt_chart *plane, const jlt_invariants *integrals, const jlt_level *levels,
                          unsigned count)
 {
@@ -233,7 +234,8 @@ static bool keeps_levels(const jlt_system *self, const jlt_chart *plane, const j
     for (int k = 0; k < POINTS; k++) {
         point_number(self, x, k);
         integrals->values(x, integrals->p, here);
-        for (unsigned i = 0, c = 0; i < plane->states; i++) x[i] *= i == plane->column ? -1 : plane->mirror[c++];
+        for (unsigned i = 0, c = 0; i < plane->states; i++)
+            x[i] = i == plane->column ? 2 * plane->level - x[i] : plane->mirror[c++] * x[i];
         integrals->values(x, integrals->p, there);
         for (unsigned i = 0; i < count; i++) {
             const double a = here[levels[i].integral], b = there[levels[i].integral];
@@ -271,6 +273,10 @@ jlt_status jlt_system_levels(jlt_system *self, const jlt_level *levels, unsigned
     plane.dim += plane.roots; /* as before add_roots */
     JLT_TRY(invariants_of(&integrals, &plane_of(self)->told_conserved, told));
     JLT_TRY(jlt_chart_level_init(&self->chart.level, &plane, &integrals, levels, count, told->descriptor, told->params));
+    for (unsigned i = 0; i < count; i++) {
+        const double period = told->descriptor->states[levels[i].state].period;
+        if (is_proved(told->descriptor, levels[i].state, period)) self->chart.level.turns[i] = period;
+    }
     if (!determines(self)) st = JLT_ERR_EMPTY;
     if (plane.reversible) self->chart.level.base.reversible &= keeps_levels(self, &plane, &integrals, levels, count);
 done:

@@ -196,4 +196,10 @@ for at in 0 pi -pi 3*pi; do
 done
 expect 3 'at STATE = 0 alone and half a turn from it, not at phi = 1:' jellett separation ./shaken.tt --section phi=1 \
     --grid q=-3:3:6,p=-1:1:5
+# There a level may have another mirror image: (f - q)^2 is (pi - q)^2 at f = pi, and (-pi - q)^2 where both change signs.
+printf '%s\n' 'model winding' 'state q' 'state z' 'state y' 'state f' 'eq q = 1' 'eq z = y' 'eq y = -z' 'eq f = 1' \
+    'integral I = (f - q)^2 + z^2 + y^2' 'reversor q -> -q, f -> -f, z -> -z' 'periodic f = 2*pi' 'periodic q = 2*pi' > winding.tt
+winding=(--level I=4 --solve y=1 --grid q=1.5:1.9:2,z=0.1:0.2:2 --cells q=-3:3:40,z=-2:2:40 --settle 0 --returns 4)
+expect 0 '^4,4,4,4,' jellett separation ./winding.tt --section f=0 "${winding[@]}"
+expect 3 'needs a reversor' jellett separation ./winding.tt --section f=pi "${winding[@]}"
 exit $status

@@ -181,4 +181,9 @@ for sweep in "" "--sweep c=0.001:0:2"; do
     grep '25[.]1327' out | awk -F, '{ e = $(NF - 1); n++; bad += !(e*e < 1e-17) } END { exit bad || n != 4 }' ||
         fail "exponents ${sweep:-in lanes}: $(grep -v '^#' out)"
 done
+# What lies outside an interval without one end is told from which side, of a section's starts as well.
+printf '%s\n' 'model half' 'state y in (0, inf)' 'state z in (-inf, 2)' 'state w' 'eq y = -y' 'eq z = z - 2' 'eq w = z' > half.tt
+expect 3 '^jellett: --start: y must lie above 0$' jellett simulate ./half.tt --start y=-1,z=0,w=0 --times 1
+expect 3 '^jellett: y=1,z=3: z must lie below 2$' jellett section ./half.tt --section w=0 --start y=1,z=3 --returns 1
+expect 3 '^jellett: --section: y must lie above 0$' jellett section ./half.tt --section y=0 --start z=1,w=0 --returns 1
 exit $status

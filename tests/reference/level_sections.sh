@@ -167,4 +167,25 @@ for command in section fates; do
         --grid y=0:1:2,q=0:1:2
     [ ! -s out ] || fail "$command writes a header first: $(cat out)"
 done
+# An integral that grows with the phase is another one a turn later, so that nothing closes on its level; unless the state that is
+# solved for is an angle, which has turned, too. Then an oscillator driven at phase p has one orbit, q = Im(A exp(ip)).
+turning() { # RATE [PERIOD]
+    printf '%s\n' 'model turning' 'state q' 'state z' 'state p' 'state f' 'angle c s = cos(p) sin(p)' 'eq q = z' \
+        'eq z = s/10 - q/3 - z/10' "eq p = $1" 'eq f = 1' "integral I = p - $1*f" 'periodic f = 2*pi' ${2:+"periodic p = $2"} \
+        > turning.tt
+    level=(./turning.tt --section f=0 --level I=0.3 --solve p=0 --start q=0.3,z=0)
+}
+for system in 2 '7/5 2*pi'; do
+    # shellcheck disable=SC2086
+    turning $system
+    expect 4 'finds no periodic orbit' jellett orbits "${level[@]}" --period 1
+    expect 4 'grows with an angle' jellett lyapunov "${level[@]}" --returns 3
+    expect 1 'DP could not be computed at 3 of 3 returns' jellett section "${level[@]}" --returns 3 --check
+done
+turning 2 '2*pi'
+expect 0 '^1,.*,attracting,' jellett orbits "${level[@]}" --period 1
+awk -F, '/^1,/ { a = 1/3 - 4; b = 0.2; c = cos(0.3)/10/(a^2 + b^2); s = sin(0.3)/10/(a^2 + b^2)
+    good = ($2 - (a*s - b*c))^2 + ($3 - 2*(a*c + b*s))^2 < 1e-26 } END { exit !good }' out || fail "turning: $(tail -1 out)"
+expect 0 'at most .* of its bound' jellett section "${level[@]}" --returns 3 --check
+grep -q 'could not' err && fail "turning: $(cat err)"
 exit $status

@@ -74,6 +74,8 @@ grep -q '^# saddle of period 1: y=-0.12030059' out || fail "the saddle: $(grep s
 expect 3 "the orbit near .* \(y=-?0.[0-9]*, py=.*\) is no saddle but centre" jellett manifolds "${level[@]}" --start y=0.25,py=0
 expect 0 '^y,py,exponent,t$' jellett lyapunov "${level[@]}" --grid y=-0.1:0.1:2,py=0 --returns 3
 expect 3 "y has no range" jellett separation "${level[@]}" --mirror x,py
+expect 3 "^jellett: --cells, by default 200x200: y has no range" jellett separation "${level[@]}" --mirror x,py \
+    --grid y=-0.1:0.2:2,py=0.05
 expect 0 '^4,' jellett separation "${level[@]}" --mirror x,py --grid y=-0.1:0.2:2,py=0.05 --cells y=-0.5:0.6:9,py=-0.4:0.4:9 \
     --returns 4 --settle 2
 
@@ -96,4 +98,11 @@ done << 'ORBITS'
 0.8430787129760952 0.04295275123192166 2.718521164653545
 0.8280787129760952 0.1955617105491525 2.8656162465701187
 ORBITS
+
+# The orbit that attracts, of as many returns as are asked for, comes before shorter ones, to which Newton's method goes from afar.
+printf '%s\n' 'model two_wells' 'state x' 'state v' 'state phi' 'angle c s = cos(phi) sin(phi)' 'eq x = v' \
+    'eq v = x - x^3 - 3*v/10 + 7*c/25' 'eq phi = 6/5' 'periodic phi = 2*pi' > two_wells.tt
+for start in x=0.569,v=-0.942 x=-0.248,v=-0.013; do
+    expect 0 '^2,.*,attracting,' jellett orbits ./two_wells.tt --section phi=0 --period 2 --settle 300 --start $start
+done
 exit $status
