@@ -115,7 +115,7 @@ bool ttc_search_zero(ttc_witness *point, const ttc_conditions *conditions, const
     if (point->has_obscure_angle || fmpz_mpoly_length(polynomial, ring->context) > LONGEST) return false;
     ttc_ratio_init(ring, &value);
     fmpz_mpoly_factor_init(factors, ring->context);
-    if (!fmpz_mpoly_factor_squarefree(factors, polynomial, ring->context)) factors->num = 0;
+    if (!fmpz_mpoly_factor(factors, polynomial, ring->context)) factors->num = 0;
     for (slong i = 0; !found && i < factors->num; i++) {
         if (of_squares && fmpz_is_odd(factors->exp + i)) continue;
         ttc_ratio_set_polynomial(ring, &value, factors->poly + i);

@@ -101,26 +101,34 @@ bool ttc_prove_is_integral(ttc_task *task)
     return true;
 }
 
-/* Look for a point at which a value is zero, and take it as the witness; where its rate is not zero there, the level is left. */
+/* Search for a point of the leaf at which a value is zero. Returns its text, or NULL. */
+static char *find_zero(ttc_task *task, const ttc_ratio *value)
+{
+    char *text = NULL;
+    ttc_witness point;
+    if (ttc_witness_init(&point, task->field) && ttc_search_zero(&point, &task->domain, value->numerator, false))
+        text = ttc_witness_text(&point);
+    ttc_witness_clear(&point);
+    return text;
+}
+
+/* Look for a point at which a value is zero and its rate is not, where the level is left; else for any zero as the witness. */
 static void look_for_zero(ttc_task *task, const ttc_ratio *value, const ttc_ratio *rate)
 {
-    enum { PRECISION = 128 };
-    ttc_witness point;
-    arb_t ball;
-    arb_init(ball);
-    if (ttc_witness_init(&point, task->field) && ttc_search_zero(&point, &task->domain, value->numerator, false)) {
-        char *text = ttc_witness_text(&point);
-        task->kept++;
-        ttc_witness_enclose(ball, &point, rate, PRECISION);
-        if (arb_is_finite(ball) && !arb_contains_zero(ball)) {
-            ttc_task_refute_at(task, text, rate, "the set is left: rate of %s", task->claim->name);
-        } else {
-            free(task->point);
-            task->point = text;
-        }
+    const size_t mark = ttc_conditions_mark(&task->domain);
+    const bool contradictory = task->domain.contradictory;
+    ttc_conditions_add(&task->domain, rate, TTC_IS_NONZERO);
+    char *text = find_zero(task, value);
+    ttc_conditions_rewind(&task->domain, mark, contradictory);
+    if (text != NULL) {
+        ttc_task_refute_at(task, text, rate, "the set is left: rate of %s", task->claim->name);
+    } else if ((text = find_zero(task, value)) == NULL) {
+        return;
+    } else {
+        free(task->point);
+        task->point = text;
     }
-    ttc_witness_clear(&point);
-    arb_clear(ball);
+    task->kept++;
 }
 
 /* The right side of the claim is the rate of the left one, f: require that it is K f with K finite all over the domain. */

@@ -53,7 +53,7 @@ static bool bounds_follow(const json_t *said, const json_t *proved)
 {
     const char *name;
     json_t *bound;
-    bool good = json_object_size(said) == json_object_size(proved);
+    bool good = json_is_object(said) && json_object_size(said) == json_object_size(proved);
     JLT_SCOPED(arb, least, found);
 
     json_object_foreach((json_t *)(uintptr_t)said, name, bound) {
@@ -67,23 +67,26 @@ static bool bounds_follow(const json_t *said, const json_t *proved)
     return good;
 }
 
-static bool follows(const json_t *said, const json_t *proved);
+static bool follows(const json_t *said, const json_t *proved, bool is_part);
 
-static bool all_follow(const json_t *said, const json_t *proved)
+/* is_part: members have names of ours, as those of `shown` and of its part "homoclinic" have; others have names of the table, which
+ * may be "conditions", too. */
+static bool all_follow(const json_t *said, const json_t *proved, bool is_part)
 {
     const char *name;
-    json_t *part;
+    json_t *member;
     bool good = json_object_size(said) == json_object_size(proved);
 
-    json_object_foreach((json_t *)(uintptr_t)said, name, part) {
+    json_object_foreach((json_t *)(uintptr_t)said, name, member) {
         const json_t *other = json_object_get(proved, name);
-        /* conditions are named by the table, and their names may be those of the parts of a ball */
-        good = good && other != NULL && (strcmp(name, "conditions") == 0 ? bounds_follow(part, other) : follows(part, other));
+        good = good && other != NULL
+               && (is_part && strcmp(name, "conditions") == 0 ? bounds_follow(member, other)
+                                                              : follows(member, other, is_part && strcmp(name, "homoclinic") == 0));
     }
     return good;
 }
 
-static bool follows(const json_t *said, const json_t *proved)
+static bool follows(const json_t *said, const json_t *proved, bool is_part)
 {
     bool good = true;
 
@@ -91,18 +94,18 @@ static bool follows(const json_t *said, const json_t *proved)
     if (json_is_array(said)) {
         good = json_array_size(said) == json_array_size(proved);
         for (size_t i = 0; good && i < json_array_size(said); i++)
-            good = follows(json_array_get(said, i), json_array_get(proved, i));
+            good = follows(json_array_get(said, i), json_array_get(proved, i), false);
         return good;
     }
     if (!json_is_object(said)) return json_equal(said, proved);
     if (jlt_numerals_is_ball(proved)) return json_equal(said, proved) || holds_ball(said, proved);
-    return all_follow(said, proved);
+    return all_follow(said, proved, is_part);
 }
 
 bool jlt_said_follows(const json_t *said, const json_t *proved)
 {
     /* for a family no number is a ball, and its point has names from the table */
-    return json_object_get(proved, "point") != NULL ? json_equal(said, proved) : follows(said, proved);
+    return json_object_get(proved, "point") != NULL ? json_equal(said, proved) : follows(said, proved, true);
 }
 
 /* ---- the words ---- */

@@ -28,7 +28,7 @@ def words(c): # in place: of a cycle that does not turn
         f"back at its point after a time near {near} is {named(s['orbit'][0])}, the time T = {ball(s['period'])}."
     t[2] = f"On the levels, det DP = exp(integral of div f over the orbit) = {ball(s['determinant'])}, trace DP = " \
         f"{ball(s['trace'])}" + "".join(f"; multiplier ({ball(m['re'])}) + i ({ball(m['im'])})" for m in s["multipliers"]) + "."
-    for name, bound in s["conditions"].items():
+    for name, bound in dict(s["conditions"]).items():
         t[3] = re.sub(rf"(The condition {name} [^:]*: its quantity is at least )[-.0-9e]*[0-9]", rf"\g<1>{bound}", t[3])
 def widen(c): # all balls, so that a replay by other legs is among them
     s = c["shown"]
@@ -136,6 +136,15 @@ c["digest"] = hashlib.sha256(json.dumps(c, sort_keys=True, separators=(",", ":")
 json.dump(c, open("ball.json", "w"))
 P
 expect_text 1 "does not follow" jellett check -m ./ball.tt ball.json
+
+# Where there are no conditions, nothing is said of them; and the ball of a state that is called so is no lower bound.
+cp kept.json ball.json
+forged ball 1 "does not follow" 's["conditions"] = []' 's["conditions"] = ""'
+printf '%s\n' 'model named' 'state y' 'state conditions' 'eq y = (1 - conditions^2)*y - conditions' 'eq conditions = y' > named.tt
+expect_text 0 "" jellett certify cycle ./named.tt --section y=0 --direction down --start conditions=2.0086198608748 -o named.json
+expect_text 0 "" jellett check -m ./named.tt named.json
+forged named 1 "does not follow" 's["orbit"][0]["conditions"] = {"middle": "-7", "radius": "0"}' \
+    's["orbit"][0]["conditions"]["middle"] = "2"; s["orbit"][0]["conditions"]["radius"] = "1e-30"'
 
 # Nothing stands beside what is proved.
 forged cycle 3 "its members are not those of a certificate of its kind" 'c["note"] = "the only cycle"' 'g["note"] = "all"' \
