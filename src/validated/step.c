@@ -13,8 +13,8 @@ struct jlt_step {
     jlt_jets *point, *plain;                /* jets over the midpoint; jets of order 0 */
     arb_ptr x;                              /* (dim,): midpoint or hull of the set */
     arb_ptr V;                              /* (dim, dim, order + 1): Taylor coefficients of the derivative over the set */
-    arb_ptr inverse;                        /* (order + 1,): 1/k at k > 0 */
     mag_ptr W, A;                           /* the same shape: bounds of them, and of those of Df, over the rough enclosure */
+    arb_ptr inverse;                        /* (order + 1,): 1/k at k > 0 */
     arb_mat_t image, slope, derivative, rest;
     jlt_step_watch *watch;
 };
