@@ -2,8 +2,8 @@
  *
  *  The state's rough enclosure Y and remainder c_K(Y) h^K are those of rough.h. For the derivative, V' = Df V, V(0) = 1: with A
  *  the matrix of bounds of |Df(Y)|, |V - 1| <= e^(A h) - 1 holds entry by entry, since the Picard series of V is majorized by that
- *  of e^(A h). So |V| <= e^(A h), and the remainder is at most W_K e^(A h) h^K: W_K bounds the Taylor coefficient of order K over Y,
- *  and is computed from bounds of the coefficients of Df(Y).
+ *  of e^(A h). So |V| <= e^(A h), and the remainder is at most W_K e^(A h) h^K: W_K bounds the Taylor coefficient of order K over
+ *  Y, and is computed from bounds of the coefficients of Df(Y).
  *
  *  The integral of the divergence is one more state. The conditions of the model are bounded from below over the whole step, piece
  *  by piece, and those of its domain are proved to be positive. */
