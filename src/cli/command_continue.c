@@ -304,7 +304,7 @@ static void tell_half(const jlt_grid_axis *axis, double value, int direction)
 static jlt_exit run_all(table *to, jlt_motion_family *family, const jlt_grid_axis *axis, const jlt_continuation_point *first,
                         const options *o, const jlt_system *system)
 {
-    const jlt_family maps = { jlt_system_map_at, &family->systems };
+    const jlt_family maps = { jlt_system_map_at, &family->systems, jlt_system_map_near };
     const double range = axis->high - axis->low, largest = fmax(fabs(axis->low), fabs(axis->high));
     const jlt_continuation_options run = { .scale = fmin(4 * range, largest), .step = o->step,
                                            .step_max = 5 * o->step, .low = axis->low, .high = axis->high,

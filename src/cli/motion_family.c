@@ -17,12 +17,15 @@ jlt_status jlt_motion_family_make(jlt_motion_family *self, jlt_system **out)
     return st;
 }
 
-static jlt_status make_at(void *context, jlt_system **out, double value)
+static jlt_status make_at(void *context, jlt_system **out, double value, const jlt_system *near)
 {
     jlt_motion_family *self = context;
 
     *self->entries[0] = value;
-    return jlt_motion_family_make(self, out);
+    if (self->surface == NULL || near == NULL) return jlt_motion_family_make(self, out);
+    JLT_PASS(jlt_surface_system_near(out, near, self->values, &self->flow));
+    jlt_scale_copy(*out, near);
+    return JLT_OK;
 }
 
 jlt_exit jlt_motion_family_fail(const jlt_motion_family *self, jlt_status status, const char *option, const jlt_grid_axis *axes,

@@ -17,10 +17,12 @@
 
 #include "dynamics/periodic.h"
 
-/** The maps of a family: map_at gives the map for a parameter value; it stays valid until the next call. */
+/** The maps of a family: map_at gives the map for a parameter value; it stays valid until the next call. map_near does the same for
+ *  a value beside the last one of map_at, closer than 1e-5 of the option `scale`; NULL: map_at serves. */
 typedef struct {
     jlt_status (*map_at)(void *context, jlt_map **map, double value);
     void *context;
+    jlt_status (*map_near)(void *context, jlt_map **map, double value);
 } jlt_family;
 
 typedef enum {

@@ -15,28 +15,19 @@ static const double returns = 1e-8;   /* Largest residual of an orbit, relative 
 static const double steep = 1e6;      /* |DP| above which a residual that errors of the map may cause hides errors of the orbit, */
 static const double settled = 1e-8;   /* unless the last step was as small as this, scaled, and as errors of DP may make it */
 
-static jlt_status image_at(const jlt_continuation_runner *self, jlt_image *image, const double *u, bool with_slope)
+/* The image of q at value + *off, scaled; where that is outside the model's domain, at the value itself, and *off becomes 0. */
+static jlt_status image_beside(const jlt_continuation_runner *self, jlt_image *image, const double *q, double value, double *off)
 {
-    double q[JLT_CHART_DIM_MAX];
+    const jlt_family *family = self->family;
     jlt_map *map;
-
-    JLT_PASS(self->family->map_at(self->family->context, &map, u[self->d] * self->options.scale));
-    jlt_chart_unscaled(&self->chart, q, u);
-    return with_slope ? jlt_map_apply(map, image, q, self->period, 1) : jlt_map_point(map, image, q, self->period, 1);
-}
-
-/* The image with the value shifted by *off; where that is outside the model's domain, the image at u itself, and *off becomes 0. */
-static jlt_status image_beside(const jlt_continuation_runner *self, jlt_image *image, const double *u, double *off)
-{
-    double shifted[U];
     jlt_status st;
 
-    memcpy(shifted, u, sizeof *u * (self->d + 1));
-    shifted[self->d] += *off;
-    st = image_at(self, image, shifted, false);
+    st = (family->map_near != NULL ? family->map_near : family->map_at)(family->context, &map, (value + *off) * self->options.scale);
+    if (st == JLT_OK) st = jlt_map_point(map, image, q, self->period, 1);
     if (st != JLT_ERR_DOMAIN) return st;
     *off = 0;
-    return image_at(self, image, u, false);
+    JLT_PASS(family->map_at(family->context, &map, value * self->options.scale));
+    return jlt_map_point(map, image, q, self->period, 1);
 }
 
 double jlt_continuation_step_length(const jlt_continuation_runner *self, const double *u)
@@ -53,8 +44,11 @@ jlt_status jlt_continuation_step_evaluate(const jlt_continuation_runner *self, j
     const double range = (self->options.high - self->options.low) / self->options.scale, value = u[d] * self->options.scale;
     double difference[JLT_CHART_DIM_MAX], q[JLT_CHART_DIM_MAX];
     jlt_image image, above, below;
+    jlt_map *map;
 
-    JLT_PASS(image_at(self, &image, u, true));
+    JLT_PASS(self->family->map_at(self->family->context, &map, value));
+    jlt_chart_unscaled(&self->chart, q, u);
+    JLT_PASS(jlt_map_apply(map, &image, q, self->period, 1));
     jlt_chart_scaled_slope(&self->chart, out->slope, image.slope);
     out->scale = 1;
     for (unsigned i = 0; i < d * d; i++) out->scale = fmax(out->scale, fabs(out->slope[i]));
@@ -63,9 +57,8 @@ jlt_status jlt_continuation_step_evaluate(const jlt_continuation_runner *self, j
     if (fmin(value - self->options.low, self->options.high - value) < up * self->options.scale)
         up /= 100; /* the model may end there: a one-sided difference errs by `up` times the second derivative */
     double down = -up;
-    JLT_PASS(image_beside(self, &above, u, &up));
-    JLT_PASS(image_beside(self, &below, u, &down));
-    jlt_chart_unscaled(&self->chart, q, u);
+    JLT_PASS(image_beside(self, &above, q, u[d], &up));
+    JLT_PASS(image_beside(self, &below, q, u[d], &down));
     jlt_chart_difference(&self->chart, out->f, image.q, q);
     jlt_chart_scaled(&self->chart, out->f, out->f);
     jlt_chart_difference(&self->chart, difference, above.q, below.q);

@@ -260,7 +260,7 @@ static void set_chart(surface_system *self)
     if (self->surface.asked->family[0]->valid_count == 0) self->base.flow.observed = NULL; /* whatever the section's table says */
 }
 
-static jlt_status open_system(surface_system *self, const jlt_flow *options)
+static jlt_status open_system(surface_system *self, const jlt_system *near, const jlt_flow *options)
 {
     const jlt_section_chart *section = self->surface.section;
     const jlt_descriptor *descriptor;
@@ -271,16 +271,19 @@ static jlt_status open_system(surface_system *self, const jlt_flow *options)
     JLT_PASS(jlt_chart_section_init(&self->rows, self->surface.table, section, values));
     descriptor = jlt_descriptor_choose(self->surface.table, self->surface.table->time, NULL, values);
     JLT_PASS(jlt_system_bind(&self->base, descriptor, values, &(jlt_units){ 0 }, options));
-    if (!jlt_surface_units_named(section)) {
-        const jlt_units units = jlt_surface_units_of(&self->rows);
+    if (near != NULL || !jlt_surface_units_named(section)) {
+        const jlt_units units = near != NULL ? near->units : jlt_surface_units_of(&self->rows);
         JLT_PASS(jlt_system_count_in(&self->base, &units));
     }
     set_chart(self);
+    if (near != NULL) return JLT_OK;
     if (jlt_section_points_none(&self->rows)) return JLT_ERR_EMPTY;
     return jlt_surface_crossing_met(&self->base, &self->rows);
 }
 
-jlt_status jlt_surface_system(jlt_system **out, const jlt_surface *surface, const double *values, const jlt_flow *options)
+/* Make the system, for jlt_surface_system_near if `near` is not NULL. */
+static jlt_status make(jlt_system **out, const jlt_surface *surface, const jlt_system *near, const double *values,
+                       const jlt_flow *options)
 {
     surface_system *self = calloc(1, sizeof *self);
     jlt_status st = JLT_ERR_NOMEM;
@@ -294,12 +297,12 @@ jlt_status jlt_surface_system(jlt_system **out, const jlt_surface *surface, cons
     st = JLT_ERR_NONFINITE;
     for (unsigned i = 0; i < surface->count; i++)
         if (!isfinite(values[i])) goto done;
-    JLT_TRY(open_system(self, options));
-    if (!jlt_surface_crossing_ends_at_poles(&self->base, &self->rows)) {
+    JLT_TRY(open_system(self, near, options));
+    if (near == NULL && !jlt_surface_crossing_ends_at_poles(&self->base, &self->rows)) {
         jlt_surface plain = *surface; /* in the model's own time, in which orbits stop before the poles */
         plain.table = surface->table->family[0];
         plain.section = &plain.table->sections[surface->section - surface->table->sections];
-        st = jlt_surface_system(out, &plain, values, options);
+        st = make(out, &plain, NULL, values, options);
         goto done;
     }
     *out = &self->base;
@@ -307,6 +310,16 @@ jlt_status jlt_surface_system(jlt_system **out, const jlt_surface *surface, cons
 done:
     if (self != NULL) jlt_system_destroy(&self->base);
     return st;
+}
+
+jlt_status jlt_surface_system(jlt_system **out, const jlt_surface *surface, const double *values, const jlt_flow *options)
+{
+    return make(out, surface, NULL, values, options);
+}
+
+jlt_status jlt_surface_system_near(jlt_system **out, const jlt_system *near, const double *values, const jlt_flow *options)
+{
+    return make(out, near->surface, near, values, options);
 }
 
 jlt_status jlt_surface_count_in(jlt_system *system, const jlt_units *units)
@@ -330,12 +343,12 @@ jlt_status jlt_surface_family_init(jlt_surface_family *out, const jlt_descriptor
     return JLT_OK;
 }
 
-jlt_status jlt_surface_at(void *context, jlt_system **out, double value)
+jlt_status jlt_surface_at(void *context, jlt_system **out, double value, const jlt_system *near)
 {
     jlt_surface_family *self = context;
 
     self->values[self->runs] = value;
-    return jlt_surface_system(out, &self->surface, self->values, &self->options);
+    return make(out, near != NULL ? near->surface : &self->surface, near, self->values, &self->options);
 }
 
 bool jlt_surface_interval(const jlt_system *system, unsigned coordinate, double *low, double *high)

@@ -70,18 +70,25 @@ JLT_CHECKED jlt_status jlt_system_invariants(jlt_invariants *out, jlt_system *se
 void jlt_system_destroy(jlt_system *self); /* NULL is legal */
 JLT_OWNED_TYPE(jlt_system)
 
-/** A family of systems in one value, with the system and the map of the value that was asked for last. Set `system` and `map`
- *  to NULL before use. */
+/** A system of a family, and its map; NULL: there is none. */
 typedef struct {
-    jlt_status (*make)(void *context, jlt_system **out, double value); /* the family destroys *out */
-    void *context;
     double value;
     jlt_system *system;
     jlt_map *map;
+} jlt_system_member;
+
+/** A family of systems in one value, with those that were asked for last. Set the members to NULL before use. */
+typedef struct {
+    /* near: NULL, or the system of a value so near that what was found out about its section holds for *out, which the family
+     * destroys */
+    jlt_status (*make)(void *context, jlt_system **out, double value, const jlt_system *near);
+    void *context;
+    jlt_system_member at, near; /* of jlt_system_map_at, and of jlt_system_map_near */
 } jlt_system_family;
 
-/** map_at of jlt_family, with a jlt_system_family as context. Errors: those of `make` and of jlt_map_create. */
+/** map_at and map_near of jlt_family, with a jlt_system_family as context. Errors: those of `make` and of jlt_map_create. */
 JLT_CHECKED jlt_status jlt_system_map_at(void *family, jlt_map **map, double value);
+JLT_CHECKED jlt_status jlt_system_map_near(void *family, jlt_map **map, double value);
 void jlt_system_family_clear(jlt_system_family *self);
 
 #endif

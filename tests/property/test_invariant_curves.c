@@ -311,7 +311,7 @@ static void bifurcations_lie_where_multipliers_say(void **unused)
                             .name = "E",
                             .options = { .tolerance = 1e-13, .direction = JLT_RISING } };
     jlt_system_family family = { .make = jlt_system_top_at, .context = &tops };
-    const jlt_family maps = { jlt_system_map_at, &family };
+    const jlt_family maps = { jlt_system_map_at, &family, jlt_system_map_near };
     const jlt_continuation_options options = { .low = 1.7, .high = 2.2, .points_max = 200 };
     jlt_continuation_point start = { .value = 2.15 }, other;
     jlt_continuation_end end;

@@ -211,7 +211,7 @@ static void continuation_takes_its_options_as_they_are(void **unused)
     static jlt_continuation_point first = { .value = 2.15 };
     static jlt_surface_family top;
     jlt_system_family systems = { .make = jlt_surface_at, .context = &top };
-    const jlt_family family = { jlt_system_map_at, &systems };
+    const jlt_family family = { jlt_system_map_at, &systems, jlt_system_map_near };
     jlt_continuation_end end;
     jlt_map *map;
     size_t count = 0;

@@ -53,11 +53,12 @@ const jlt_chart_top *jlt_system_top_chart(const jlt_system *self)
     return &chart;
 }
 
-jlt_status jlt_system_top_at(void *context, jlt_system **out, double value)
+jlt_status jlt_system_top_at(void *context, jlt_system **out, double value, const jlt_system *near)
 {
     jlt_top_family *self = context;
     double *entry = jlt_system_top_value(&self->values, self->name);
 
+    (void)near;
     *out = NULL;
     if (entry == NULL) return JLT_ERR_ARG;
     *entry = value;

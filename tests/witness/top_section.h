@@ -32,6 +32,6 @@ typedef struct {
     jlt_flow options;
 } jlt_top_family;
 
-JLT_CHECKED jlt_status jlt_system_top_at(void *top_family, jlt_system **out, double value);
+JLT_CHECKED jlt_status jlt_system_top_at(void *top_family, jlt_system **out, double value, const jlt_system *near);
 
 #endif

@@ -92,7 +92,7 @@ static void follow(trial *t, const jlt_periodic *orbit, const jlt_flow *flow)
     jlt_continuation_end end;
 
     if (scale > 0)
-        (void)!jlt_continuation_run(&end, &(jlt_family){ jlt_system_map_at, &maps }, &start, 1, &options, take, &to);
+        (void)!jlt_continuation_run(&end, &(jlt_family){ jlt_system_map_at, &maps, jlt_system_map_near }, &start, 1, &options, take, &to);
     jlt_system_family_clear(&maps);
 }
 
