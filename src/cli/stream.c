@@ -41,7 +41,8 @@ static jlt_status open_rows(jlt_stream *self)
     const jlt_status st = jlt_npy_create(&self->array, &self->place);
     if (st == JLT_OK) self->file = fopencookie(self, "w", (cookie_io_functions_t){ .write = take });
     if (self->file == NULL) return st != JLT_OK ? st : JLT_ERR_NOMEM;
-    return setvbuf(self->file, NULL, _IOFBF, BUFFER) == 0 ? JLT_OK : JLT_ERR_NOMEM;
+    self->buffer = malloc(BUFFER);
+    return self->buffer != NULL && setvbuf(self->file, self->buffer, _IOFBF, BUFFER) == 0 ? JLT_OK : JLT_ERR_NOMEM;
 }
 
 bool jlt_stream_is_array(const char *path)
@@ -133,6 +134,7 @@ void jlt_stream_discard(jlt_stream *self)
         self->array = NULL;
         fclose(self->file);
     }
+    free(self->buffer);
     jlt_interrupt_forget(&self->place);
     jlt_file_end(&self->place);
     jlt_interrupt_release();

@@ -11,6 +11,7 @@
 typedef struct {
     FILE *file;     /* callers write CSV here, also for an array */
     jlt_npy *array; /* NULL: the file is text */
+    char *buffer;   /* of `file`, for an array */
     int reason;     /* errno of the first failure to write the array; 0: none */
     jlt_file place; /* all zeros for standard output */
     const char *path;

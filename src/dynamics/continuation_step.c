@@ -22,7 +22,8 @@ static jlt_status image_beside(const jlt_continuation_runner *self, jlt_image *i
     jlt_map *map;
     jlt_status st;
 
-    st = (family->map_near != NULL ? family->map_near : family->map_at)(family->context, &map, (value + *off) * self->options.scale);
+    st = (family->map_near != NULL ? family->map_near : family->map_at)(family->context, &map,
+                                                                        (value + *off) * self->options.scale);
     if (st == JLT_OK) st = jlt_map_point(map, image, q, self->period, 1);
     if (st != JLT_ERR_DOMAIN) return st;
     *off = 0;

@@ -358,32 +358,6 @@ bool jlt_surface_interval(const jlt_system *system, unsigned coordinate, double 
 
 const jlt_chart_section *jlt_surface_chart(const jlt_system *system) { return &of(system)->rows; }
 
-bool jlt_surface_nearest_level(const jlt_surface *surface, const double *values, double *level)
-{
-    enum { HALVINGS = 60 };
-    const double given = values[surface->params];
-    double arranged[JLT_CHART_VALUES_MAX], size = fmax(1e-3, fabs(given)), empty = given, full = NAN;
-    jlt_chart_section chart;
-
-    jlt_surface_arrange(arranged, surface, values);
-    if (surface->count == surface->params || jlt_chart_section_init(&chart, surface->table, surface->section, arranged) != JLT_OK)
-        return false;
-    double *entry = &chart.values[surface->entries[surface->params]];
-    for (int i = 0; i < 64 && isnan(full); i++) {
-        *entry = given + (i % 2 == 0 ? size : -size);
-        if (jlt_section_points_any(&chart)) full = *entry;
-        if (i % 2 == 1) size *= 2;
-    }
-    if (isnan(full)) return false;
-    for (int i = 0; i < HALVINGS; i++) {
-        *entry = empty + (full - empty) / 2;
-        if (jlt_section_points_any(&chart)) full = *entry;
-        else empty = *entry;
-    }
-    *level = full;
-    return true;
-}
-
 /* ---- what is shown ---- */
 
 static void show(double *out, unsigned count, const jlt_system *system, jlt_kernel_function values, const double *x)

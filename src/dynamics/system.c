@@ -346,7 +346,8 @@ static void clear(jlt_system_member *self)
 }
 
 /* Set the member to the system and the map of a value, unless it has them. */
-static jlt_status find(jlt_system_member *self, jlt_map **map, const jlt_system_family *family, double value, const jlt_system *near)
+static jlt_status find(jlt_system_member *self, jlt_map **map, const jlt_system_family *family, double value,
+                       const jlt_system *near)
 {
     jlt_status st = JLT_OK;
 

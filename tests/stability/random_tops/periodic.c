@@ -89,10 +89,10 @@ static void follow(trial *t, const jlt_periodic *orbit, const jlt_flow *flow)
     };
     const jlt_continuation_point start = { .value = value, .orbit = *orbit };
     follower to = { t, &tops, POINTS };
+    const jlt_family runs = { jlt_system_map_at, &maps, jlt_system_map_near };
     jlt_continuation_end end;
 
-    if (scale > 0)
-        (void)!jlt_continuation_run(&end, &(jlt_family){ jlt_system_map_at, &maps, jlt_system_map_near }, &start, 1, &options, take, &to);
+    if (scale > 0) (void)!jlt_continuation_run(&end, &runs, &start, 1, &options, take, &to);
     jlt_system_family_clear(&maps);
 }
 
