@@ -1,7 +1,7 @@
 /** Vectors of JLT_LANES doubles, for code that is compiled once for each instruction set. Edited in codegen/runtime/; ttc writes
  *  copies.
  *
- *  The includer defines JLT_LANES as 2, 4 or 8 first. Arithmetic is the compilers' own on vector types, lane by lane as in
+ *  The includer defines JLT_LANES as 1, 2, 4 or 8 first. Arithmetic is the compilers' own on vector types, lane by lane as in
  *  scalar code; only the fused multiply-add and the square root need the instruction set's own names. Without FMA in the
  *  target a*b + c is rounded twice, as the scalar kernels do there. */
 #ifndef JLT_LANES_H

@@ -6,6 +6,9 @@
 
 #include "integrate/step_control.h"
 
+#define JLT_LANES 1
+#include "integrate/invariant_step.inc"
+
 enum { COUNT = JLT_INVARIANTS_MAX };
 
 void jlt_invariant_begin(jlt_invariant_watch *self, const jlt_invariants *of, const double *x)
@@ -14,45 +17,17 @@ void jlt_invariant_begin(jlt_invariant_watch *self, const jlt_invariants *of, co
     if (of->count > 0) of->values(x, of->p, self->level);
 }
 
-/* Solve the symmetric positive system in place by Gaussian elimination. Rows that depend on those before, to 1e-12, get zeros. */
-static void solve(double a[COUNT][COUNT], double *b, unsigned n)
-{
-    double inverse[COUNT], whole[COUNT];
-
-    for (unsigned k = 0; k < n; k++) whole[k] = a[k][k];
-    for (unsigned k = 0; k < n; k++) {
-        inverse[k] = a[k][k] > 1e-12 * whole[k] ? 1 / a[k][k] : 0;
-        for (unsigned i = k + 1; i < n; i++) {
-            const double factor = a[i][k] * inverse[k];
-            for (unsigned j = k; j < n; j++) a[i][j] -= factor * a[k][j];
-            b[i] -= factor * b[k];
-        }
-    }
-    for (unsigned k = n; k-- > 0;) {
-        for (unsigned j = k + 1; j < n; j++) b[k] -= a[k][j] * b[j];
-        b[k] *= inverse[k];
-    }
-}
-
 /* Make one Gauss-Newton step on x. */
 static void approach(double *x, const jlt_invariants *of, const double *level, const double *size, unsigned dim)
 {
-    const unsigned n = of->count;
-    double gradient[COUNT * JLT_FIELD_DIM_MAX], gram[COUNT][COUNT], off[COUNT];
+    double gradient[COUNT * JLT_FIELD_DIM_MAX], values[COUNT];
+    jlt_lanes off[COUNT], weight[JLT_FIELD_DIM_MAX];
 
     of->gradients(x, of->p, gradient);
-    of->values(x, of->p, off);
-    for (unsigned i = 0; i < n; i++) {
-        off[i] -= level[i];
-        for (unsigned j = 0; j < n; j++) {
-            gram[i][j] = 0;
-            for (unsigned k = 0; k < dim; k++)
-                gram[i][j] += gradient[i * dim + k] * size[k] * size[k] * gradient[j * dim + k];
-        }
-    }
-    solve(gram, off, n);
-    for (unsigned k = 0; k < dim; k++)
-        for (unsigned i = 0; i < n; i++) x[k] -= size[k] * size[k] * gradient[i * dim + k] * off[i];
+    of->values(x, of->p, values);
+    for (unsigned i = 0; i < of->count; i++) off[i] = jlt_lanes_of(values[i] - level[i]);
+    for (unsigned k = 0; k < dim; k++) weight[k] = jlt_lanes_of(size[k] * size[k]);
+    step_to_levels(x, gradient, off, weight, dim, of->count);
 }
 
 void jlt_invariant_restore(double *x, const jlt_invariants *of, const double *level, const double *size, unsigned dim)
