@@ -7,6 +7,7 @@
 
 #include "cli/grid.h"
 #include "ext/number.h"
+#include "report/letters.h"
 
 enum { SIZE = 1200, FONT, XRANGE, YRANGE, TITLE, STYLE, AXES };
 
@@ -121,7 +122,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case XRANGE:
     case YRANGE: parse_range(look, key == YRANGE, value, state); break;
     case TITLE:
-        if (!jlt_look_text_fits(value))
+        if (!jlt_letters_fit(value))
             argp_error(state, "--title: this is no text in UTF-8, or there are control characters in it");
         look->title = value;
         break;

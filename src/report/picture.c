@@ -1,5 +1,7 @@
 #include "report/picture.h"
 
+#include "report/file.h"
+
 #include <errno.h>
 #include <fcntl.h>
 #include <stdio.h>
@@ -34,20 +36,24 @@ static const struct format {
     const char *extension;
     void (*terminal)(FILE *stream, const jlt_look *look);
     bool has_fonts;
-} formats[] = { { ".svg", svg, false }, { ".png", png, true }, { ".pdf", pdf, true } };
+} formats[] = { { ".svg", svg, false }, { ".png", png, true }, { ".pdf", pdf, true }, { ".eps", NULL, true },
+                { ".ps", NULL, true },  { ".jpg", NULL, true }, { ".jpeg", NULL, true }, { ".gif", NULL, true } };
 
 static const struct format *format_of(const char *path)
 {
-    const char *dot = strrchr(path, '.');
-
-    for (size_t i = 0; dot != NULL && i < sizeof formats / sizeof *formats; i++)
-        if (strcmp(dot, formats[i].extension) == 0) return &formats[i];
+    for (size_t i = 0; i < sizeof formats / sizeof *formats; i++)
+        if (jlt_file_ends(path, formats[i].extension)) return &formats[i];
     return NULL;
+}
+
+bool jlt_picture_is_named(const char *path)
+{
+    return format_of(path) != NULL;
 }
 
 bool jlt_picture_known(const char *path)
 {
-    return format_of(path) != NULL;
+    return jlt_picture_is_named(path) && format_of(path)->terminal != NULL;
 }
 
 bool jlt_picture_has_fonts(const char *path)

@@ -156,7 +156,10 @@ refuse 5 "cannot read 'none': No such file" jellett bench section --reference no
 refuse 3 "is no such table" jellett bench section --reference /dev/null
 
 # Names that promise another kind of file.
-refuse 2 "'folder/out.png' would be text under a picture's name" jellett section --start "$point" -o folder/out.png
+for name in out.png out.PNG out.Pdf out.eps out.JPG; do
+    refuse 2 "'folder/$name' would be text under a picture's name" jellett section --start "$point" -o folder/$name
+done
+refuse 2 "'folder/out.DB' would be a database" jellett section --start "$point" -o folder/out.DB
 refuse 2 "a report is no table" jellett transfer --boxes 8x8 --json -o folder/out.npy
 
 # The file that cannot be written is the one that is named.
