@@ -154,6 +154,10 @@ refuse 3 "section: nothing goes by these names" jellett bench section --referenc
 refuse 3 "slope: nothing goes by these names" jellett bench slope --reference "$data/slopes_regular_51.csv" --method none
 refuse 5 "cannot read 'none': No such file" jellett bench section --reference none
 refuse 3 "is no such table" jellett bench section --reference /dev/null
+refuse 5 "cannot read 'folder': Is a directory" jellett check folder
+refuse 5 "cannot read 'none': No such file" jellett check none
+refuse 2 "there is no command 'sectoin' .did you mean 'section'" jellett help sectoin
+cmp <(jellett help section) <(jellett section --help) || fail "help COMMAND is not COMMAND --help"
 
 # Names that promise another kind of file.
 for name in out.png out.PNG out.Pdf out.eps out.JPG; do
