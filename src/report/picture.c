@@ -1,3 +1,4 @@
+#define _GNU_SOURCE /* memfd_create */
 #include "report/picture.h"
 
 #include "report/file.h"
@@ -7,6 +8,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -122,11 +124,21 @@ static jlt_status failure(FILE *words)
     return JLT_ERR_IO;
 }
 
-/* gnuplot reads the script from an unlinked temporary file, so that no pipe can block, and writes the picture to a pipe. The pipe
- * is closed before waiting for gnuplot, which then ends even if reading stopped early. */
+/* A file in memory, so that a full disk does not matter; NULL: memory is out. */
+static FILE *open_file(const char *name)
+{
+    const int descriptor = memfd_create(name, MFD_CLOEXEC);
+    FILE *file = descriptor >= 0 ? fdopen(descriptor, "w+") : NULL;
+
+    if (file == NULL && descriptor >= 0) close(descriptor);
+    return file;
+}
+
+/* gnuplot reads the script from a file, so that no pipe can block, and writes the picture to a pipe. The pipe is closed before
+ * waiting for gnuplot, which then ends even if reading stopped early. */
 jlt_status jlt_picture_draw(char **picture, size_t *size, const char *whole, size_t length)
 {
-    FILE *script = tmpfile(), *words = tmpfile();
+    FILE *script = open_file("script"), *words = open_file("words");
     int channel[2] = { -1, -1 }, status = 0;
     jlt_status st = JLT_ERR_IO;
     pid_t child;
