@@ -103,7 +103,10 @@ static error_t parse_files(int key, char *value, struct argp_state *state)
         if (!jlt_picture_known(value)) argp_error(state, "--plot: '%s' is no .svg, .png or .pdf", value);
         self->plot = value;
         return 0;
-    case KEEP: self->keep = value; return 0;
+    case KEEP:
+        if (jlt_picture_is_named(value)) argp_error(state, "--keep: '%s' would be a script under a picture's name", value);
+        self->keep = value;
+        return 0;
     default: return ARGP_ERR_UNKNOWN;
     }
 }

@@ -87,6 +87,7 @@ static void parse_range(jlt_look *look, int axis, const char *value, const struc
              || jlt_grid_number(&look->high[axis], colon + 1, strlen(colon + 1), option) != JLT_EXIT_DONE)
         exit((int)JLT_EXIT_USAGE);
     else if (!(look->low[axis] < look->high[axis])) argp_error(state, "%s: '%s': LOW lies below HIGH", option, value);
+    else if (!isfinite(look->high[axis] - look->low[axis])) argp_error(state, "%s: '%s' is too long for doubles", option, value);
 }
 
 static void parse_style(jlt_look *look, const char *value, const struct argp_state *state)

@@ -274,11 +274,11 @@ void jlt_look_palette(FILE *stream, const jlt_look *self, const char *label, jlt
     const jlt_ticks ticks = known ? jlt_ticks_choose(values, 6, false) : (jlt_ticks){ 0 };
 
     write_label(stream, "cb", label, ticks.power);
-    fputs(" offset 0.7,0\n", stream);
+    fputs(" offset 1.2,0\n", stream); /* gnuplot puts it so near that it touches labels of two letters */
     if (known) {
         jlt_ticks_write(stream, "cb", values, &ticks, true);
         /* set the margin: gnuplot leaves the same room for the colour box however long its tick labels are */
-        fprintf(stream, "set rmargin %.1f\n", 4.7 + 0.8 * ticks.letters);
+        fprintf(stream, "set rmargin %.1f\n", 5.2 + 0.8 * ticks.letters);
     }
     fputs(self->grey ? "set palette defined (0 '#202020', 1 '#d8d8d8')\n"
                      : "set palette defined (0 '#440154', 1 '#3b528b', 2 '#21918c', 3 '#5ec962', 4 '#fde725')\n",

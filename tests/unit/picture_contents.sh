@@ -79,6 +79,8 @@ jellett simulate ./parts.tt --start gamma3_end=1,A__b_omega2_=0 --until 1 --ever
 { grep -qF "xlabel 'A_{b,ω2}'" p.gp && grep -qF "ylabel 'γ_{3,end}'" p.gp; } || fail "an index of parts: $(grep label p.gp)"
 head -c 4 p.PNG | grep -qF PNG && head -c 6 rows.NPY | grep -qF NUMPY || fail "endings in capitals are other endings"
 
+"${base[@]}" --plot p.svg --keep - -o rows.csv > p.gp 2> log && gnuplot p.gp && [ ! -e ./- ] || fail "--keep -: $(cat log)"
+
 # No file in /tmp is needed to draw.
 shut() { unshare --mount bash -c 'mount -t tmpfs -o nr_inodes=1 none /tmp && cd /dev/fd/9 && exec "$@"' shut "$@" 9< .; }
 if shut true 2> log; then

@@ -163,6 +163,7 @@ cmp <(jellett help section) <(jellett section --help) || fail "help COMMAND is n
 for name in out.png out.PNG out.Pdf out.eps out.JPG; do
     refuse 2 "'folder/$name' would be text under a picture's name" jellett section --start "$point" -o folder/$name
 done
+refuse 2 "--keep: 'folder/p.PDF' would be a script under" jellett section --start "$point" --plot folder/p.svg --keep folder/p.PDF
 refuse 2 "'folder/out.DB' would be a database" jellett section --start "$point" -o folder/out.DB
 refuse 2 "a report is no table" jellett transfer --boxes 8x8 --json -o folder/out.npy
 
