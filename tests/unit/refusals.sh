@@ -157,7 +157,8 @@ refuse 3 "is no such table" jellett bench section --reference /dev/null
 refuse 5 "cannot read 'folder': Is a directory" jellett check folder
 refuse 5 "cannot read 'none': No such file" jellett check none
 refuse 2 "there is no command 'sectoin' .did you mean 'section'" jellett help sectoin
-cmp <(jellett help section) <(jellett section --help) || fail "help COMMAND is not COMMAND --help"
+cmp <(jellett help section) <(jellett section --help) && cmp <(ttc help prove) <(ttc prove --help) ||
+    fail "help COMMAND is not COMMAND --help"
 
 # Names that promise another kind of file.
 for name in out.png out.PNG out.Pdf out.eps out.JPG; do
