@@ -291,6 +291,10 @@ int main(int argc, char **argv)
     if (!ttc_output_standard()) return TTC_EXIT_IO;
     signal(SIGXFSZ, SIG_IGN); /* writing beyond the limit then fails, and is reported */
     ttc_exhaustion_handle(end_without_memory);
+    if (argc > 2 && strcmp(argv[1], "help") == 0) {
+        argv[1] = argv[2];
+        argv[2] = "--help";
+    }
     const char *word = argc > 1 ? argv[1] : "";
     if (strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0 || strcmp(word, "-?") == 0 || strcmp(word, "help") == 0) {
         print_help(stdout);

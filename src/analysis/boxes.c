@@ -19,7 +19,7 @@ jlt_status jlt_boxes_count(size_t *all, const jlt_boxes *b)
     for (unsigned k = 0; k < b->dim; k++) {
         const double width = b->high[k] - b->low[k];
         if (!(width > 0) || !isfinite(width) || b->count[k] == 0 || b->count[k] > JLT_BOXES_MAX / count) return JLT_ERR_ARG;
-        if (b->period[k] != 0 && width > b->period[k] * (1 + 1e-12)) return JLT_ERR_ARG;
+        if (b->period[k] != 0 && !(width <= b->period[k] * (1 + 1e-12) && isfinite(b->period[k]))) return JLT_ERR_ARG;
         count *= b->count[k];
     }
     *all = count;
@@ -76,7 +76,7 @@ size_t jlt_boxes_samples(const jlt_boxes *b, size_t strata)
 {
     size_t count = 1;
 
-    for (unsigned k = 0; k < b->dim; k++) count *= strata;
+    for (unsigned k = 0; k < b->dim; k++) count = strata == 0 ? 0 : count > SIZE_MAX / strata ? SIZE_MAX : count * strata;
     return count;
 }
 

@@ -23,7 +23,7 @@ typedef struct {
 } jlt_boxes;
 
 /** Compute the number of boxes. Errors: ARG, dim is 0 or above JLT_BOXES_DIM_MAX, an interval is empty, not finite or longer than
- *  its period, a count is 0, or there are more than JLT_BOXES_MAX boxes. */
+ *  its period, a period is not finite, a count is 0, or there are more than JLT_BOXES_MAX boxes. */
 JLT_CHECKED jlt_status jlt_boxes_count(size_t *all, const jlt_boxes *boxes);
 
 /** Find the box *index that contains the point q, shape (dim,). Returns false if none does. Angles are taken modulo their period.
@@ -34,7 +34,7 @@ bool jlt_boxes_find(const jlt_boxes *boxes, size_t *index, const double *q);
 void jlt_boxes_centre(const jlt_boxes *boxes, double *q, size_t index);
 double jlt_boxes_volume(const jlt_boxes *boxes);
 
-/** The number of points that jlt_boxes_sample makes: strata^dim. */
+/** The number of points that jlt_boxes_sample makes: strata^dim; SIZE_MAX if there are more. */
 size_t jlt_boxes_samples(const jlt_boxes *boxes, size_t strata);
 
 /** Stratified random points of a box: one in each of strata^dim equal cells. They depend on seed and index alone.

@@ -112,9 +112,11 @@ jlt_status jlt_charpoly_from_roots(double *coefficients, double *scale, const do
         }
     }
     for (size_t k = 0; k <= n; k++) {
-        coefficients[k] = ldexp(creal(c[k]), (int)k * exponent);
-        if (scale != NULL) scale[k] = ldexp(sizes[k], (int)k * exponent);
+        sizes[k] = ldexp(sizes[k], (int)k * exponent);
+        if (!isfinite(sizes[k])) return JLT_ERR_NONFINITE;
     }
+    for (size_t k = 0; k <= n; k++) coefficients[k] = ldexp(creal(c[k]), (int)k * exponent);
+    if (scale != NULL) memcpy(scale, sizes, (n + 1) * sizeof *scale);
     return JLT_OK;
 }
 

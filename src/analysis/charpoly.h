@@ -25,7 +25,7 @@ JLT_CHECKED jlt_status jlt_charpoly_faddeev_leverrier(double *coefficients, doub
  *  to rounding: the imaginary parts of the coefficients are dropped.
  *  Out: coefficients, shape (n + 1,), highest power first; scale, shape (n + 1,), or NULL: the same with all terms added in
  *  modulus, which are the coefficients of the polynomial with roots -|re + i im|.
- *  Errors: ARG, n > JLT_CHARPOLY_SIZE_MAX; NONFINITE, a root. */
+ *  Errors: ARG, n > JLT_CHARPOLY_SIZE_MAX; NONFINITE, a root, or a coefficient or its scale overflows. */
 JLT_CHECKED jlt_status jlt_charpoly_from_roots(double *coefficients, double *scale, const double *re, const double *im,
                                                size_t n);
 

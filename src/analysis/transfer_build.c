@@ -326,8 +326,10 @@ static jlt_status finish(jlt_transfer **out, builder *b, rows *r)
 
 static jlt_status allocate(builder *b)
 {
-    const size_t block = b->options->block > 0 ? b->options->block : BLOCK, points = block + b->samples, dim = b->boxes->dim;
+    const size_t block = b->options->block > 0 ? b->options->block : BLOCK, dim = b->boxes->dim, most = SIZE_MAX / dim;
 
+    if (b->samples > most || block > most - b->samples) return JLT_ERR_NOMEM;
+    const size_t points = block + b->samples;
     b->kept = jlt_memory_array(b->all, sizeof *b->kept);
     b->noise = calloc(b->options->noise_count, sizeof *b->noise);
     b->q = jlt_memory_array(points * dim, sizeof *b->q);

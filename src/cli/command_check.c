@@ -60,19 +60,19 @@ static void tell_other(const char *path, const json_t *certificate, const jlt_de
 static jlt_exit check(const char *path, const jlt_descriptor *own)
 {
     json_error_t error;
-    json_auto_t *certificate = json_load_file(path, JSON_REJECT_DUPLICATES, &error);
+    FILE *file = fopen(path, "r");
+    json_auto_t *certificate = file != NULL ? json_loadf(file, JSON_REJECT_DUPLICATES, &error) : NULL;
+    const bool is_read = file != NULL && ferror(file) == 0;
     jlt_certificate_report report;
     jlt_progress progress;
     jlt_step_watch watch;
-    FILE *file;
 
-    if (certificate == NULL) {
-        file = fopen(path, "r");
-        if (file == NULL) return jlt_command_fail(JLT_EXIT_IO, "cannot read '%s': %s", path, strerror(errno));
-        fclose(file);
+    if (!is_read) (void)jlt_command_fail(JLT_EXIT_IO, "cannot read '%s': %s", path, strerror(errno));
+    if (file != NULL) fclose(file);
+    if (!is_read) return JLT_EXIT_IO;
+    if (certificate == NULL)
         return jlt_command_fail(JLT_EXIT_INPUT, "%s:%d: %s (expected a certificate that 'jellett certify' wrote)", path, error.line,
                                 error.text);
-    }
     watch = jlt_certify_watch(&progress);
     jlt_certificate_check(&report, certificate, own, &watch);
     jlt_progress_end(&progress);

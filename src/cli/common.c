@@ -95,7 +95,7 @@ static error_t parse_files(int key, char *value, struct argp_state *state)
     case 'o':
         if (jlt_merged_is_database(value))
             argp_error(state, "--output: '%s' would be a database, which 'jellett merge' alone writes: name a .csv or .npy", value);
-        if (jlt_picture_known(value))
+        if (jlt_picture_is_named(value))
             argp_error(state, "--output: '%s' would be text under a picture's name; --plot draws one: name a .csv or .npy", value);
         self->output = value;
         return 0;
@@ -103,7 +103,10 @@ static error_t parse_files(int key, char *value, struct argp_state *state)
         if (!jlt_picture_known(value)) argp_error(state, "--plot: '%s' is no .svg, .png or .pdf", value);
         self->plot = value;
         return 0;
-    case KEEP: self->keep = value; return 0;
+    case KEEP:
+        if (jlt_picture_is_named(value)) argp_error(state, "--keep: '%s' would be a script under a picture's name", value);
+        self->keep = value;
+        return 0;
     default: return ARGP_ERR_UNKNOWN;
     }
 }

@@ -50,6 +50,10 @@ int main(int argc, char **argv)
         print_help(stderr);
         return JLT_EXIT_USAGE;
     }
+    if (argc > 2 && strcmp(argv[1], "help") == 0) {
+        argv[1] = argv[2];
+        argv[2] = "--help";
+    }
     if (is_one_of(argv[1], (const char *const[]){ "--help", "-h", "-?", "help", NULL })) {
         print_help(stdout);
         return JLT_EXIT_DONE;

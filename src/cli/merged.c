@@ -8,17 +8,13 @@
 
 bool jlt_merged_is_database(const char *path)
 {
-    const char *dot = jlt_command_is_standard_output(path) ? NULL : strrchr(path, '.');
-
-    return dot != NULL && (strcmp(dot, ".sqlite") == 0 || strcmp(dot, ".db") == 0);
+    return !jlt_command_is_standard_output(path) && (jlt_file_ends(path, ".sqlite") || jlt_file_ends(path, ".db"));
 }
 
 bool jlt_merged_known(const char *path)
 {
-    const char *dot = strrchr(path, '.');
-
     return jlt_command_is_standard_output(path) || jlt_stream_is_array(path) || jlt_merged_is_database(path)
-           || (dot != NULL && strcmp(dot, ".csv") == 0);
+           || jlt_file_ends(path, ".csv");
 }
 
 static jlt_exit database_failed(const jlt_merged *self, char *message)

@@ -234,7 +234,7 @@ static void write_panels(FILE *stream, const jlt_plot *self)
     fputc('\n', stream);
 }
 
-/* Make the whole script; names_output: with `set output`, for --keep. */
+/* Open and make the whole script; names_output: with `set output`, for --keep. */
 static jlt_status write_script(jlt_command_output *whole, const jlt_plot *self, bool names_output)
 {
     JLT_PASS(jlt_command_open(whole));
@@ -251,7 +251,7 @@ static jlt_status write_script(jlt_command_output *whole, const jlt_plot *self, 
     }
     fwrite(self->script.text, 1, self->script.size, whole->stream);
     if (self->rows > 0) fputs("unset multiplot\n", whole->stream);
-    return jlt_command_close(whole);
+    return JLT_OK;
 }
 
 static void warn_of_letters(const jlt_plot *self)
@@ -279,9 +279,10 @@ jlt_exit jlt_plot_draw(jlt_plot *self)
     else shorten_title(self);
     if (st == JLT_OK && common->keep != NULL) {
         st = write_script(&kept, self, true);
-        if (st == JLT_OK) code = jlt_command_write(common->keep, kept.text, kept.size);
+        if (st == JLT_OK) code = jlt_command_deliver(&kept, common->keep);
     }
     if (st == JLT_OK && code == JLT_EXIT_DONE) st = write_script(&whole, self, false);
+    if (st == JLT_OK && code == JLT_EXIT_DONE) st = jlt_command_close(&whole);
     if (st == JLT_OK && code == JLT_EXIT_DONE) st = jlt_picture_draw(&picture, &size, whole.text, whole.size);
     if (st == JLT_ERR_UNSUPPORTED)
         code = jlt_command_fail(JLT_EXIT_IO, "--plot: no gnuplot to be found: install gnuplot to draw pictures");

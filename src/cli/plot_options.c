@@ -7,6 +7,7 @@
 
 #include "cli/grid.h"
 #include "ext/number.h"
+#include "report/letters.h"
 
 enum { SIZE = 1200, FONT, XRANGE, YRANGE, TITLE, STYLE, AXES };
 
@@ -86,6 +87,7 @@ static void parse_range(jlt_look *look, int axis, const char *value, const struc
              || jlt_grid_number(&look->high[axis], colon + 1, strlen(colon + 1), option) != JLT_EXIT_DONE)
         exit((int)JLT_EXIT_USAGE);
     else if (!(look->low[axis] < look->high[axis])) argp_error(state, "%s: '%s': LOW lies below HIGH", option, value);
+    else if (!isfinite(look->high[axis] - look->low[axis])) argp_error(state, "%s: '%s' is too long for doubles", option, value);
 }
 
 static void parse_style(jlt_look *look, const char *value, const struct argp_state *state)
@@ -121,7 +123,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case XRANGE:
     case YRANGE: parse_range(look, key == YRANGE, value, state); break;
     case TITLE:
-        if (!jlt_look_text_fits(value))
+        if (!jlt_letters_fit(value))
             argp_error(state, "--title: this is no text in UTF-8, or there are control characters in it");
         look->title = value;
         break;

@@ -47,9 +47,7 @@ static jlt_status open_rows(jlt_stream *self)
 
 bool jlt_stream_is_array(const char *path)
 {
-    const char *dot = jlt_command_is_standard_output(path) ? NULL : strrchr(path, '.');
-
-    return dot != NULL && strcmp(dot, ".npy") == 0;
+    return !jlt_command_is_standard_output(path) && jlt_file_ends(path, ".npy");
 }
 
 jlt_exit jlt_stream_open(jlt_stream *self, const char *path)

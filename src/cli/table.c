@@ -52,7 +52,7 @@ static _Noreturn void run_ttc(const char *table, bool lanes, int output, int err
     _exit(127);
 }
 
-/* Read the child's output to its end, and keep the first line, without its newline. */
+/* Read the child's output to its end: one line, which is kept without its last newline, as folders may have newlines in names. */
 static void read_line(char *line, size_t size, int from)
 {
     size_t used = 0;
@@ -63,8 +63,8 @@ static void read_line(char *line, size_t size, int from)
         if (got < 0 && errno != EINTR) break;
         if (got > 0) used += (size_t)got;
     }
+    if (used > 0 && line[used - 1] == '\n') used--;
     line[used] = '\0';
-    line[strcspn(line, "\n")] = '\0';
 }
 
 /* Pass on everything that the child writes to standard error. Returns whether it wrote anything. */

@@ -71,6 +71,8 @@ jlt_status jlt_chart_plane(jlt_chart *out, unsigned states, unsigned column, dou
     unsigned i, k;
 
     if (states < 2 || states > JLT_CHART_STATES_MAX || column >= states || !isfinite(level)) return JLT_ERR_ARG;
+    for (i = 0; signs != NULL && i < states; i++)
+        if (signs[i] != 1 && signs[i] != -1) return JLT_ERR_ARG;
     memset(out, 0, sizeof *out);
     out->dim = states - 1;
     out->states = states;

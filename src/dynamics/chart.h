@@ -61,7 +61,7 @@ struct jlt_chart {
 /** The chart of a plain section x[column] = level: q are the other states, in order. signs, shape (states,), +1 or -1, when
  *  the model has the reversor x -> signs * x; NULL: none. It is used when the section contains the reversor's fixed points
  *  (signs[column] = -1, and jlt_chart_is_mirrored). names: shape (states,), kept by reference.
- *  Errors: ARG, states outside 2 .. JLT_CHART_STATES_MAX, column >= states, or a level that is not finite. */
+ *  Errors: ARG, states outside 2 .. JLT_CHART_STATES_MAX, column >= states, a level that is not finite, or a sign that is none. */
 JLT_CHECKED jlt_status jlt_chart_plane(jlt_chart *out, unsigned states, unsigned column, double level,
                                        const char *const *names, const int *signs);
 

@@ -49,8 +49,9 @@ typedef struct {
 /** Search, and add what is found to the list, which is then sorted; on a section with a reversor mirror images of asymmetric
  *  orbits are added too, each measured by itself. Starts from which nothing is found are passed over. On an error the list
  *  holds what was found until then.
- *  Errors: ARG, period_max is out of its range, near is negative, or the grid has no starts or no finite ends; NOMEM;
- *  NO_CONVERGENCE when interrupted (flow.interrupt); of the lines as jlt_symmetric_search, of the grid as jlt_section_batch_run. */
+ *  Errors: ARG, period_max is out of its range, near is negative, or the grid has no starts, more than can be counted, or no finite
+ *  ends; NOMEM; NO_CONVERGENCE when interrupted (flow.interrupt); of the lines as jlt_symmetric_search, of the grid as
+ *  jlt_section_batch_run. */
 JLT_CHECKED jlt_status jlt_orbits_search(jlt_orbits *self, jlt_map *map, const jlt_orbits_options *options);
 
 #endif

@@ -278,10 +278,15 @@ static void collect_progress(void *context, const char *what, size_t done, size_
 
 static bool allows(const jlt_orbits_options *options, unsigned dim)
 {
+    size_t all = 1;
+
     if (options == NULL || options->period_max == 0 || options->period_max > JLT_PERIODIC_MAX) return false;
-    if (!(options->near >= 0)) return false;
-    for (unsigned k = 0; options->counts[0] > 0 && k < dim; k++)
+    if (!(options->near >= 0) || options->settle > SIZE_MAX - options->period_max) return false;
+    for (unsigned k = 0; options->counts[0] > 0 && k < dim; k++) {
         if (options->counts[k] == 0 || !isfinite(options->low[k]) || !isfinite(options->high[k])) return false;
+        if (options->counts[k] > SIZE_MAX / all) return false;
+        all *= options->counts[k];
+    }
     return true;
 }
 

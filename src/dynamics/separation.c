@@ -45,7 +45,7 @@ static unsigned row_of(size_t n)
 {
     unsigned row = 0;
 
-    while (((size_t)1 << row) < n) row++;
+    while (row < ROWS && ((size_t)1 << row) < n) row++;
     return row;
 }
 
@@ -174,23 +174,30 @@ static void count_row(jlt_separation *out, const cells *self, unsigned row)
     out->mirror_overlap = (double)both / (double)(images + out->backward - both);
 }
 
+/* Whether there are cells and returns, few enough to be counted, and the cells have a size. */
+static bool allows(const jlt_separation_options *o)
+{
+    for (unsigned k = 0; k < 2; k++)
+        if (o->cells[k] == 0 || !(o->low[k] < o->high[k]) || !isfinite(o->high[k] - o->low[k])) return false;
+    if (o->cells[0] > SIZE_MAX / o->cells[1] || o->returns == 0 || row_of(o->returns) >= ROWS) return false;
+    return o->settle <= SIZE_MAX - o->returns;
+}
+
 jlt_status jlt_separation_measure(jlt_separation *out, size_t *rows, const jlt_flow *flow, const double *starts,
                                   size_t count, const jlt_separation_options *options)
 {
     const size_t all = options->cells[0] * options->cells[1];
     cells self = { .chart = flow->chart, .options = options };
-    unsigned row, last;
     jlt_status st = JLT_OK;
 
     *rows = 0;
-    if (flow->chart->dim != 2 || !flow->chart->reversible || all == 0 || options->returns == 0) return JLT_ERR_ARG;
-    last = row_of(options->returns);
-    if (last >= ROWS) return JLT_ERR_ARG;
+    if (flow->chart->dim != 2 || !flow->chart->reversible || !allows(options)) return JLT_ERR_ARG;
+    const unsigned last = row_of(options->returns);
     for (int set = 0; set < SETS; set++)
         if ((self.first[set] = calloc(all, 1)) == NULL) st = JLT_ERR_NOMEM;
     if (st != JLT_OK) goto done;
     JLT_TRY(follow_all(&self, flow, starts, count));
-    for (row = 0; row <= last; row++) {
+    for (unsigned row = 0; row <= last; row++) {
         out[row] = (jlt_separation){
             .returns = (size_t)1 << row, .alive_forward = self.alive[0], .alive_backward = self.alive[1], .strayed = self.strayed
         };

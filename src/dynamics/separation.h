@@ -35,7 +35,8 @@ typedef struct {
 /** Count the cells visited. Out: out, with room for 48 rows: one for each power of two of returns below options->returns, and one
  *  for options->returns; *rows, how many. In: starts, shape (count, 2); a start without a state is skipped, and an orbit that ends
  *  is counted up to its end.
- *  Errors: ARG, a section of other than two coordinates or without reversor, no cells, no returns or more than 2^47;
+ *  Errors: ARG, a section of other than two coordinates or without reversor, no cells or more than can be counted, a region that is
+ *  empty or not finite, no returns or more than 2^47;
  *  NO_CONVERGENCE (interrupted); as jlt_section_batch_run. */
 JLT_CHECKED jlt_status jlt_separation_measure(jlt_separation *out, size_t *rows, const jlt_flow *flow,
                                               const double *starts, size_t count,

@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 #include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
@@ -235,6 +236,13 @@ jlt_status jlt_file_reachable(const char *path)
     free(target);
     errno = reason;
     return st;
+}
+
+bool jlt_file_ends(const char *path, const char *ending)
+{
+    const size_t length = strlen(path), part = strlen(ending);
+
+    return length >= part && strcasecmp(path + length - part, ending) == 0;
 }
 
 static bool is_same(const struct stat *a, const struct stat *b)

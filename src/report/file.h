@@ -43,6 +43,9 @@ JLT_CHECKED jlt_status jlt_file_write(const char *path, const char *data, size_t
 /** Check, before long work, that jlt_file_begin could succeed for this path. Writes nothing. Errors: IO (errno says why), NOMEM. */
 JLT_CHECKED jlt_status jlt_file_reachable(const char *path);
 
+/** Whether a path ends in `ending`, such as ".npy", in small letters or capitals. */
+bool jlt_file_ends(const char *path, const char *ending);
+
 /** Whether two paths lead to the same regular file, existing or not: by symbolic or hard links, or by different names of its
  *  folder. Returns false when memory is out. */
 bool jlt_file_same(const char *path, const char *other);

@@ -30,31 +30,6 @@ bool jlt_look_font_fits(const char *name, size_t length)
     return length > 0;
 }
 
-/* The length in bytes of the UTF-8 character at the start of the text; 0: there is no valid one. */
-static size_t character(const char *text)
-{
-    const unsigned char *c = (const unsigned char *)text;
-    const size_t size = c[0] < 0x80                   ? 1
-                        : c[0] >= 0xc2 && c[0] < 0xe0 ? 2
-                        : c[0] >= 0xe0 && c[0] < 0xf0 ? 3
-                        : c[0] >= 0xf0 && c[0] < 0xf5 ? 4
-                                                      : 0;
-
-    for (size_t i = 1; i < size; i++)
-        if ((c[i] & 0xc0) != 0x80) return 0;
-    return size;
-}
-
-bool jlt_look_text_fits(const char *text)
-{
-    while (*text != '\0') {
-        const size_t size = character(text);
-        if (size == 0 || (size == 1 && iscntrl((unsigned char)*text) && *text != '\n')) return false;
-        text += size;
-    }
-    return true;
-}
-
 /* The scale of letters, marks and lines in a picture that is smaller than 8 x 6 cm, which they would cover otherwise. */
 static double reduction(const jlt_look *self)
 {
@@ -124,8 +99,8 @@ double jlt_look_breadth(const char *label)
 }
 
 /* How many bytes of a text to put on a line with this room, in units of the font size: up to a newline or its end, or to the last
- * blank that fits. A first word that does not fit ends after its last underscore that does, in markup one that is no mark; a word
- * without any stays whole. size: of its first letter. */
+ * blank that fits. A first word that does not fit ends after its last underscore that does, in markup one that is no mark, or after
+ * a comma inside an index; a word without any stays whole. size: of its first letter. */
 static size_t fitting(const char *text, double room, bool markup, double size)
 {
     size_t last = 0, joint = 0, i;
@@ -135,7 +110,7 @@ static size_t fitting(const char *text, double room, bool markup, double size)
         if (!markup || !is_mark(text, i)) room -= size * breadth(text[i]);
         else size = size_after(size, text[i]);
         if (room < 0 && last + joint > 0) return last > 0 ? last : joint;
-        if (text[i] == '_' && (!markup || !is_mark(text, i))) joint = i + 1;
+        if (text[i] == '_' ? !markup || !is_mark(text, i) : text[i] == ',' && size < 1) joint = i + 1;
     }
     return i;
 }
@@ -299,11 +274,11 @@ void jlt_look_palette(FILE *stream, const jlt_look *self, const char *label, jlt
     const jlt_ticks ticks = known ? jlt_ticks_choose(values, 6, false) : (jlt_ticks){ 0 };
 
     write_label(stream, "cb", label, ticks.power);
-    fputs(" offset 0.7,0\n", stream);
+    fputs(" offset 1.2,0\n", stream); /* gnuplot puts it so near that it touches labels of two letters */
     if (known) {
         jlt_ticks_write(stream, "cb", values, &ticks, true);
         /* set the margin: gnuplot leaves the same room for the colour box however long its tick labels are */
-        fprintf(stream, "set rmargin %.1f\n", 4.7 + 0.8 * ticks.letters);
+        fprintf(stream, "set rmargin %.1f\n", 5.2 + 0.8 * ticks.letters);
     }
     fputs(self->grey ? "set palette defined (0 '#202020', 1 '#d8d8d8')\n"
                      : "set palette defined (0 '#440154', 1 '#3b528b', 2 '#21918c', 3 '#5ec962', 4 '#fde725')\n",

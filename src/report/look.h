@@ -34,9 +34,6 @@ void jlt_look_default(jlt_look *self);
 /** Whether this can be a font's name, which is then safe inside quotes: letters, digits, blanks, '-', '.', ':', '+'. */
 bool jlt_look_font_fits(const char *name, size_t length);
 
-/** Whether this is valid UTF-8 with no control characters other than newlines. */
-bool jlt_look_text_fits(const char *text);
-
 /** The size of letters, in points. */
 double jlt_look_points(const jlt_look *self);
 

@@ -1,10 +1,14 @@
+#define _GNU_SOURCE /* memfd_create */
 #include "report/picture.h"
+
+#include "report/file.h"
 
 #include <errno.h>
 #include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -34,20 +38,24 @@ static const struct format {
     const char *extension;
     void (*terminal)(FILE *stream, const jlt_look *look);
     bool has_fonts;
-} formats[] = { { ".svg", svg, false }, { ".png", png, true }, { ".pdf", pdf, true } };
+} formats[] = { { ".svg", svg, false }, { ".png", png, true }, { ".pdf", pdf, true }, { ".eps", NULL, true },
+                { ".ps", NULL, true },  { ".jpg", NULL, true }, { ".jpeg", NULL, true }, { ".gif", NULL, true } };
 
 static const struct format *format_of(const char *path)
 {
-    const char *dot = strrchr(path, '.');
-
-    for (size_t i = 0; dot != NULL && i < sizeof formats / sizeof *formats; i++)
-        if (strcmp(dot, formats[i].extension) == 0) return &formats[i];
+    for (size_t i = 0; i < sizeof formats / sizeof *formats; i++)
+        if (jlt_file_ends(path, formats[i].extension)) return &formats[i];
     return NULL;
+}
+
+bool jlt_picture_is_named(const char *path)
+{
+    return format_of(path) != NULL;
 }
 
 bool jlt_picture_known(const char *path)
 {
-    return format_of(path) != NULL;
+    return jlt_picture_is_named(path) && format_of(path)->terminal != NULL;
 }
 
 bool jlt_picture_has_fonts(const char *path)
@@ -116,11 +124,21 @@ static jlt_status failure(FILE *words)
     return JLT_ERR_IO;
 }
 
-/* gnuplot reads the script from an unlinked temporary file, so that no pipe can block, and writes the picture to a pipe. The pipe
- * is closed before waiting for gnuplot, which then ends even if reading stopped early. */
+/* A file in memory, so that a full disk does not matter; NULL: memory is out. */
+static FILE *open_file(const char *name)
+{
+    const int descriptor = memfd_create(name, MFD_CLOEXEC);
+    FILE *file = descriptor >= 0 ? fdopen(descriptor, "w+") : NULL;
+
+    if (file == NULL && descriptor >= 0) close(descriptor);
+    return file;
+}
+
+/* gnuplot reads the script from a file, so that no pipe can block, and writes the picture to a pipe. The pipe is closed before
+ * waiting for gnuplot, which then ends even if reading stopped early. */
 jlt_status jlt_picture_draw(char **picture, size_t *size, const char *whole, size_t length)
 {
-    FILE *script = tmpfile(), *words = tmpfile();
+    FILE *script = open_file("script"), *words = open_file("words");
     int channel[2] = { -1, -1 }, status = 0;
     jlt_status st = JLT_ERR_IO;
     pid_t child;

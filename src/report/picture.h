@@ -5,7 +5,8 @@
 #include "core/status.h"
 #include "report/look.h"
 
-/* Whether the path's extension is one that jlt_picture_terminal knows: .svg, .png, .pdf. */
+/* Whether the path's ending is one of pictures, in capitals too; and whether jlt_picture_terminal knows it: .svg, .png, .pdf. */
+bool jlt_picture_is_named(const char *path);
 bool jlt_picture_known(const char *path);
 
 /* Whether such a picture is drawn in fonts of this machine: not so .svg, which leaves letters to who shows it. */

@@ -49,19 +49,31 @@ static bool write_part(FILE *stream, const char *name, size_t length)
     return length == 1;
 }
 
+/* How many characters of a part of a name stand before the digits at its end. */
+static size_t without_digits(const char *name, size_t length)
+{
+    while (length > 0 && isdigit((unsigned char)name[length - 1])) length--;
+    return length;
+}
+
 void jlt_symbol_write(FILE *stream, const char *name)
 {
-    const size_t stem = strcspn(name, "_");
-    size_t letters = stem;
-
-    while (letters > 0 && isdigit((unsigned char)name[letters - 1])) letters--;
+    const size_t stem = strcspn(name, "_"), letters = without_digits(name, stem);
     const bool is_letter = write_part(stream, name, letters);
-    const bool indexed = name[stem] == '_' && name[stem + 1] != '\0';
+    const char *part = name + stem + strspn(name + stem, "_"), *separator = is_letter && letters < stem ? "," : "";
+
     if (!is_letter) fwrite(name + letters, 1, stem - letters, stream);
-    if (!indexed && (!is_letter || letters == stem)) return;
+    if (*part == '\0' && *separator == '\0') return;
     fputs("_{", stream);
     if (is_letter) fwrite(name + letters, 1, stem - letters, stream);
-    if (indexed) (void)write_part(stream, name + stem + 1, strlen(name + stem + 1));
+    for (size_t length; *part != '\0'; part += length + strspn(part + length, "_")) {
+        length = strcspn(part, "_");
+        const size_t before = without_digits(part, length);
+        fputs(separator, stream);
+        (void)write_part(stream, part, before);
+        fwrite(part + before, 1, length - before, stream);
+        separator = ",";
+    }
     fputc('}', stream);
 }
 

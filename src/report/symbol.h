@@ -5,7 +5,8 @@
 #include <stdio.h>
 
 /** Write a name of a table in gnuplot's enhanced text: names of Greek letters as letters; what follows the first '_', and digits
- *  behind a single letter, as an index. Any other text is written as it stands. */
+ *  behind a single letter, as an index, whose parts commas separate: v_nu_2 has the index ν,2. Any other text is written as it
+ *  stands. */
 void jlt_symbol_write(FILE *stream, const char *name);
 
 /** Write a number as it is printed, to six digits: 0.51, −3×10^{−14}. */

@@ -51,6 +51,8 @@ done
 
 expect 'jellett sec' section
 expect 'jellett -' --help --version
+expect 'jellett help sec' section
+expect 'ttc help pr' prove
 expect 'ttc ' check prove show generate build cost discover
 expect 'ttc prove --ch' --challenge
 expect 'ttc show --format ' text latex dot

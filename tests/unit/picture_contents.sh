@@ -61,7 +61,7 @@ long=quantity_with_a_name_that_no_line_of_a_small_picture_holds
 printf '%s\n' 'model long' "state $long" "eq $long = 0" "integral squared = $long^2" > long.tt
 jellett simulate ./long.tt --start $long=1 --until 1 --every 1 --size 8x6cm --plot p.svg --keep p.gp -o rows.csv 2> log ||
     fail "a long name: $(cat log)"
-grep -qF "_}}'.\"\\n\".'{/*0.85 _{holds}=1; tier model" p.gp ||
+grep -qF ",}}'.\"\\n\".'{/*0.85 _{holds}=1; tier model" p.gp ||
     fail "a long name: $(grep '^set multiplot' p.gp)"
 # Drifts are drawn where one has a value, and those of less than 1e-17 are said to be.
 grep -q 'label .drift ≥ 10^{−17}' p.gp || fail "drifts of 0: $(grep label p.gp)"
@@ -71,6 +71,21 @@ jellett simulate ./long.tt --start $long=1e200 --until 1 --every 1 --plot p.svg 
 # A power of ten that counts stands beside its panel, where no title runs into it.
 jellett simulate ./long.tt --start $long=1e100 --until 1 --every 1 --plot p.svg --keep p.gp -o rows.csv 2> log
 grep -q 'label .*×10^{100}}. at graph 1,' p.gp || fail "the power of ten of a panel: $(grep label p.gp)"
+
+# An index has parts, each a letter or a word; an ending in capitals is the same ending.
+printf '%s\n' 'model parts' 'state gamma3_end' 'state A__b_omega2_' 'eq gamma3_end = 0' 'eq A__b_omega2_ = 1' > parts.tt
+jellett simulate ./parts.tt --start gamma3_end=1,A__b_omega2_=0 --until 1 --every 1 --axes A__b_omega2_,gamma3_end --plot p.PNG \
+    --keep p.gp -o rows.NPY 2> log || fail "an index of parts: $(cat log)"
+{ grep -qF "xlabel 'A_{b,ω2}'" p.gp && grep -qF "ylabel 'γ_{3,end}'" p.gp; } || fail "an index of parts: $(grep label p.gp)"
+head -c 4 p.PNG | grep -qF PNG && head -c 6 rows.NPY | grep -qF NUMPY || fail "endings in capitals are other endings"
+
+"${base[@]}" --plot p.svg --keep - -o rows.csv > p.gp 2> log && gnuplot p.gp && [ ! -e ./- ] || fail "--keep -: $(cat log)"
+
+# No file in /tmp is needed to draw.
+shut() { unshare --mount bash -c 'mount -t tmpfs -o nr_inodes=1 none /tmp && cd /dev/fd/9 && exec "$@"' shut "$@" 9< .; }
+if shut true 2> log; then
+    shut "${base[@]}" --plot p.svg -o /dev/null 2> log && [ ! -s log ] || fail "where /tmp is full: $(cat log)"
+else echo "skipped: no /tmp of its own may be mounted"; fi
 
 # Fixed points on M^2 are told from orbits in grey too.
 jellett portrait --set I1=2/5,I3=1/4 --start gamma3=0.5,v_nu=0.8,omega_tau=0,omega_n=0,omega3=0.9 --orbits 2 --until 1 \

@@ -336,9 +336,10 @@ refuse() { # WORDS OPTION...: status 2, the option named, and nothing written
 for value in 8 8x 8x6km 2x2 4.9x8 8x3.9 -8x6cm 1e9x1 nanx6 6cm x 8x6cmcm ''; do refuse --size "--size=$value"; done
 for value in "a'b" '$(HOME)' '' ,8 Arial,0 Arial,x Arial,8,9 'Arial"' $'Arial\n!touch stolen' Arial,1e9; do refuse \
     --font "--font=$value"; done
-for value in 1 1:1 2:1 :1 1: 1:nan a:b '1:2]; !touch stolen' ''; do refuse --xrange "--xrange=$value"; done
+for value in 1 1:1 2:1 :1 1: 1:nan a:b '1:2]; !touch stolen' -1e308:1e308 ''; do refuse --xrange "--xrange=$value"; done
 refuse --yrange --yrange=3:pi/2
-for value in $'a\tb' $'\xff' $'\xe2\x82'; do refuse --title "--title=$value"; done
+for value in $'a\tb' $'\xff' $'\xe2\x82' $'\xed\xa0\x80' $'\xe0\x80\x80' $'\xf4\x90\x80\x80' $'\xef\xbf\xbf' $'\xc2\x85'; do
+    refuse --title "--title=$value"; done
 for value in gray points points=0 points=x lines=1e9 grey,,dots nokey=1 greyish; do refuse --style "--style=$value"; done
 for value in x x,w x,y,z ,x 'x,'; do refuse --axes "--axes=$value"; done
 base=(jellett drift --returns 4 --method dop853) && refuse --yrange --yrange=-1:1 && refuse --xrange --xrange=0:1

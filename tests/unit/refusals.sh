@@ -154,9 +154,18 @@ refuse 3 "section: nothing goes by these names" jellett bench section --referenc
 refuse 3 "slope: nothing goes by these names" jellett bench slope --reference "$data/slopes_regular_51.csv" --method none
 refuse 5 "cannot read 'none': No such file" jellett bench section --reference none
 refuse 3 "is no such table" jellett bench section --reference /dev/null
+refuse 5 "cannot read 'folder': Is a directory" jellett check folder
+refuse 5 "cannot read 'none': No such file" jellett check none
+refuse 2 "there is no command 'sectoin' .did you mean 'section'" jellett help sectoin
+cmp <(jellett help section) <(jellett section --help) && cmp <(ttc help prove) <(ttc prove --help) ||
+    fail "help COMMAND is not COMMAND --help"
 
 # Names that promise another kind of file.
-refuse 2 "'folder/out.png' would be text under a picture's name" jellett section --start "$point" -o folder/out.png
+for name in out.png out.PNG out.Pdf out.eps out.JPG; do
+    refuse 2 "'folder/$name' would be text under a picture's name" jellett section --start "$point" -o folder/$name
+done
+refuse 2 "--keep: 'folder/p.PDF' would be a script under" jellett section --start "$point" --plot folder/p.svg --keep folder/p.PDF
+refuse 2 "'folder/out.DB' would be a database" jellett section --start "$point" -o folder/out.DB
 refuse 2 "a report is no table" jellett transfer --boxes 8x8 --json -o folder/out.npy
 
 # The file that cannot be written is the one that is named.

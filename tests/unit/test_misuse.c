@@ -2,11 +2,13 @@
  * numbers, NULL from another language. Oracle: the comments in the headers. */
 #include "unit/check.h"
 
+#include "analysis/charpoly.h"
 #include "analysis/density.h"
 #include "analysis/linearization.h"
 #include "dynamics/map_batch.h"
 #include "dynamics/orbits.h"
 #include "dynamics/section_batch.h"
+#include "dynamics/separation.h"
 #include "dynamics/surface.h"
 #include "integrate/orbit.h"
 #include "kernel/batch_isa.h"
@@ -237,6 +239,8 @@ static void a_search_has_starts(void **unused)
         { .period_max = 1, .counts = { 2, 2 }, .low = { NAN }, .high = { 1, 1 } },
         { .period_max = 1, .counts = { 2, 2 }, .high = { 1, INFINITY } },
         { .period_max = 1, .counts = { 2, 2 }, .high = { 1, 1 }, .near = -1 },
+        { .period_max = 1, .counts = { SIZE_MAX / 2, 3 }, .high = { 1, 1 } },
+        { .period_max = 1, .counts = { 2, 2 }, .high = { 1, 1 }, .settle = SIZE_MAX },
     };
     jlt_orbits found = { .count = 0 };
     jlt_system *system;
@@ -249,6 +253,47 @@ static void a_search_has_starts(void **unused)
     refused(jlt_orbits_search(&found, map, NULL));
     jlt_map_destroy(map);
     jlt_system_destroy(system);
+}
+
+/* The region of a separation is none, or its cells or returns are more than can be counted; and so are signs that are none. */
+static void cells_cover_a_region(void **unused)
+{
+    const jlt_separation_options right = { .low = { -1, -1 }, .high = { 1, 1 }, .cells = { 4, 4 }, .returns = 2 };
+    jlt_separation_options wrong[9];
+    jlt_separation rows[48];
+    const jlt_claim *broken;
+    jlt_surface surface;
+    jlt_system *system, *none;
+    size_t count;
+    (void)unused;
+
+    for (size_t i = 0; i < 9; i++) wrong[i] = right;
+    wrong[0].cells[0] = wrong[0].cells[1] = SIZE_MAX / 2;
+    wrong[1].cells[0] = wrong[1].cells[1] = (size_t)1 << 32;
+    wrong[2].low[0] = NAN;
+    wrong[3].low[1] = 1;
+    wrong[4].high[0] = -2;
+    wrong[5].high[1] = INFINITY;
+    wrong[6].returns = 0;
+    wrong[7].returns = SIZE_MAX;
+    wrong[8].settle = SIZE_MAX;
+    assert_ok(jlt_surface_find(&surface, &broken, jlt_descriptor_find("spherical_top", NULL, NULL, NULL), NULL, NULL));
+    assert_ok(jlt_surface_system(&system, &surface, surface.defaults, &(jlt_flow){ .direction = JLT_RISING }));
+    for (size_t i = 0; i < 9; i++)
+        refused(jlt_separation_measure(rows, &count, &system->flow, (const double[]){ 0.1, -0.6 }, 1, &wrong[i]));
+    assert_ok(jlt_separation_measure(rows, &count, &system->flow, (const double[]){ 0.1, -0.6 }, 1, &right));
+    jlt_system_destroy(system);
+    refused(jlt_system_plane(&none, lorenz(), lorenz_params, 2, 27, (const int[]){ -1, 0, 3 }, NULL));
+}
+
+static void polynomials_have_coefficients(void **unused)
+{
+    double coefficients[3] = { 7, 7, 7 };
+    (void)unused;
+
+    assert_int_equal(jlt_charpoly_from_roots(coefficients, NULL, (const double[]){ 1e200, 1e200 }, (const double[]){ 0, 0 }, 2),
+                     JLT_ERR_NONFINITE);
+    assert_near(coefficients[2], 7, 0);
 }
 
 static void a_density_is_along_a_state(void **unused)
@@ -314,6 +359,8 @@ int main(void)
         cmocka_unit_test(a_model_that_is_not_found_is_none),
         cmocka_unit_test(continuation_takes_its_options_as_they_are),
         cmocka_unit_test(a_search_has_starts),
+        cmocka_unit_test(cells_cover_a_region),
+        cmocka_unit_test(polynomials_have_coefficients),
         cmocka_unit_test(a_density_is_along_a_state),
         cmocka_unit_test(handles_take_null_and_names_once),
     };

@@ -28,6 +28,7 @@ static void what_cannot_be_done_is_refused(void **unused)
     static const volatile sig_atomic_t raised = 1;
     const line l = { .image = stay, .only_below = -1, .and_near = -1 }, whole = { .image = stay };
     const jlt_boxes boxes = { .dim = 1, .low = { 0 }, .high = { 1 }, .count = { 8 } };
+    jlt_boxes square = { .dim = 2, .high = { 1, 1 }, .count = { 2, 2 } };
     jlt_transfer_map map = { .context = (void *)&l, .losses = 2, .holds = line_holds, .images = line_images };
     jlt_transfer_options how = { .strata = 2, .noise = none, .noise_count = 1 };
     jlt_transfer *out;
@@ -43,6 +44,17 @@ static void what_cannot_be_done_is_refused(void **unused)
     assert_null(out);
     how.strata = 0;
     assert_int_equal(jlt_transfer_build(&out, &points, &boxes, &map, &how), JLT_ERR_ARG);
+    how.strata = SIZE_MAX;
+    assert_int_equal(jlt_transfer_build(&out, &points, &boxes, &map, &how), JLT_ERR_NOMEM);
+    how.strata = (size_t)1 << 32; /* squared, it is 0 modulo 2^64 */
+    assert_int_equal(jlt_transfer_build(&out, &points, &square, &map, &how), JLT_ERR_NOMEM);
+    how.strata = 2;
+    how.block = SIZE_MAX;
+    assert_int_equal(jlt_transfer_build(&out, &points, &boxes, &map, &how), JLT_ERR_NOMEM);
+    for (size_t k = 0; k < 2; k++) {
+        square.period[1] = k == 0 ? NAN : INFINITY;
+        assert_int_equal(jlt_boxes_count(&points, &square), JLT_ERR_ARG);
+    }
     out = make(&whole, 2, 2, 0);
     assert_int_equal(jlt_transfer_spectrum_compute(&s, out, 1, 1e-12, NULL), JLT_ERR_ARG);
     jlt_transfer_destroy(out);
