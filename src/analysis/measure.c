@@ -195,31 +195,16 @@ static bool rests(const jlt_measure_attempt *a, const jlt_instance *instance, co
     return true;
 }
 
-jlt_status jlt_measure_try(jlt_measure_attempt *attempt, const jlt_instance *instance, size_t count, jlt_random *random)
+/* Tabulate the density along attempt->along, and compare it with the table's. Without an error, attempt->points stays NULL where
+ * it is no smooth positive density. */
+static jlt_status try_along(jlt_measure_attempt *attempt, const jlt_instance *instance, jlt_random *random)
 {
     const jlt_descriptor *d = instance->descriptor;
     double x[STATES_MAX];
-    jlt_status st = JLT_OK;
 
-    *attempt = (jlt_measure_attempt){ .defect = INFINITY, .turn = 1.0, .count = count };
-    if (d->state_count > STATES_MAX) return JLT_ERR_UNSUPPORTED;
-    for (size_t i = 0; i < d->state_count; i++) {
-        double defect;
-        st = jlt_density_defect(&defect, instance, i, random);
-        if (st != JLT_OK && st != JLT_ERR_NO_CONVERGENCE) return st;
-        attempt->defects[i] = st == JLT_OK ? defect : NAN;
-        if (st == JLT_OK && defect < attempt->defect) {
-            attempt->along = i;
-            attempt->defect = defect;
-        }
-    }
-    if (!isfinite(attempt->defect)) return JLT_ERR_NO_CONVERGENCE;
-    st = JLT_OK;
-    attempt->found = attempt->defect <= JLT_DENSITY_TOLERANCE;
-    if (!attempt->found) return JLT_OK;
-    attempt->points = jlt_memory_array(count, sizeof *attempt->points);
+    attempt->points = jlt_memory_array(attempt->count, sizeof *attempt->points);
     if (attempt->points == NULL) return JLT_ERR_NOMEM;
-    st = tabulate(attempt, instance, random, x);
+    jlt_status st = tabulate(attempt, instance, random, x);
     if (st == JLT_ERR_NO_PROGRESS) return JLT_ERR_NO_CONVERGENCE;
     if (st == JLT_ERR_NOMEM) return st;
     attempt->singular = st != JLT_OK && rate_vanishes(attempt, instance, x);
@@ -235,6 +220,60 @@ jlt_status jlt_measure_try(jlt_measure_attempt *attempt, const jlt_instance *ins
         free(attempt->closed);
         attempt->closed = NULL;
         attempt->closed_form = NULL;
+    }
+    return st;
+}
+
+/* The state of least defect at rounding level that is not yet tried; `count` if there is none. */
+static size_t next_state(const double *defects, const bool *tried, size_t count)
+{
+    size_t least = count;
+
+    for (size_t i = 0; i < count; i++)
+        if (!tried[i] && defects[i] <= JLT_DENSITY_TOLERANCE && (least == count || defects[i] < defects[least])) least = i;
+    return least;
+}
+
+static jlt_status measure_defects(jlt_measure_attempt *attempt, const jlt_instance *instance, jlt_random *random)
+{
+    for (size_t i = 0; i < instance->descriptor->state_count; i++) {
+        double defect;
+        const jlt_status st = jlt_density_defect(&defect, instance, i, random);
+        if (st != JLT_OK && st != JLT_ERR_NO_CONVERGENCE) return st;
+        attempt->defects[i] = st == JLT_OK ? defect : NAN;
+        if (st == JLT_OK && defect < attempt->defect) {
+            attempt->along = i;
+            attempt->defect = defect;
+        }
+    }
+    return isfinite(attempt->defect) ? JLT_OK : JLT_ERR_NO_CONVERGENCE;
+}
+
+jlt_status jlt_measure_try(jlt_measure_attempt *attempt, const jlt_instance *instance, size_t count, jlt_random *random)
+{
+    const size_t states = instance->descriptor->state_count;
+    bool tried[STATES_MAX] = { false };
+
+    *attempt = (jlt_measure_attempt){ .defect = INFINITY, .turn = 1.0, .count = count };
+    if (states > STATES_MAX) return JLT_ERR_UNSUPPORTED;
+    JLT_PASS(measure_defects(attempt, instance, random));
+    attempt->found = attempt->defect <= JLT_DENSITY_TOLERANCE;
+    if (!attempt->found) return JLT_OK;
+    const jlt_measure_attempt blank = *attempt;
+    const jlt_status st = try_along(attempt, instance, random);
+    for (size_t along = attempt->along; st != JLT_ERR_NOMEM && (st != JLT_OK || attempt->points == NULL);) {
+        jlt_measure_attempt other = blank;
+        tried[along] = true;
+        along = other.along = next_state(blank.defects, tried, states);
+        if (along == states) break;
+        other.defect = blank.defects[along];
+        const jlt_status told = try_along(&other, instance, random);
+        if (told == JLT_ERR_NOMEM || (told == JLT_OK && other.points != NULL)) {
+            jlt_measure_clear(attempt);
+            *attempt = other;
+            return told;
+        }
+        jlt_measure_clear(&other);
     }
     return st;
 }

@@ -13,8 +13,8 @@ enum { JLT_MEASURE_STATES_MAX = 64, JLT_MEASURE_CLAIMS_MAX = 64, JLT_MEASURE_SAM
 /* The search for a density that depends on one state alone. */
 typedef struct {
     double defects[JLT_MEASURE_STATES_MAX]; /* of every state; NaN if it could not be measured */
-    size_t along;             /* the state with the least defect */
-    double defect;
+    size_t along;             /* the state with the least defect, or the density found */
+    double defect;            /* its */
     bool found;               /* the defect is at rounding level */
     bool singular;            /* a density was found, but has a pole or a zero where f_q vanishes: it is not smooth and positive */
     double turn;              /* for a state with a proved period, the factor by which the density found changes over one period,
@@ -26,9 +26,10 @@ typedef struct {
     double difference, difference_bound; /* relative; the bound is the quadrature's error estimate plus 1e-12 for rounding */
 } jlt_measure_attempt;
 
-/** Measure the defect of every state, and tabulate the density, with `count` points, along the state of least defect. The caller
- *  passes *attempt to jlt_measure_clear whatever is returned. In/out: random, advanced. Errors: those of density.h; NO_CONVERGENCE
- *  also if no state within the domain was drawn; NOMEM. */
+/** Measure the defect of every state, and tabulate the density, with `count` points, along the state of least defect; where that
+ *  gives no smooth positive density, along the next one that does. The caller passes *attempt to jlt_measure_clear whatever is
+ *  returned. In/out: random, advanced. Errors: those of density.h; NO_CONVERGENCE also if no state within the domain was drawn;
+ *  NOMEM. */
 JLT_CHECKED jlt_status jlt_measure_try(jlt_measure_attempt *attempt, const jlt_instance *instance, size_t count,
                                        jlt_random *random);
 void jlt_measure_clear(jlt_measure_attempt *attempt); /* legal when zeroed */

@@ -19,9 +19,8 @@
 typedef struct {
     jlt_motion_options motion;
     size_t period_max, samples, settle, threads;
-    const char *grid, *line;
+    const char *grid, *line, *hold;
     double near;
-    const char *hold;
 } options;
 
 enum { NEAR = 2000, SETTLE, SAMPLES, LINE, HOLD, THREADS };
@@ -200,11 +199,12 @@ static jlt_status find_orbit(jlt_periodic *out, jlt_map *map, const options *o, 
 {
     const size_t period = o->period_max;
     const jlt_status st = jlt_periodic_find(map, out, q, period, held);
+    const bool found = st == JLT_OK;
     jlt_periodic attracting;
 
-    if (!jlt_orbits_is_miss(st)) return st;
-    const bool attracts = st == JLT_ERR_NO_CONVERGENCE && find_attracting(&attracting, map, o, q);
-    if (!(attracts && attracting.period == period) && find_shorter(out, map, q, period, held)) return JLT_OK;
+    if (found ? out->period == period : !jlt_orbits_is_miss(st)) return st;
+    const bool attracts = (found || st == JLT_ERR_NO_CONVERGENCE) && find_attracting(&attracting, map, o, q);
+    if (!(attracts && attracting.period == period) && (found || find_shorter(out, map, q, period, held))) return JLT_OK;
     if (attracts) *out = attracting;
     return attracts ? JLT_OK : st;
 }

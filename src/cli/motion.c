@@ -170,6 +170,24 @@ static jlt_exit no_start(const jlt_system *system, const char *text)
     return JLT_EXIT_USAGE;
 }
 
+/* Refuse a start outside the domain, by the interval or condition that fails, also where something divides by zero. On a section
+ * that tables describe, by an interval of its coordinates. */
+static jlt_exit refuse_outside(const jlt_system *system, const char *start, const double *q)
+{
+    const jlt_region *region = NULL;
+    const jlt_descriptor *d = system->instance->descriptor;
+    const jlt_chart *chart = &system->chart.plane; /* in the table's units */
+    double x[JLT_CHART_STATES_MAX], value;
+    size_t index;
+
+    if (system->surface != NULL) return jlt_motion_refuse_point(system->surface, q, start);
+    const jlt_status st = chart->lift(chart, x, NULL, q);
+    if (st != JLT_OK && st != JLT_ERR_DOMAIN) return JLT_EXIT_DONE;
+    if (jlt_descriptor_check_state(d, x, &index) == JLT_ERR_DOMAIN) return jlt_assign_refuse_interval(start, &d->states[index]);
+    return jlt_region_check(&region, &value, d, system->instance->params, x) == JLT_ERR_DOMAIN
+               ? jlt_assign_refuse_region(start, d, region, value) : JLT_EXIT_DONE;
+}
+
 jlt_exit jlt_motion_start(double *q, const jlt_system *system, const char *text)
 {
     const jlt_chart *chart = system->flow.chart;
@@ -191,7 +209,7 @@ jlt_exit jlt_motion_start(double *q, const jlt_system *system, const char *text)
     for (unsigned k = 0; named != NULL && k < chart->dim; k++) q[k] = named->point[k];
     for (unsigned k = 0; named == NULL && code == JLT_EXIT_DONE && k < chart->dim; k++)
         if (!given[k]) code = jlt_command_fail(JLT_EXIT_INPUT, "--start: give %s as well", chart->names[k]);
-    return code == JLT_EXIT_DONE ? jlt_motion_refuse_point(system->surface, q, text) : code;
+    return code == JLT_EXIT_DONE ? refuse_outside(system, text, q) : code;
 }
 
 /* The --direction in which the orbit crosses the section at a start, if that is not the one that counts; else NULL. */
@@ -220,25 +238,6 @@ jlt_exit jlt_motion_no_orbit(jlt_status status, const jlt_system *system, const 
                             system->flow.chart->solved_count > 0 ? ", or a return left the branch of --solve" : "");
 }
 
-/* Check a start that the section answered with this status: print why no orbit can begin there. On a plane section that is the
- * interval or condition that fails, also where something divides by zero. */
-static jlt_exit check_start(jlt_status status, const jlt_system *system, const char *start, const double *q)
-{
-    const jlt_region *region = NULL;
-    const jlt_descriptor *d = system->instance->descriptor;
-    const jlt_chart *chart = &system->chart.plane; /* in the table's units */
-    double x[JLT_CHART_STATES_MAX], value;
-    size_t index;
-
-    if ((status == JLT_OK || status == JLT_ERR_DOMAIN) && system->surface == NULL && chart->lift(chart, x, NULL, q) == status) {
-        if (jlt_descriptor_check_state(d, x, &index) == JLT_ERR_DOMAIN)
-            return jlt_assign_refuse_interval(start, &d->states[index]);
-        if (jlt_region_check(&region, &value, d, system->instance->params, x) == JLT_ERR_DOMAIN)
-            return jlt_assign_refuse_region(start, d, region, value);
-    }
-    return status == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(status, system, start);
-}
-
 jlt_exit jlt_motion_check_starts(const jlt_system *system, const char *const *starts, size_t count)
 {
     jlt_section *section = NULL;
@@ -249,7 +248,7 @@ jlt_exit jlt_motion_check_starts(const jlt_system *system, const char *const *st
     for (size_t i = 0; code == JLT_EXIT_DONE && i < count; i++) {
         code = jlt_motion_start(q, system, starts[i]);
         if (code == JLT_EXIT_DONE) st = jlt_section_start(section, NULL, q, 1);
-        if (code == JLT_EXIT_DONE) code = check_start(st, system, starts[i], q);
+        if (code == JLT_EXIT_DONE && st != JLT_OK) code = jlt_motion_fail(st, system, starts[i]);
     }
     jlt_section_destroy(section);
     return code;

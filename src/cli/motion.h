@@ -153,8 +153,7 @@ jlt_exit jlt_motion_surface(jlt_surface *surface, bool *has, const jlt_motion_op
 /** Make the system on that section, with the parameters and levels of the options. Out: *system, for jlt_system_destroy. */
 jlt_exit jlt_motion_surface_system(jlt_system **system, const jlt_motion_options *options, const jlt_surface *surface);
 
-/** Refuse the start `text`, q (coordinates,), if it lies at or beyond the end of a coordinate's interval. surface NULL: there are
- *  none. */
+/** Refuse the start `text`, q (coordinates,), if it lies at or beyond the end of a coordinate's interval. */
 jlt_exit jlt_motion_refuse_point(const jlt_surface *surface, const double *q, const char *text);
 
 /** Print why jlt_surface_system returned `status` for these values of parameters and levels, shape (surface->count,). what: the

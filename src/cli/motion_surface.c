@@ -132,7 +132,7 @@ jlt_exit jlt_motion_refuse(const jlt_surface *surface, const double *values, jlt
 
 jlt_exit jlt_motion_refuse_point(const jlt_surface *surface, const double *q, const char *text)
 {
-    for (unsigned k = 0; surface != NULL && k < surface->section->coordinate_count; k++) {
+    for (unsigned k = 0; k < surface->section->coordinate_count; k++) {
         const jlt_quantity *c = &surface->section->coordinates[k];
         if (surface->section->is_angle[k] || c->period != 0 || (q[k] > c->low && q[k] < c->high)) continue;
         return jlt_assign_refuse_interval(text, c);

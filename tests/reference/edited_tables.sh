@@ -78,6 +78,13 @@ printf '%s\n' 'model divided' 'state x' 'state v' 'eq x = v' 'eq v = - x + 1/(10
 for how in section 'section --direction both' fates lyapunov 'plan section'; do
     expect 3 'v=0: outside the domain of divided: a division needs v != 0' jellett $how ./divided.tt --section x=0 --start v=0
 done
+printf '%s\n' 'model hole' 'param m > 0' 'state x' 'state y' 'state u' 'state v' 'domain off : x^2 + y^2 - 1/100 > 0' \
+    'root r = sqrt(x^2 + y^2)' 'eq x = u' 'eq y = v' 'eq u = - m*x/r^3' 'eq v = - m*y/r^3' \
+    'integral E = (u^2 + v^2)/2 - m/r' > hole.tt
+for how in section fates lyapunov orbits drift manifolds 'continue --along m=1:2'; do
+    expect 3 'x=1/20,u=0: outside the domain of hole: off needs x.2 . y.2 - 1/100 > 0, and it is -0[.]0075 here' \
+        jellett $how ./hole.tt --set m=1 --section y=0 --level E=-1/2 --solve v=1 --start x=1/20,u=0
+done
 
 # 4. The verdict on a density is in every form of the report.
 expect 1 '; its claim is refuted' jellett measure ./dry.tt

@@ -164,4 +164,11 @@ for small in 1e-12 1e-40; do
     expect 1 'not invariant, by less than random states show: its claim is refuted: .*x.*y' jellett measure ./nearly.tt
     grep -q 'density rho: .*random states; its claim is refuted$' out || fail "not said of the density: $(grep rho: out)"
 done
+# Where div f/f_q is a function of each of two states, a density that is smooth and positive is told before one that is not: one of
+# v has a pole at v = 0; that of th, by d ln rho/d th = sin th, is exp(1 - cos th), and that of x is (2 - x)^-4, 1 in the middle.
+printf '%s\n' 'model two_densities' 'state th' 'state v' 'angle c s = cos(th) sin(th)' 'eq th = v' 'eq v = -s*v^2/2' \
+    'periodic th = 2*pi' > two_densities.tt
+expect 0 '^ +-2 +4[.]1212101112050' jellett measure ./two_densities.tt --points 5
+printf '%s\n' 'model two_densities' 'state x in (-inf, 2)' 'state v' 'eq x = v*(2 - x)' 'eq v = -3*v^2/2' > two_densities.tt
+expect 0 '^ +0[.]95 +14[.]529753549' jellett measure ./two_densities.tt --points 5
 exit $status
