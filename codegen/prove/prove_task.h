@@ -177,7 +177,8 @@ void ttc_prove_level_is_periodic(ttc_task *task, const ttc_claim *integral, uint
 bool ttc_prove_is_integral(ttc_task *task);
 /* Settle an invariant f that does not divide, whose level cannot be solved: it is refuted at a point of the level at which f
  * changes; and proved if there is such a point, and df/dt = K f with a cofactor K that is finite all over the domain, as f is then
- * multiplied by exp of the integral of K. G. Darboux, Bull. Sci. Math. 2, 1878. */
+ * multiplied by exp of the integral of K. G. Darboux, Bull. Sci. Math. 2, 1878. So also an `equal` or a `rate` modulo one level f,
+ * with the difference of its sides in place of df/dt, and the product of the factors of f in place of f. */
 void ttc_prove_by_cofactor(ttc_task *task);
 
 /* The provers, one for each kind of claim. */
