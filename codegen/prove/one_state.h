@@ -1,5 +1,5 @@
-/** Signs of expressions in numbers and at most one state, all over the state's interval: by balls on pieces of it, and by derivatives
- *  where a piece is unbounded or the expression goes to zero at its end. */
+/** Signs of expressions in numbers and at most one state, all over its interval: by balls on pieces of it, and by derivatives where
+ *  a piece is unbounded or the expression goes to zero at its end. */
 #ifndef TTC_ONE_STATE_H
 #define TTC_ONE_STATE_H
 
