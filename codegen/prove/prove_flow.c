@@ -102,17 +102,6 @@ bool ttc_prove_is_integral(ttc_task *task)
     return true;
 }
 
-/* Search for a point of the leaf at which a value is zero. Returns its text, or NULL. */
-static char *find_zero(ttc_task *task, const ttc_ratio *value)
-{
-    char *text = NULL;
-    ttc_witness point;
-    if (ttc_witness_init(&point, task->field) && ttc_search_zero(&point, &task->domain, value->numerator, false))
-        text = ttc_witness_text(&point);
-    ttc_witness_clear(&point);
-    return text;
-}
-
 /* What is said of a claim at a point of the level that it is about. */
 static const char *what_is_false(const ttc_claim *claim)
 {
@@ -123,18 +112,19 @@ static const char *what_is_false(const ttc_claim *claim)
     }
 }
 
-/* Look for a point of the level value = 0 at which `rest`, which should be zero there, is not; else for any as the witness. */
+/* Look for a point of the level value = 0 at which `rest`, which should be zero there, is not; else for any, if none is known,
+ * as the witness. */
 static void look_for_zero(ttc_task *task, const ttc_ratio *value, const ttc_ratio *rest)
 {
     const ttc_claim *claim = task->outer->claim;
     const size_t mark = ttc_conditions_mark(&task->domain);
     const bool contradictory = task->domain.contradictory;
     ttc_conditions_add(&task->domain, rest, TTC_IS_NONZERO);
-    char *text = find_zero(task, value);
+    char *text = ttc_task_zero_of(task, value);
     ttc_conditions_rewind(&task->domain, mark, contradictory);
     if (text != NULL) {
         ttc_task_refute_at(task, text, rest, "%s%s", what_is_false(claim), claim->kind == TTC_CLAIM_INVARIANT ? claim->name : "");
-    } else if ((text = find_zero(task, value)) == NULL) {
+    } else if (task->kept > 0 || (text = ttc_task_zero_of(task, value)) == NULL) {
         return;
     } else {
         free(task->point);
@@ -169,7 +159,7 @@ static void prove_cofactor(ttc_task *task)
                         && fmpz_mpoly_is_fmpz(value.denominator, task->ring->context);
     if (!serves) ttc_task_unsettle(task, "no cofactor is looked for");
     if (serves && task->outer->claim->kind != TTC_CLAIM_INVARIANT) take_radical(task, value.numerator);
-    if (ttc_task_open(task) && task->kept == 0) look_for_zero(task, &value, &rest);
+    if (ttc_task_open(task)) look_for_zero(task, &value, &rest);
     if (ttc_task_open(task)) {
         ttc_ratio_divide(task->ring, &rest, &rest, &value);
         ttc_ratio_set_polynomial(task->ring, &below, rest.denominator);
