@@ -1,4 +1,5 @@
-/* Signs on pieces of one state's interval. Nothing of the domain is used but this interval: what is shown holds on all of it. */
+/* Signs of numbers, and on pieces of one state's interval. Nothing of the domain is used but this interval: what is shown holds on
+ * all of it. */
 #include "prove/one_state.h"
 
 #include "ball/ball.h"
@@ -6,6 +7,7 @@
 
 #include <flint/fmpq.h>
 
+#include <math.h>
 #include <stdlib.h>
 
 enum { PRECISION = 256, PIECES = 400, DIVISIONS = 48, DERIVATIVES = 6, FAR = 16, FARTHEST = 9, NODES = 100000, WORK = 20000 };
@@ -268,8 +270,9 @@ static void set_end(one_state *s, piece *p, int end, ttc_id given)
     arb_clear(value);
 }
 
-/* Find the one state on which an expression depends. Returns false if it depends on others, or on what is no number otherwise. */
-static bool find_state(one_state *s, ttc_id id)
+/* Find the one state on which an expression depends, if any. Returns the number of states, SIZE_MAX if it depends on what is no
+ * number otherwise. */
+static size_t find_state(one_state *s, ttc_id id)
 {
     unsigned char *support = ttc_model_support(s->model, &id, 1);
     size_t states = 0;
@@ -283,9 +286,34 @@ static bool find_state(one_state *s, ttc_id id)
         states += kind == TTC_STATE;
     }
     free(support);
-    if (!good || states != 1) return false;
-    while (s->model->states[s->state] != s->symbol) s->state++;
-    return true;
+    while (good && states == 1 && s->model->states[s->state] != s->symbol) s->state++;
+    return good ? states : SIZE_MAX;
+}
+
+static unsigned signs_of_number(one_state *s, ttc_id id)
+{
+    ttc_enclosure number;
+    if (!ttc_ball_enclose(&number, s->ball, id) || fabs(number.value) <= 2 * number.radius) return TTC_CAN_BE_ANY;
+    return number.value > 0 ? TTC_CAN_BE_POSITIVE : TTC_CAN_BE_NEGATIVE;
+}
+
+static unsigned signs_on_interval(one_state *s, ttc_id id)
+{
+    unsigned signs = TTC_CAN_BE_ANY;
+    piece p;
+    fmpq_t inside;
+    for (int end = 0; end < 2; end++) fmpq_init(p.end[end]);
+    fmpq_init(inside);
+    set_end(s, &p, 0, s->model->symbols[s->symbol].low);
+    set_end(s, &p, 1, s->model->symbols[s->symbol].high);
+    set_inside(inside, &p);
+    const unsigned there = signs_at(s, id, inside);
+    if ((there == TTC_CAN_BE_POSITIVE || there == TTC_CAN_BE_NEGATIVE) && has_sign_at_numbers(s, id, there, &p)
+        && has_sign(s, id, there, &p, DIVISIONS))
+        signs = there;
+    fmpq_clear(inside);
+    for (int end = 0; end < 2; end++) fmpq_clear(p.end[end]);
+    return signs;
 }
 
 unsigned ttc_one_state_signs(ttc_task *task, ttc_valuation *valuation, ttc_id id, ttc_state_value *negative)
@@ -294,22 +322,9 @@ unsigned ttc_one_state_signs(ttc_task *task, ttc_valuation *valuation, ttc_id id
                     .negative = negative };
     const ttc_graph_status graph_status = ttc_graph_error(s.model->graph);
     const ttc_ring_status ring_status = task->ring->status;
-    unsigned signs = TTC_CAN_BE_ANY;
-    piece p;
-    fmpq_t inside;
-    if (ttc_graph_size(s.model->graph) > NODES || !find_state(&s, id)) return signs;
-    if ((s.ball = ttc_ball_create(s.model)) == NULL) return signs;
-    for (int end = 0; end < 2; end++) fmpq_init(p.end[end]);
-    fmpq_init(inside);
-    set_end(&s, &p, 0, s.model->symbols[s.symbol].low);
-    set_end(&s, &p, 1, s.model->symbols[s.symbol].high);
-    set_inside(inside, &p);
-    const unsigned there = signs_at(&s, id, inside);
-    if ((there == TTC_CAN_BE_POSITIVE || there == TTC_CAN_BE_NEGATIVE) && has_sign_at_numbers(&s, id, there, &p)
-        && has_sign(&s, id, there, &p, DIVISIONS))
-        signs = there;
-    fmpq_clear(inside);
-    for (int end = 0; end < 2; end++) fmpq_clear(p.end[end]);
+    const size_t states = ttc_graph_size(s.model->graph) > NODES ? SIZE_MAX : find_state(&s, id);
+    if (states > 1 || (s.ball = ttc_ball_create(s.model)) == NULL) return TTC_CAN_BE_ANY;
+    const unsigned signs = states == 0 ? signs_of_number(&s, id) : signs_on_interval(&s, id);
     ttc_ball_destroy(s.ball);
     if (graph_status == TTC_GRAPH_OK) ttc_graph_clear_error(s.model->graph);
     task->ring->status = ring_status;

@@ -4,6 +4,7 @@
 
 #include "algebra/independence.h"
 
+#include <flint/fmpz_mpoly_factor.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -101,28 +102,29 @@ bool ttc_prove_is_integral(ttc_task *task)
     return true;
 }
 
-/* Search for a point of the leaf at which a value is zero. Returns its text, or NULL. */
-static char *find_zero(ttc_task *task, const ttc_ratio *value)
+/* What is said of a claim at a point of the level that it is about. */
+static const char *what_is_false(const ttc_claim *claim)
 {
-    char *text = NULL;
-    ttc_witness point;
-    if (ttc_witness_init(&point, task->field) && ttc_search_zero(&point, &task->domain, value->numerator, false))
-        text = ttc_witness_text(&point);
-    ttc_witness_clear(&point);
-    return text;
+    switch (claim->kind) {
+    case TTC_CLAIM_INVARIANT: return "the set is left: rate of ";
+    case TTC_CLAIM_RATE: return "rate - right side";
+    default: return "left - right";
+    }
 }
 
-/* Look for a point at which a value is zero and its rate is not, where the level is left; else for any zero as the witness. */
-static void look_for_zero(ttc_task *task, const ttc_ratio *value, const ttc_ratio *rate)
+/* Look for a point of the level value = 0 at which `rest`, which should be zero there, is not; else for any, if none is known,
+ * as the witness. */
+static void look_for_zero(ttc_task *task, const ttc_ratio *value, const ttc_ratio *rest)
 {
+    const ttc_claim *claim = task->outer->claim;
     const size_t mark = ttc_conditions_mark(&task->domain);
     const bool contradictory = task->domain.contradictory;
-    ttc_conditions_add(&task->domain, rate, TTC_IS_NONZERO);
-    char *text = find_zero(task, value);
+    ttc_conditions_add(&task->domain, rest, TTC_IS_NONZERO);
+    char *text = ttc_task_zero_of(task, value);
     ttc_conditions_rewind(&task->domain, mark, contradictory);
     if (text != NULL) {
-        ttc_task_refute_at(task, text, rate, "the set is left: rate of %s", task->claim->name);
-    } else if ((text = find_zero(task, value)) == NULL) {
+        ttc_task_refute_at(task, text, rest, "%s%s", what_is_false(claim), claim->kind == TTC_CLAIM_INVARIANT ? claim->name : "");
+    } else if (task->kept > 0 || (text = ttc_task_zero_of(task, value)) == NULL) {
         return;
     } else {
         free(task->point);
@@ -131,52 +133,85 @@ static void look_for_zero(ttc_task *task, const ttc_ratio *value, const ttc_rati
     task->kept++;
 }
 
-/* The right side of the claim is the rate of the left one, f: require that it is K f with K finite all over the domain. */
+/* Replace a polynomial by the product of its factors, each once, which is zero at the same points. */
+static void take_radical(ttc_task *task, fmpz_mpoly_t polynomial)
+{
+    const fmpz_mpoly_ctx_struct *context = task->ring->context;
+    fmpz_mpoly_factor_t factors;
+    fmpz_mpoly_factor_init(factors, context);
+    if (!fmpz_mpoly_factor(factors, polynomial, context)) ttc_task_unsettle(task, "the zero level could not be factored");
+    fmpz_mpoly_one(polynomial, context);
+    for (slong i = 0; i < factors->num; i++) fmpz_mpoly_mul(polynomial, polynomial, factors->poly + i, context);
+    fmpz_mpoly_factor_clear(factors, context);
+}
+
+/* The left side of the claim is f, the right one what should be zero where f is: require that it is K f with K finite all over the
+ * domain. */
 static void prove_cofactor(ttc_task *task)
 {
-    ttc_ratio value, rate, below;
+    ttc_ratio value, rest, below;
     ttc_ratio_init(task->ring, &value);
-    ttc_ratio_init(task->ring, &rate);
+    ttc_ratio_init(task->ring, &rest);
     ttc_ratio_init(task->ring, &below);
     ttc_evaluate(task->field, &value, task->claim->expression);
-    ttc_evaluate(task->field, &rate, task->claim->other);
+    ttc_evaluate(task->field, &rest, task->claim->other);
     const bool serves = ttc_task_open(task) && !task->is_at_zeros && ttc_task_moves(task, &value)
                         && fmpz_mpoly_is_fmpz(value.denominator, task->ring->context);
     if (!serves) ttc_task_unsettle(task, "no cofactor is looked for");
-    if (serves && task->kept == 0) look_for_zero(task, &value, &rate);
+    if (serves && task->outer->claim->kind != TTC_CLAIM_INVARIANT) take_radical(task, value.numerator);
+    if (ttc_task_open(task)) look_for_zero(task, &value, &rest);
     if (ttc_task_open(task)) {
-        ttc_ratio_divide(task->ring, &rate, &rate, &value);
-        ttc_ratio_set_polynomial(task->ring, &below, rate.denominator);
+        ttc_ratio_divide(task->ring, &rest, &rest, &value);
+        ttc_ratio_set_polynomial(task->ring, &below, rest.denominator);
         const ttc_search_result pole = ttc_task_search_against(task, &below, TTC_IS_NONZERO, NULL);
         if (pole != TTC_POINT_IMPOSSIBLE && pole != TTC_POINT_EXCLUDED) ttc_task_unsettle(task, "the cofactor may have a pole");
     }
     ttc_ratio_clear(task->ring, &below);
-    ttc_ratio_clear(task->ring, &rate);
+    ttc_ratio_clear(task->ring, &rest);
     ttc_ratio_clear(task->ring, &value);
 }
 
-/* What divides may vanish on a whole part of the level. */
-static bool divides(const ttc_task *task)
+/* What divides in the claim, or in claim number `level`, may vanish on a whole part of the level. */
+static bool divides(const ttc_task *task, uint32_t level)
 {
     const ttc_model *model = task->model;
+    const ttc_id sides[] = { task->claim->expression, task->claim->other, model->claims[level].expression };
     for (size_t i = 0; i < model->divisor_count; i++) {
         const ttc_divisor *divisor = &model->divisors[i];
-        if (divisor->role == task->role && divisor->owner == task->owner) return true;
-        if (divisor->role == TTC_DIVIDES_SYMBOL && ttc_model_depends(model, task->claim->expression, divisor->owner)) return true;
+        if (divisor->role == task->role && (divisor->owner == task->owner || divisor->owner == level)) return true;
+        for (size_t k = 0; k < sizeof sides / sizeof *sides; k++)
+            if (divisor->role == TTC_DIVIDES_SYMBOL && sides[k] != TTC_NONE && ttc_model_depends(model, sides[k], divisor->owner))
+                return true;
     }
     return false;
+}
+
+/* Put an expression f and what should be zero where f is in place of the two sides. Returns false if there is no such f. */
+static bool set_level(const ttc_task *task, ttc_claim *rest)
+{
+    const ttc_model *model = task->model;
+    const ttc_claim *claim = task->claim;
+    const bool is_own = claim->kind == TTC_CLAIM_INVARIANT;
+    const bool is_equal = claim->kind == TTC_CLAIM_EQUAL, is_rate = claim->kind == TTC_CLAIM_RATE;
+    if ((!is_own && !is_equal && !is_rate) || claim->modulo_count != !is_own || task->level_count > 0) return false;
+    const uint32_t index = is_own ? task->owner : claim->modulo[0];
+    const ttc_claim *level = &model->claims[index];
+    if (is_own ? ttc_task_restricts_states(task) : level->when.count + level->modulo_count > 0) return false;
+    if (divides(task, index) || (!is_own && task->verdict_of(task->verdict_context, index) != TTC_PROVED)) return false;
+    rest->modulo_count = 0;
+    rest->expression = level->expression;
+    rest->other = is_equal ? claim->expression : ttc_derive_field(model, claim->expression);
+    if (rest->other != TTC_NONE && !is_own) rest->other = ttc_subtract(model->graph, rest->other, claim->other);
+    return rest->other != TTC_NONE;
 }
 
 void ttc_prove_by_cofactor(ttc_task *task)
 {
     ttc_claim rest = *task->claim;
-    if (task->status != TTC_UNSETTLED || rest.kind != TTC_CLAIM_INVARIANT || rest.modulo_count + task->level_count > 0
-        || ttc_task_restricts_states(task) || divides(task)) return;
+    if (task->status != TTC_UNSETTLED || task->role != TTC_DIVIDES_CLAIM || !set_level(task, &rest)) return;
     rest.kind = TTC_CLAIM_EQUAL;
-    rest.other = ttc_derive_field(task->model, rest.expression);
     ttc_task inner = { .model = task->model, .claim = &rest, .role = task->role, .owner = task->owner, .outer = task,
                        .verdict_of = task->verdict_of, .verdict_context = task->verdict_context };
-    if (rest.other == TTC_NONE) return;
     ttc_task_run(&inner, prove_cofactor);
     if (inner.status != TTC_UNSETTLED && inner.kept > 0) {
         free(task->remainder);

@@ -109,6 +109,8 @@ unsigned ttc_task_signs_met(ttc_task *task, const ttc_ratio *ratio);
 ttc_search_result ttc_task_search_against(ttc_task *task, const ttc_ratio *ratio, ttc_relation relation, char **text);
 /* The text of a point of the leaf at which a state has this value and a ratio is not positive; NULL if none is found. */
 char *ttc_task_point_with(ttc_task *task, const ttc_ratio *ratio, uint32_t state, const fmpq_t value);
+/* The text of a point of the leaf at which a value is zero, between two of its signs; NULL if none is found. */
+char *ttc_task_zero_of(ttc_task *task, const ttc_ratio *value);
 /* A polynomial as an expression of the table; TTC_NONE if it uses spare symbols, which have no value on other leaves. */
 ttc_id ttc_task_expression(ttc_task *task, const fmpz_mpoly_struct *polynomial);
 /* Note that where this denominator of a normal form is zero the claim, one of all points, is still to be proved, on leaves of their
@@ -177,7 +179,8 @@ void ttc_prove_level_is_periodic(ttc_task *task, const ttc_claim *integral, uint
 bool ttc_prove_is_integral(ttc_task *task);
 /* Settle an invariant f that does not divide, whose level cannot be solved: it is refuted at a point of the level at which f
  * changes; and proved if there is such a point, and df/dt = K f with a cofactor K that is finite all over the domain, as f is then
- * multiplied by exp of the integral of K. G. Darboux, Bull. Sci. Math. 2, 1878. */
+ * multiplied by exp of the integral of K. G. Darboux, Bull. Sci. Math. 2, 1878. So also an `equal` or a `rate` modulo one level f,
+ * with the difference of its sides in place of df/dt, and the product of the factors of f in place of f. */
 void ttc_prove_by_cofactor(ttc_task *task);
 
 /* The provers, one for each kind of claim. */

@@ -263,4 +263,15 @@ char *ttc_task_point_with(ttc_task *task, const ttc_ratio *ratio, uint32_t state
     return text;
 }
 
+char *ttc_task_zero_of(ttc_task *task, const ttc_ratio *value)
+{
+    char *text = NULL;
+    ttc_witness point;
+    add_new_roots(task);
+    if (ttc_witness_init(&point, task->field) && ttc_search_zero(&point, &task->domain, value->numerator, false))
+        text = ttc_witness_text(&point);
+    ttc_witness_clear(&point);
+    return text;
+}
+
 bool ttc_task_may_have_point(ttc_task *task) { return !says_none(ttc_task_search(task, NULL, TTC_IS_ZERO, NULL)); }
