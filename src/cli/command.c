@@ -3,6 +3,7 @@
 #include "cli/interrupt.h"
 #include "kernel/descriptor.h"
 #include "report/file.h"
+#include "report/letters.h"
 #include "scene/plan.h"
 
 #include <errno.h>
@@ -83,11 +84,14 @@ char *jlt_command_line(int argc, char **argv)
     for (int i = 0; i < argc; i++) {
         if (strncmp(argv[i], JLT_COMMAND_HIDDEN, strlen(JLT_COMMAND_HIDDEN)) == 0) continue;
         const bool bare = i == 0 || (argv[i][0] != '\0' && argv[i][strspn(argv[i], plain)] == '\0');
+        /* bytes that are no text in one line: as \ooo in $'...' */
+        const bool coded = !bare && (!jlt_letters_fit(argv[i]) || strchr(argv[i], '\n') != NULL);
         if (i > 0) fputc(' ', stream);
-        if (!bare) fputc('\'', stream);
+        if (!bare) fputs(coded ? "$'" : "'", stream);
         for (const char *c = argv[i]; *c != '\0'; c++) {
-            if (*c == '\'' && !bare) fputs("'\\''", stream);
-            else fputc(*c == '\n' ? ' ' : *c, stream);
+            if (coded && (*c < ' ' || *c > '~' || *c == '\'' || *c == '\\')) fprintf(stream, "\\%03o", (unsigned char)*c);
+            else if (*c == '\'' && !bare) fputs("'\\''", stream);
+            else fputc(*c, stream);
         }
         if (!bare) fputc('\'', stream);
     }

@@ -59,7 +59,7 @@ jlt_exit jlt_command_exit(jlt_status status);
 /* The prefix of options that the program passes to its own commands: no abbreviation that a user types can match one of them. */
 #define JLT_COMMAND_HIDDEN "--@"
 
-/* The command as typed, for headers of files; for the caller to free(). NULL when memory is out. */
+/* The command as typed, one line of text for headers of files; for the caller to free(). NULL when memory is out. */
 char *jlt_command_line(int argc, char **argv);
 
 /* Free an argument vector and each of its arguments. */

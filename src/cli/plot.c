@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "cli/interrupt.h"
+#include "cli/progress.h"
 #include "core/memory.h"
 #include "kernel/descriptor.h"
 #include "kernel/units.h"
@@ -272,6 +273,7 @@ jlt_exit jlt_plot_draw(jlt_plot *self)
     jlt_command_output whole = { 0 }, kept = { 0 };
     JLT_FREED char *picture = NULL;
     size_t size = 0;
+    jlt_progress progress;
     jlt_exit code = JLT_EXIT_DONE;
     jlt_status st = jlt_command_close(&self->script);
 
@@ -283,7 +285,12 @@ jlt_exit jlt_plot_draw(jlt_plot *self)
     }
     if (st == JLT_OK && code == JLT_EXIT_DONE) st = write_script(&whole, self, false);
     if (st == JLT_OK && code == JLT_EXIT_DONE) st = jlt_command_close(&whole);
-    if (st == JLT_OK && code == JLT_EXIT_DONE) st = jlt_picture_draw(&picture, &size, whole.text, whole.size);
+    if (st == JLT_OK && code == JLT_EXIT_DONE) {
+        jlt_progress_start(&progress, "");
+        jlt_progress_say(&progress, "the picture is being drawn");
+        st = jlt_picture_draw(&picture, &size, whole.text, whole.size);
+        jlt_progress_end(&progress);
+    }
     if (st == JLT_ERR_UNSUPPORTED)
         code = jlt_command_fail(JLT_EXIT_IO, "--plot: no gnuplot to be found: install gnuplot to draw pictures");
     else if (st == JLT_ERR_EMPTY)

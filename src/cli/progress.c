@@ -39,6 +39,11 @@ done:
     __atomic_clear(&self->showing, __ATOMIC_RELEASE);
 }
 
+void jlt_progress_say(const jlt_progress *self, const char *text)
+{
+    if (self->visible) fprintf(stderr, "%.*s\033[K\r", columns(), text);
+}
+
 void jlt_progress_end(jlt_progress *self)
 {
     if (self->visible) fputs("\r\033[K", stderr);

@@ -20,6 +20,9 @@ void jlt_progress_start(jlt_progress *self, const char *unit);
  * second. Several threads may call it at once. */
 void jlt_progress_show(jlt_progress *self, size_t done, size_t all);
 
+/* Show a text in place of counts, until the line is wiped. */
+void jlt_progress_say(const jlt_progress *self, const char *text);
+
 /* Wipe the line. */
 void jlt_progress_end(jlt_progress *self);
 

@@ -124,6 +124,7 @@ static void take_return(void *context, size_t i, const jlt_map_batch_return *mad
 jlt_status jlt_lyapunov_run_each(jlt_map_batch *maps, jlt_lyapunov_state *out, jlt_status *status, const double *q,
                                  const size_t *flow_of, size_t count, size_t skip, size_t returns)
 {
+    if (skip > SIZE_MAX - returns) return JLT_ERR_ARG;
     const unsigned d = jlt_map_batch_flow(maps)->chart->dim;
     const size_t frames = count * d * d;
     jlt_map_images images = { 0 };

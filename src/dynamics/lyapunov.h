@@ -32,7 +32,7 @@ JLT_CHECKED jlt_status jlt_lyapunov_run(jlt_map *map, jlt_lyapunov_state *out, c
 /** The same for many orbits side by side, from q, shape (count, dim), orbit i under the flow flow_of[i] of the maps; the first
  *  `skip` returns do not count. Out: out, status, shape (count,), what jlt_lyapunov_run gives for each orbit, by the method of the
  *  maps; they depend neither on the other orbits nor on the number of threads. Orbits under way at an interrupt of the flows get
- *  NO_CONVERGENCE. Errors: NOMEM; as jlt_map_batch_apply. */
+ *  NO_CONVERGENCE. Errors: NOMEM; ARG, more returns than can be counted; as jlt_map_batch_apply_flows. */
 JLT_CHECKED jlt_status jlt_lyapunov_run_each(jlt_map_batch *maps, jlt_lyapunov_state *out, jlt_status *status, const double *q,
                                              const size_t *flow_of, size_t count, size_t skip, size_t returns);
 

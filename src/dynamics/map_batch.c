@@ -353,7 +353,7 @@ static jlt_status apply(jlt_map_batch *self, const jlt_map_images *out, const do
 
     for (size_t i = 0; i < count; i++) {
         const int way = wanted->directions != NULL ? wanted->directions[i] : wanted->direction;
-        if (way != 1 && way != -1) return JLT_ERR_ARG;
+        if ((way != 1 && way != -1) || (wanted->flow_of != NULL && wanted->flow_of[i] >= self->flow_count)) return JLT_ERR_ARG;
     }
     if (count == 0) return JLT_OK;
     memmove(out->q, q, count * d * sizeof *q);

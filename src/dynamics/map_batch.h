@@ -66,7 +66,8 @@ typedef struct {
 /** Called for every return of each point, in order; several threads call it at once, for different points. */
 typedef void (*jlt_map_batch_observer)(void *context, size_t point, const jlt_map_batch_return *made);
 
-/** As jlt_map_batch_apply forwards, with point i under the flow of index flow_of[i], shape (count,). observer may be NULL. */
+/** As jlt_map_batch_apply forwards, with point i under the flow of index flow_of[i], shape (count,). observer may be NULL.
+ *  Errors: as above; ARG, there is no such flow. */
 JLT_CHECKED jlt_status jlt_map_batch_apply_flows(jlt_map_batch *self, const jlt_map_images *out, const double *q,
                                                  const size_t *flow_of, size_t count, size_t returns,
                                                  jlt_map_batch_observer observer, void *context);

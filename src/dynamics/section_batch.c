@@ -286,8 +286,9 @@ static jlt_status lift_starts(jlt_section_batch *self, const double *q, const si
     if (self->lifted == NULL || self->lane == NULL || self->starts == NULL || self->flow_of == NULL) return JLT_ERR_NOMEM;
     self->returns_of = self->flow_of + count;
     for (size_t i = 0; i < count; i++) {
-        self->flow_of[self->lanes] = flows != NULL ? flows[i] : 0;
-        self->returns_of[self->lanes] = each != NULL ? each[i] : self->returns;
+        const size_t flow = flows != NULL ? flows[i] : 0, returns = each != NULL ? each[i] : self->returns;
+        if (flow >= self->flows.count || returns == 0 || returns > self->returns) return JLT_ERR_ARG;
+        self->flow_of[self->lanes] = flow, self->returns_of[self->lanes] = returns;
         const jlt_chart *chart = flow_of(self, self->lanes)->chart;
         self->lifted[i] = chart->lift(chart, self->starts + self->lanes * self->columns, NULL, q + i * chart->dim);
         if (self->lifted[i] == JLT_OK) self->lane[i] = self->lanes++;
@@ -327,8 +328,7 @@ jlt_status jlt_section_batch_run_each(jlt_section_batch *self, const double *q, 
     self->returns = returns;
     JLT_TRY(lift_starts(self, q, flow_of, each, count));
     if (self->lanes > 0 && self->map.kernels != NULL) JLT_TRY(follow_in_lanes(self));
-    st = (jlt_status)self->failure;
-    if (st == JLT_OK) st = finish_all(self);
+    st = self->failure != JLT_OK ? (jlt_status)self->failure : finish_all(self);
 done:
     if (st != JLT_OK) forget(self);
     return st;

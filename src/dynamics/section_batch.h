@@ -53,7 +53,8 @@ JLT_CHECKED jlt_status jlt_section_batch_add(jlt_section_batch *self, size_t *in
 JLT_CHECKED jlt_status jlt_section_batch_run(jlt_section_batch *self, const double *q, size_t count, size_t returns);
 
 /** The same with orbit i under the flow of index flow_of[i], shape (count,), and for each[i] returns, 1 to `returns`, shape
- *  (count,). NULL: under the first flow; for `returns`. Orbits of one flow are best put next to each other. */
+ *  (count,). NULL: under the first flow; for `returns`. Orbits of one flow are best put next to each other.
+ *  Errors: as above; ARG, no such flow, or another number of returns. */
 JLT_CHECKED jlt_status jlt_section_batch_run_each(jlt_section_batch *self, const double *q, const size_t *flow_of,
                                                   const size_t *each, size_t count, size_t returns);
 

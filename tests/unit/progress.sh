@@ -20,7 +20,14 @@ tr '\r' '\n' < "$scratch/terminal" | sed -n 's/^\([0-9]*\) of .* returns, \([-0-
     awk -v seconds="$seconds" '{ least = $1/seconds; if (!($2 >= least &&
         $2 < 10*least)) { print $2 " a second, " $1 " in " seconds " s"; exit 1 } }'
 
-# So are the steps of a proof.
+# A picture that is being drawn is told of, and the line is wiped.
+if gnuplot --version > /dev/null 2>&1; then
+    script -qec "jellett simulate lorenz --start x=1,y=1,z=1 --times 0,1 -o '$scratch/rows.csv' --plot '$scratch/p.svg'" \
+        "$scratch/terminal" < /dev/null > /dev/null || { echo "simulate ends with $?"; exit 1; }
+    grep -q 'picture is being drawn.*\[K$' "$scratch/terminal" || { cat "$scratch/terminal"; echo 'no word of it'; exit 1; }
+fi
+
+# The steps of a proof are counted too.
 script -qec "jellett check '$JLT_SOURCE_DIR/tools/certificates/turn_over.json'" "$scratch/terminal" < /dev/null > /dev/null ||
     { echo "check ends with $?"; exit 1; }
 tr '\r' '\n' < "$scratch/terminal" | sed -n 's/^\([0-9]*\) validated steps, .*/\1/p' > "$scratch/shown"

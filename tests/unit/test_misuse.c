@@ -5,6 +5,7 @@
 #include "analysis/charpoly.h"
 #include "analysis/density.h"
 #include "analysis/linearization.h"
+#include "dynamics/lyapunov.h"
 #include "dynamics/map_batch.h"
 #include "dynamics/orbits.h"
 #include "dynamics/section_batch.h"
@@ -286,6 +287,34 @@ static void cells_cover_a_region(void **unused)
     refused(jlt_system_plane(&none, lorenz(), lorenz_params, 2, 27, (const int[]){ -1, 0, 3 }, NULL));
 }
 
+static void batches_know_their_flows_and_returns(void **unused)
+{
+    const double q[] = { -13, -19, 1, 2 };
+    const size_t flows[] = { 0, 1 }, none[] = { 0, 1 }, many[] = { 3, 1 };
+    jlt_section_batch *batch;
+    jlt_map_batch *maps;
+    jlt_map_images images;
+    jlt_lyapunov_state states[2];
+    jlt_status each[2];
+    jlt_system *system;
+    (void)unused;
+
+    assert_ok(jlt_system_plane(&system, lorenz(), lorenz_params, 2, 27, NULL, NULL));
+    assert_ok(jlt_section_batch_create(&batch, &system->flow, NULL, NULL));
+    assert_ok(jlt_map_batch_create(&maps, &system->flow, NULL, NULL, 1));
+    assert_ok(jlt_map_batch_images(&images, 2, 2));
+    refused(jlt_section_batch_run_each(batch, q, flows, NULL, 2, 2));
+    refused(jlt_section_batch_run_each(batch, q, NULL, none, 2, 2));
+    refused(jlt_section_batch_run_each(batch, q, NULL, many, 2, 2));
+    refused(jlt_map_batch_apply_flows(maps, &images, q, flows, 2, 1, NULL, NULL));
+    refused(jlt_lyapunov_run_each(maps, states, each, q, flows, 2, 0, 1));
+    refused(jlt_lyapunov_run_each(maps, states, each, q, none, 1, SIZE_MAX, 2));
+    jlt_map_batch_images_clear(&images);
+    jlt_map_batch_destroy(maps);
+    jlt_section_batch_destroy(batch);
+    jlt_system_destroy(system);
+}
+
 static void polynomials_have_coefficients(void **unused)
 {
     double coefficients[3] = { 7, 7, 7 };
@@ -360,6 +389,7 @@ int main(void)
         cmocka_unit_test(continuation_takes_its_options_as_they_are),
         cmocka_unit_test(a_search_has_starts),
         cmocka_unit_test(cells_cover_a_region),
+        cmocka_unit_test(batches_know_their_flows_and_returns),
         cmocka_unit_test(polynomials_have_coefficients),
         cmocka_unit_test(a_density_is_along_a_state),
         cmocka_unit_test(handles_take_null_and_names_once),

@@ -58,4 +58,12 @@ jellett fates --grid 2x2 --returns 2 --sweep E=1.1:1.7:7 > "$scratch/out" 2> /de
 [ "$(claims E)" -eq 0 ] && [ "$(claims G)" -eq 2 ] || fail "fates: the header claims a value of E"
 jellett eigen --at v_nu=0.7,omega3=1.1 --sweep a3=0:0:1,gamma3=0.1:0.7:7 > "$scratch/out"
 [ "$(claims a3)" -eq 0 ] || fail "eigen: the header claims a value of a3"
+
+# The command in a header is one line of UTF-8 that does the same again, whatever bytes a file's name has.
+cd "$scratch" || exit 1
+for name in $'two\nlines' $'\xff' $'a\rb' "it's \\ü" $'ü\n\\\'' 'a b'; do
+    jellett simulate lorenz --start x=1,y=1,z=1 --times 1 -o "$name" && mv "$name" first || fail "no file '$name'"
+    iconv -f UTF-8 -t UTF-8 first > "$scratch/out" && [ "$(grep -cv '^#' first)" -eq 2 ] || fail "the header of '$name' is no text"
+    (eval "$(sed -n 's/^# command: //p' first)") && cmp first "$name" || fail "the header of '$name': $(head -1 first)"
+done
 exit $status
