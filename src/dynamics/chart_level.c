@@ -171,6 +171,19 @@ static int side(const jlt_chart *base, double *x)
     return jlt_chart_pole_side(base, self->descriptor, base->states - base->roots, x);
 }
 
+/* The same as `look`, but sizes are at least what the largest state, or 1 if that is less, would change each level by, to first
+ * order: all terms may vanish, as those of v - sin(phi) on level 0 at phi = 0, and rounding would then lead to another level. */
+static void look_around(const jlt_chart_level *self, double *off, double *sizes, double *by_solved, const double *x)
+{
+    const unsigned n = self->base.states;
+    double gradients[M * JLT_CHART_STATES_MAX], largest = 0;
+
+    (void)look(self, off, sizes, by_solved, gradients, x);
+    for (unsigned k = 0; k < n; k++) largest = fmax(largest, fabs(x[k]));
+    for (unsigned i = 0; i < unknowns(&self->base) * n; i++)
+        sizes[i / n] = fmax(sizes[i / n], fabs(gradients[i]) * fmin(1, largest));
+}
+
 /* Whether two solutions for the same coordinates are one: rounding can cause their difference. It moves each level by a few `met`
  * of the size of its terms, and the unknowns accordingly, to first order. */
 static bool are_one(const jlt_chart_level *self, const double *a, const double *b)
@@ -179,7 +192,7 @@ static bool are_one(const jlt_chart_level *self, const double *a, const double *
     const unsigned count = unknowns(&self->base);
     double off[M], sizes[M], matrix[M * M], error[M], open[M] = { 0 };
 
-    (void)look(self, off, sizes, matrix, NULL, a);
+    look_around(self, off, sizes, matrix, a);
     for (unsigned j = 0; j < count; j++) {
         for (unsigned i = 0; i < count; i++) off[i] = i == j ? generous * met * sizes[j] : 0;
         if (correct(error, matrix, off, sizes, count) != JLT_OK) return false;
@@ -206,7 +219,10 @@ static bool follows(const jlt_chart *base, const double *x)
         const unsigned state = base->solved[i];
         own[state] = self->turns[i] == 0 ? x[state] : lifted[state] + remainder(x[state] - lifted[state], self->turns[i]);
     }
-    return look(self, off, sizes, matrix, NULL, own) <= on_levels && solve(self, own) == JLT_OK && are_one(self, lifted, own);
+    look_around(self, off, sizes, matrix, own);
+    for (unsigned i = 0; i < unknowns(base); i++)
+        if (!(fabs(off[i]) <= on_levels * sizes[i])) return false;
+    return solve(self, own) == JLT_OK && are_one(self, lifted, own);
 }
 
 jlt_status jlt_chart_level_init(jlt_chart_level *out, const jlt_chart *plane, const jlt_invariants *integrals,
