@@ -162,7 +162,7 @@ bool jlt_section_table_verdict(const jlt_section_table *table)
 
     if (without > 0)
         fprintf(stderr, "jellett: DP could not be computed at %zu of %zu returns%s\n", without, without + table->checked,
-                table->unchecked == 0 ? ": from or to another branch of --solve there is none" : "");
+                table->unchecked == 0 ? ": from or to another branch of --solve, or another level, there is none" : "");
     if (table->checked == 0) return without == 0;
     fprintf(stderr, "jellett: det DP against flux and divergence: worst relative defect %.2g; at most %.2g of its bound\n",
             table->worst_defect, table->worst_share);

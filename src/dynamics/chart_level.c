@@ -13,21 +13,27 @@ static unsigned unknowns(const jlt_chart *base) { return base->solved_count + ba
 
 static const double met = 1e-13;     /* a level is met to this part of the size of its integral's terms: rounding */
 static const double singular = 1e-13; /* singular values below this part of the largest count as 0, see correct */
+static const double rounding = 1e-3; /* the part of the largest state of which `met` is the rounding */
 
 /* Out: off, F - value of every level, (count,); sizes, of its terms, to first order, (count,); by_solved, gradients by the
- * unknowns, (count, count); by_all, unless NULL, by all states, (count, states). Returns the largest |F - value|/size. */
-static double look(const jlt_chart_level *self, double *off, double *sizes, double *by_solved, double *by_all, const double *x)
+ * unknowns, (count, count); by_all, unless NULL, by all states, (count, states). All terms may vanish, as those of v - sin(phi) on
+ * level 0 at phi = 0: a size is at least what this part of the largest state, or of 1 if that is less, changes the level by.
+ * Returns the largest |F - value|/size. */
+static double look(const jlt_chart_level *self, double *off, double *sizes, double *by_solved, double *by_all, const double *x,
+                   double part_of_largest)
 {
     const unsigned n = self->base.states, count = unknowns(&self->base);
-    double values[JLT_CHART_INTEGRALS_MAX], gradients[JLT_CHART_INTEGRALS_MAX * JLT_CHART_STATES_MAX], worst = 0;
+    double values[JLT_CHART_INTEGRALS_MAX], gradients[JLT_CHART_INTEGRALS_MAX * JLT_CHART_STATES_MAX], worst = 0, largest = 0;
 
     self->integrals.values(x, self->integrals.p, values);
     self->integrals.gradients(x, self->integrals.p, gradients);
+    for (unsigned k = 0; k < n; k++) largest = fmax(largest, fabs(x[k]));
     for (unsigned i = 0; i < count; i++) {
         const jlt_level *level = &self->levels[i];
         const double *gradient = gradients + level->integral * n;
         double size = fabs(level->value);
-        for (unsigned k = 0; k < n; k++) size = fmax(size, fabs(gradient[k] * x[k]));
+        for (unsigned k = 0; k < n; k++)
+            size = fmax(size, fabs(gradient[k]) * fmax(fabs(x[k]), part_of_largest * fmin(1, largest)));
         sizes[i] = size;
         off[i] = values[level->integral] - level->value;
         const double part = off[i] == 0 ? 0 : fabs(off[i]) / size;
@@ -67,10 +73,10 @@ static jlt_status correct(double *change, const double *by_solved, const double 
 }
 
 /* Newton's method for the unknowns in x, in place; each step is halved until the residual falls. */
-static jlt_status solve(const jlt_chart_level *self, double *x)
+static jlt_status iterate(const jlt_chart_level *self, double *x, double least)
 {
     const unsigned count = unknowns(&self->base);
-    double off[M], sizes[M], matrix[M * M], step[M], from[M], now = look(self, off, sizes, matrix, NULL, x), before;
+    double off[M], sizes[M], matrix[M * M], step[M], from[M], now = look(self, off, sizes, matrix, NULL, x, least), before;
 
     for (unsigned round = 0; round < ROUNDS && now > 0; round++) {
         double part = 1;
@@ -80,7 +86,7 @@ static jlt_status solve(const jlt_chart_level *self, double *x)
         before = now;
         for (halving = 0; halving < HALVINGS; halving++, part /= 2) {
             for (unsigned i = 0; i < count; i++) x[self->base.solved[i]] = from[i] - part * step[i];
-            now = look(self, off, sizes, matrix, NULL, x);
+            now = look(self, off, sizes, matrix, NULL, x, least);
             if (now < before) break;
         }
         if (halving < HALVINGS) continue;
@@ -91,13 +97,19 @@ static jlt_status solve(const jlt_chart_level *self, double *x)
     return now <= met ? JLT_OK : JLT_ERR_EMPTY;
 }
 
+/* The same in sizes of terms, which scale with units, or else also where these vanish. */
+static jlt_status solve(const jlt_chart_level *self, double *x)
+{
+    return iterate(self, x, 0) == JLT_OK ? JLT_OK : iterate(self, x, rounding);
+}
+
 /* dx/dq: unit rows for the coordinates; the unknowns change so as to keep the levels. */
 static jlt_status tangent_of(const jlt_chart_level *self, double *tangent, const double *x)
 {
     const unsigned n = self->base.states, d = self->base.dim, count = unknowns(&self->base);
     double off[M], sizes[M], matrix[M * M], gradients[M * JLT_CHART_STATES_MAX], column[M], solution[M];
 
-    (void)look(self, off, sizes, matrix, gradients, x);
+    (void)look(self, off, sizes, matrix, gradients, x, 0);
     memset(tangent, 0, (size_t)n * d * sizeof *tangent);
     for (unsigned k = 0; k < d; k++) {
         tangent[self->free[k] * d + k] = 1;
@@ -153,7 +165,7 @@ static double flux(const jlt_chart *base, const double *x, const double *f)
 {
     double off[M], sizes[M], matrix[M * M];
 
-    (void)look((const jlt_chart_level *)base, off, sizes, matrix, NULL, x);
+    (void)look((const jlt_chart_level *)base, off, sizes, matrix, NULL, x, 0);
     return f[base->column] / jlt_linear_determinant(matrix, unknowns(base));
 }
 
@@ -179,7 +191,7 @@ static bool are_one(const jlt_chart_level *self, const double *a, const double *
     const unsigned count = unknowns(&self->base);
     double off[M], sizes[M], matrix[M * M], error[M], open[M] = { 0 };
 
-    (void)look(self, off, sizes, matrix, NULL, a);
+    (void)look(self, off, sizes, matrix, NULL, a, rounding);
     for (unsigned j = 0; j < count; j++) {
         for (unsigned i = 0; i < count; i++) off[i] = i == j ? generous * met * sizes[j] : 0;
         if (correct(error, matrix, off, sizes, count) != JLT_OK) return false;
@@ -206,7 +218,7 @@ static bool follows(const jlt_chart *base, const double *x)
         const unsigned state = base->solved[i];
         own[state] = self->turns[i] == 0 ? x[state] : lifted[state] + remainder(x[state] - lifted[state], self->turns[i]);
     }
-    return look(self, off, sizes, matrix, NULL, own) <= on_levels && solve(self, own) == JLT_OK && are_one(self, lifted, own);
+    return look(self, off, sizes, matrix, NULL, own, 1) <= on_levels && solve(self, own) == JLT_OK && are_one(self, lifted, own);
 }
 
 jlt_status jlt_chart_level_init(jlt_chart_level *out, const jlt_chart *plane, const jlt_invariants *integrals,
@@ -261,7 +273,7 @@ bool jlt_chart_level_determines(const jlt_chart_level *self, bool *known, const 
     const unsigned count = unknowns(&self->base);
     double off[M], sizes[M], by_solved[M * M], matrix[M * M], effect[M];
 
-    (void)look(self, off, sizes, by_solved, NULL, x);
+    (void)look(self, off, sizes, by_solved, NULL, x, 0);
     for (unsigned i = 0; i < count; i++) { /* the sizes of levels elsewhere tell nothing here */
         sizes[i] = 0;
         for (unsigned j = 0; j < count; j++) sizes[i] = fmax(sizes[i], fabs(by_solved[i * count + j]));

@@ -188,4 +188,15 @@ awk -F, '/^1,/ { a = 1/3 - 4; b = 0.2; c = cos(0.3)/10/(a^2 + b^2); s = sin(0.3)
     good = ($2 - (a*s - b*c))^2 + ($3 - 2*(a*c + b*s))^2 < 1e-26 } END { exit !good }' out || fail "turning: $(tail -1 out)"
 expect 0 'at most .* of its bound' jellett section "${level[@]}" --returns 3 --check
 grep -q 'could not' err && fail "turning: $(cat err)"
+# On level 0 of v - sin p all terms vanish at p = 0, where v is 0 but for rounding: that is no other level. Driven by v, x is
+# (a sin p - cos p)/(1 + a^2) with a = 1/3, so that x = -0.9 at p = 0, with the multiplier exp(-2 pi/3).
+printf '%s\n' 'model vanishing' 'state p' 'state x' 'state v' 'angle c s = cos(p) sin(p)' 'eq p = 1' 'eq x = v - x/3' 'eq v = c' \
+    'integral F = v - s' 'periodic p = 2*pi' > vanishing.tt
+level=(./vanishing.tt --section p=0 --level F=0 --solve v=0 --start x=0.1)
+expect 0 '^1,-0[.](9|8999999999999[0-9]*),6[.]28318530717[0-9]*,0[.]12314471107[0-9]*,' jellett orbits "${level[@]}" --period 1
+expect 0 '^3,18[.]84955592153[0-9]*,-0[.]3333333333333[0-9]*,' jellett lyapunov "${level[@]}" --returns 3
+for tolerance in 1e-4 1e-8 1e-12; do
+    expect 0 'at most .* of its bound' jellett section "${level[@]}" --returns 9 --check --method dop853 --tol $tolerance
+    grep -q 'could not' err && fail "vanishing at $tolerance: $(cat err)"
+done
 exit $status
