@@ -29,7 +29,8 @@ bool ttc_search_with(ttc_witness *point, const ttc_conditions *conditions, slong
 bool ttc_search_meets(ttc_witness *point, const ttc_conditions *conditions);
 
 /** Search for a point that meets the conditions and at which a polynomial is zero, where it changes its sign along one variable,
- *  or where one of its factors does; of_squares: one of even exponent. The variable is then known to lie within an interval. */
+ *  or where one of its factors does; of_squares: one of even exponent. The variable is then known to lie within an interval,
+ *  unless a point that is tried first is a zero itself. */
 bool ttc_search_zero(ttc_witness *point, const ttc_conditions *conditions, const fmpz_mpoly_t polynomial, bool of_squares);
 
 /** Search for a point that meets the conditions, of which those from domain_count on say that a ratio is not positive. */

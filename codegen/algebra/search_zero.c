@@ -1,19 +1,20 @@
 /* Search for a point at which a polynomial is zero, between two of its signs: on a line along which one variable changes. What is
  * found is a variable within an interval. Wherever it is there, the conditions hold; and at the ends the polynomial has both signs,
- * so that it is zero in between. */
+ * so that it is zero in between. A point from which a line would begin may be a zero itself. */
 #include "algebra/search.h"
 
 #include <flint/fmpz_mpoly_factor.h>
 
 enum { STARTS = 4, SCALES = 6, HALVINGS = 160, PRECISION = 512, LONGEST = 256, ENCLOSURES = 24 };
 
-/* 1 or -1, or 0 if the sign is not known. */
-static int sign_at(ttc_witness *point, const ttc_ratio *value)
+/* 1 or -1, or 0 if the sign is not known. is_zero: NULL, or gets whether the value is known to be zero. */
+static int sign_at(ttc_witness *point, const ttc_ratio *value, bool *is_zero)
 {
     arb_t ball;
     arb_init(ball);
     ttc_witness_enclose(ball, point, value, PRECISION);
     const int sign = arb_is_positive(ball) ? 1 : arb_is_negative(ball) ? -1 : 0;
+    if (is_zero != NULL) *is_zero = arb_is_zero(ball);
     arb_clear(ball);
     return sign;
 }
@@ -22,7 +23,7 @@ static int sign_with(ttc_witness *point, const ttc_ratio *value, slong variable,
 {
     fmpq_set(point->values + variable, number);
     ttc_witness_changed(point);
-    return sign_at(point, value);
+    return sign_at(point, value, NULL);
 }
 
 /* Divide the interval from the variable's value to `other`, at which the sign is another, until it is as narrow as the variable is
@@ -96,7 +97,9 @@ static bool find_zero(ttc_witness *point, const ttc_conditions *conditions, cons
     unsigned attempt = 0;
     int enclosures = ENCLOSURES;
     for (int i = 0; i < STARTS && ttc_search_next(point, conditions, &attempt); i++) {
-        const int sign = sign_at(point, value);
+        bool is_zero;
+        const int sign = sign_at(point, value, &is_zero);
+        if (is_zero) return true;
         for (slong v = 0; sign != 0 && v < (slong)point->ring->variable_count; v++)
             if (ttc_witness_is_free(point, v) && look_along(point, conditions, value, v, sign, &enclosures)) return true;
     }
