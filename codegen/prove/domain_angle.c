@@ -43,9 +43,11 @@ static void add_turned(ttc_task *task, ttc_conditions *c, uint32_t cosine, const
     ttc_ratio_clear(task->ring, &value);
 }
 
-/* Add what leads from an end to 0, and to half a turn, if the end is a fraction of pi whose cosine is made of square roots. */
+/* Turn by what takes an end to 0, and to half a turn, if the end is k pi/12, whose cosine needs no roots but those of 2 and 3: more
+ * roots, and roots within roots, take longer than they are worth. */
 static void add_turned_ends(ttc_task *task, ttc_conditions *c, uint32_t cosine, const ttc_id ends[2], ttc_id half)
 {
+    enum { PARTS = 6 /* of a quarter turn */ };
     const fmpz_mpoly_ctx_struct *context = task->ring->context;
     ttc_graph *graph = task->model->graph;
     ttc_ratio value;
@@ -58,7 +60,8 @@ static void add_turned_ends(ttc_task *task, ttc_conditions *c, uint32_t cosine, 
             || !fmpz_mpoly_is_fmpz(value.denominator, context)) continue;
         fmpz_mpoly_get_fmpz(fmpq_numref(quarters), value.numerator, context);
         fmpz_mpoly_get_fmpz(fmpq_denref(quarters), value.denominator, context);
-        if (fmpz_is_one(fmpq_denref(quarters)) || !ttc_angle_has_roots(quarters)) continue;
+        const ulong parts = fmpz_abs_fits_ui(fmpq_denref(quarters)) ? fmpz_get_ui(fmpq_denref(quarters)) : 1;
+        if (parts == 1 || PARTS % parts != 0) continue;
         add_turned(task, c, cosine, ends, half, quarters);
         fmpq_add_si(quarters, quarters, 2);
         add_turned(task, c, cosine, ends, half, quarters);
