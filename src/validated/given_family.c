@@ -67,7 +67,8 @@ static bool read_side(jlt_given_family *self, uint32_t number, const json_t *box
         || !jlt_numerals_fraction(high, json_string_value(is_range ? json_object_get(value, "high") : value)))
         return jlt_refuse(problem, "box: %s %s: no number", what, symbol->name);
     if (is_range && fmpq_cmp(low, high) >= 0)
-        return jlt_refuse(problem, "box: the range of %s is empty: low is below high", symbol->name);
+        return jlt_refuse(problem, "box: the range of %s is empty: its low end must be below its high one; for one value, %s=VALUE",
+                          symbol->name, symbol->name);
     if (!allows(self, symbol, low, high))
         return jlt_refuse(problem, "box: %s %s: %s does not allow all of these values", what, symbol->name,
                           self->descriptor->model);

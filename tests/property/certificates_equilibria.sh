@@ -185,7 +185,7 @@ certify 1 'the trace is 0 at a = 0.2' lotka_volterra --box a=0.1:0.3
 certify 4 'has no sign that is shown in a3 in [-0.9, -0.89999999' --family spin_weightless --box \
     a3=-0.9:0.9,gamma3=0.9:0.99,v_nu=1,omega3=1
 certify 3 'the range of gamma3 is empty' "${spin[@]},gamma3=0.9:0.1,v_nu=1,omega3=0"
-certify 3 'the range of gamma3 is empty' "${spin[@]},gamma3=0.5:0.5,v_nu=1,omega3=0"
+certify 3 'its low end must be below its high one; for one value, gamma3=VALUE' "${spin[@]},gamma3=0.5:0.5,v_nu=1,omega3=0"
 certify 3 "'gamma3=nan:0.9' has no finite number" "${spin[@]},gamma3=nan:0.9,v_nu=1,omega3=0"
 certify 3 "'gamma3=0.1:inf' has no finite number" "${spin[@]},gamma3=0.1:inf,v_nu=1,omega3=0"
 certify 3 "'gamma3=0.1:' has no finite number" "${spin[@]},gamma3=0.1:,v_nu=1,omega3=0"
