@@ -144,10 +144,10 @@ static double differs(unsigned *coordinate, const jlt_section_levels *self, doub
 
 void jlt_section_levels_tell(const jlt_section_levels *self, int time_direction)
 {
-    const double tolerance = tolerance_of(self), other = tolerance > rounding ? tolerance / 10 : 10 * tolerance;
     unsigned k;
 
-    if (!(self->worst.share > 0)) return;
+    if (!(self->worst.share > 0)) return; /* also where no orbit was begun, and nothing opened */
+    const double tolerance = tolerance_of(self), other = tolerance > rounding ? tolerance / 10 : 10 * tolerance;
     fprintf(stderr, "jellett: on its way to return %zu orbit %zu changes %s by %.2g, as errors of %.2g tolerances in every state "
             "%swould (a pass close to a singularity?)", self->worst.number, self->worst.orbit,
             self->system->instance->descriptor->integrals[self->worst.integral].name, self->worst.change, self->worst.share,

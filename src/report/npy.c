@@ -175,29 +175,40 @@ static void put_text(char *to, size_t width, const char *from, bool was_text, si
 }
 
 /* Make a column one of texts at least `width` bytes long. Rows do not become shorter, so moving the last row first overwrites
- * none. */
+ * none. Where a row cannot be moved, those stay that none was moved over. */
 static jlt_status widen(jlt_npy *self, size_t index, size_t width)
 {
     jlt_table_column *column = &self->form.columns[index];
-    const bool was_text = column->is_text;
+    const jlt_table_column was = *column;
     const size_t was_head = self->head, was_row = self->width, was_width = width_of(column);
     size_t before = 0;
+    jlt_status st = JLT_OK;
+    int reason = 0;
 
     JLT_PASS(flush(self));
     for (size_t i = 0; i < index; i++) before += width_of(&self->form.columns[i]);
     column->width = (width + NUMBER - 1) / NUMBER * NUMBER;
-    if (!was_text && self->form.rows > 0 && column->width < JLT_DIGITS_SIZE) column->width = JLT_DIGITS_SIZE;
+    if (!was.is_text && self->form.rows > 0 && column->width < JLT_DIGITS_SIZE) column->width = JLT_DIGITS_SIZE;
     column->is_text = true;
     JLT_PASS(measure(self));
+    self->place->whole = 0;
     char *const from = self->block, *const to = self->block + BLOCK / 2; /* both free: all rows are in the file */
-    for (size_t i = self->form.rows; i-- > 0;) {
+    for (size_t i = self->form.rows; st == JLT_OK && i-- > 0;) {
+        const size_t at = self->head + i * self->width;
         JLT_PASS(jlt_file_get(self->place, from, was_row, was_head + i * was_row));
         memcpy(to, from, before);
-        put_text(to + before, column->width, from + before, was_text, was_width);
+        put_text(to + before, column->width, from + before, was.is_text, was_width);
         memcpy(to + before + column->width, from + before + was_width, was_row - before - was_width);
-        JLT_PASS(jlt_file_put(self->place, to, self->width, self->head + i * self->width));
+        st = jlt_file_put(self->place, to, self->width, at);
+        if (st == JLT_OK) continue;
+        reason = errno;
+        *column = was;
+        if ((at - was_head) / was_row < self->form.rows) self->form.rows = (at - was_head) / was_row;
+        JLT_PASS(measure(self));
     }
-    return flush(self);
+    JLT_PASS(flush(self));
+    errno = reason;
+    return st;
 }
 
 /* Returns 0, or the width that the column needs where it holds numbers and the field is a text, or the field is too long for it. */

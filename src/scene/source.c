@@ -110,6 +110,7 @@ jlt_status jlt_source_read(char **text, const jlt_value_reader *r)
 
     if (st == JLT_OK && strlen(*text) != size)
         st = jlt_value_complain(r, 1 + lines_in(*text, *text + strlen(*text)), "a byte that is zero: this is no text");
+    if (st == JLT_OK && strncmp(*text, "\xef\xbb\xbf", 3) == 0) st = jlt_value_complain(r, 1, "a byte order mark (expected none)");
     if (st == JLT_OK) st = check(*text, r);
     if (st == JLT_OK) return JLT_OK;
     free(*text);

@@ -49,6 +49,11 @@ for signals in TERM "TERM TERM" "INT INT INT" "HUP TERM INT TERM"; do
     grep -q "saved in t.csv" "$scratch/err" || fail "section, $signals: says '$(cat "$scratch/err")'"
     tail -c 1 "$scratch/d/t.csv" | cmp -s - <(echo) || fail "section, $signals: the last row is cut"
 done
+# Before the first return of any orbit there is nothing to tell of.
+printf 'model slow\nstate x\nstate v\nstate r\nstate u\neq x = v\neq v = -x\neq r = u\neq u = -r/10^12\n' > slow.tt
+jellett section ./slow.tt --section x=0 --grid v=1:2:8,r=0,u=1 --returns 1 > out 2>&1 || fail "slow.tt: $(cat out)"
+interrupt TERM jellett section ../slow.tt --section r=0 --grid x=0.1:1:8,v=0,u=1 --returns 5 --max-steps 1000000000 -o t.csv
+expect 143 "t.csv " "section before its first return"
 interrupt "TERM TERM" jellett fates --grid 300x300 -o t.csv
 expect 143 "t.csv " "fates"
 [ "$(grep -vc '^#' "$scratch/d/t.csv")" -gt 10 ] || fail "fates: saves nothing"

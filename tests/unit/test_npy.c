@@ -2,7 +2,9 @@
  * format says, written down here. */
 #include "unit/check.h"
 
+#include <errno.h>
 #include <math.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -140,12 +142,65 @@ static void what_is_no_table_is_refused(void **unused)
     jlt_file_end(&place);
 }
 
+/* The number of the write that fails after half of its bytes; 0: none. */
+static unsigned fails, puts_made;
+
+jlt_status __real_jlt_file_put(const jlt_file *self, const char *data, size_t size, size_t offset);
+jlt_status __wrap_jlt_file_put(const jlt_file *self, const char *data, size_t size, size_t offset);
+jlt_status __wrap_jlt_file_put(const jlt_file *self, const char *data, size_t size, size_t offset)
+{
+    if (++puts_made != fails) return __real_jlt_file_put(self, data, size, offset);
+    assert_ok(__real_jlt_file_put(self, data, size / 2, offset));
+    errno = ENOSPC;
+    return JLT_ERR_IO;
+}
+
+static void a_row_is_saved_as_it_was_taken_or_not_at_all(void **unused)
+{
+    enum { ROWS = 24 };
+    char path[] = "/tmp/jellett_npy_XXXXXX", data[8192];
+
+    (void)unused;
+    close(mkstemp(path));
+    for (bool whole = false; !whole; fails = whole ? 0 : fails + 1) {
+        jlt_npy *array = NULL;
+        jlt_file place;
+        unsigned width, rows;
+        puts_made = 0;
+        assert_ok(jlt_file_begin(&place, path));
+        assert_ok(jlt_npy_create(&array, &place));
+        jlt_status st = jlt_npy_take(array, "n,word\n", 7);
+        for (int i = 0; st == JLT_OK && i < ROWS; i++) { /* words, then longer ones, so that rows in the file move twice */
+            const int digits = i < 8 ? 1 : i < 16 ? 50 : 200;
+            st = jlt_npy_take(array, data, (size_t)sprintf(data, "%d,%0*d%s\n", i, digits, i, i < 8 ? "" : "x"));
+        }
+        whole = st == JLT_OK && puts_made < fails;
+        if (jlt_file_commit_lines(&place) == JLT_OK) {
+            FILE *file = fopen(path, "r");
+            data[fread(data, 1, sizeof data - 1, file)] = '\0';
+            fclose(file);
+            const char *type = strstr(data + 10, "'word', '") + 9, *row = data + 10 + (unsigned char)data[8];
+            if (sscanf(type, "|S%u", &width) != 1) width = 8;
+            assert_int_equal(sscanf(strstr(data + 10, "'shape'"), "'shape': (%u", &rows), 1);
+            for (unsigned i = 0; i < rows; i++, row += 8 + width) {
+                assert_true(number_at(row) == i);
+                assert_true((*type == '|' ? strtod(row + 8, NULL) : number_at(row + 8)) == i);
+            }
+            assert_true(!whole || rows == ROWS);
+        }
+        jlt_npy_destroy(array);
+        jlt_file_end(&place);
+    }
+    unlink(path);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(columns_become_texts_when_their_fields_show_it),
         cmocka_unit_test(numbers_may_be_bits),
         cmocka_unit_test(what_is_no_table_is_refused),
+        cmocka_unit_test(a_row_is_saved_as_it_was_taken_or_not_at_all),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -24,6 +24,8 @@ for number in 0x10 0X1F 0b11; do
     printf 'compute = ( { what = "section";\n grid = "2x2"; returns = %s; } );\n' $number > "$scratch/s.scene"
     refused "s.scene:2: error: " jellett run "$scratch/s.scene"
 done
+printf '\xef\xbb\xbfmodel = "lorenz";\n' > "$scratch/s.scene"
+refused "s.scene:1: error: a byte order mark" jellett run "$scratch/s.scene"
 # An option with one value is not overridden by its second: however spelled, by every program, also where nothing else is computed.
 twice tol 1e-8 1e-9 jellett simulate --start x=1,y=1,z=1 lorenz -t 1e-8 --times 1 --to=1e-9
 twice times 1 2 jellett simulate lorenz --start x=1,y=1,z=1 --times 1 --times 2
