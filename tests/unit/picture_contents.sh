@@ -81,9 +81,12 @@ head -c 4 p.PNG | grep -qF PNG && head -c 6 rows.NPY | grep -qF NUMPY || fail "e
 
 "${base[@]}" --plot p.svg --keep - -o rows.csv > p.gp 2> log && gnuplot p.gp && [ ! -e ./- ] || fail "--keep -: $(cat log)"
 
-# No file in /tmp is needed to draw.
-shut() { unshare --mount bash -c 'mount -t tmpfs -o nr_inodes=1 none /tmp && cd /dev/fd/9 && exec "$@"' shut "$@" 9< .; }
-if shut true 2> log; then
+# No file in /tmp is needed to draw. The program may lie there itself.
+shut() {
+    unshare --mount bash -c 'mount -t tmpfs -o nr_inodes=1 none /tmp && cd /dev/fd/9 && exec /dev/fd/8 "${@:2}"' shut "$@" \
+        8< "$(command -v "$1")" 9< .
+}
+if shut jellett --version > out 2> log; then
     shut "${base[@]}" --plot p.svg -o /dev/null 2> log && [ ! -s log ] || fail "where /tmp is full: $(cat log)"
 else echo "skipped: no /tmp of its own may be mounted"; fi
 

@@ -14,7 +14,7 @@ int main(void)
     static jlt_continuation_point first = { .value = 2.15 };
     jlt_surface_family top;
     jlt_system_family systems = { .make = jlt_surface_at, .context = &top };
-    const jlt_family family = { jlt_system_map_at, &systems };
+    const jlt_family family = { jlt_system_map_at, &systems, jlt_system_map_near };
     jlt_map *map;
     jlt_continuation_end end;
     jlt_status st;
