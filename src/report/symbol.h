@@ -5,7 +5,7 @@
 #include <stdio.h>
 
 /** Write a name of a table in gnuplot's enhanced text: names of Greek letters as letters; what follows the first '_', and digits
- *  behind a single letter, as an index, whose parts commas separate: v_nu_2 has the index ν,2. Any other text is written as it
+ *  behind a single letter, as an index, whose parts commas separate: p_xi_2 has the index ξ,2. Any other text is written as it
  *  stands. */
 void jlt_symbol_write(FILE *stream, const char *name);
 
