@@ -60,9 +60,6 @@ void ttc_check_same(ttc_check *check, arb_srcptr a, arb_srcptr b, const char *wh
 /** Set the target probe to the image of the current point: states and parameters. Returns false if there is none. */
 bool ttc_check_set_image(ttc_check *check, const ttc_image *image);
 
-/* The two values that give the target's i-th state at a probe of the model: sine and cosine of an angle, both times one positive
- * number, or the state and 1. Returns false if one has no value. */
-bool ttc_check_way_to(ttc_check *check, ttc_probe *probe, const ttc_image *image, size_t state, arb_t sine, arb_t cosine);
 
 /* What both tables observe, hold valid or claim as an integral without conditions under one name has one value at a probe of the
  * model and at the target probe, if it has a value at both. */

@@ -5,7 +5,9 @@
 
 enum { TARGET_DRAWS = 12 };
 
-bool ttc_check_way_to(ttc_check *check, ttc_probe *probe, const ttc_image *image, size_t state, arb_t sine, arb_t cosine)
+/* The two values that give the target's i-th state at a probe of the model: sine and cosine of an angle, both times one positive
+ * number, or the state and 1. Returns false if one has no value. */
+static bool way_to(ttc_check *check, ttc_probe *probe, const ttc_image *image, size_t state, arb_t sine, arb_t cosine)
 {
     const ttc_id *entries = check->claim->entries + 2 * ttc_image_state(image, check->target, state);
     arb_srcptr value = ttc_probe_at(probe, entries[0]);
@@ -45,7 +47,7 @@ bool ttc_check_set_image(ttc_check *check, const ttc_image *image)
     ttc_probe_begin(check->target_probe, precision);
     bool good = set_params(check, image);
     for (size_t i = 0; good && i < target->state_count; i++) {
-        good = ttc_check_way_to(check, check->probe, image, i, sine, cosine);
+        good = way_to(check, check->probe, image, i, sine, cosine);
         if (good && image->forms[ttc_image_state(image, target, i)] == TTC_GIVEN_ANGLE) {
             good = !(arb_contains_zero(sine) && arb_contains_zero(cosine));
             arb_atan2(sine, sine, cosine, precision);
@@ -147,7 +149,7 @@ void ttc_check_return(ttc_check *check, ttc_probe *probe, const ttc_image *image
     arb_init(own_cosine);
     arb_init(along);
     arb_init(across);
-    if (!ttc_check_way_to(check, probe, image, state, sine, cosine)) {
+    if (!way_to(check, probe, image, state, sine, cosine)) {
         ttc_check_undefined(check);
     } else if (image->forms[ttc_image_state(image, check->target, state)] != TTC_GIVEN_ANGLE) {
         ttc_check_same(check, sine, own, "the way back leads elsewhere in", name);

@@ -113,7 +113,8 @@ const char *jlt_assign_fraction(const jlt_assign_list *list, const char *name)
     return NULL;
 }
 
-jlt_exit jlt_assign_refuse(const jlt_descriptor *descriptor, size_t index, double value)
+/* Print that parameter number `index` must not have this value, and which values the table allows. Returns JLT_EXIT_INPUT. */
+static jlt_exit refuse(const jlt_descriptor *descriptor, size_t index, double value)
 {
     const jlt_quantity *q = &descriptor->params[index];
     char digits[JLT_DIGITS_SIZE];
@@ -156,7 +157,7 @@ jlt_exit jlt_assign_params(double **params, const jlt_descriptor *d, const jlt_a
             code = jlt_command_fail(JLT_EXIT_INPUT, "parameter %s has no default in %s: add --set %s=VALUE",
                                     d->params[i].name, d->model, d->params[i].name);
     if (code == JLT_EXIT_DONE && jlt_descriptor_check_params(d, values, &index) != JLT_OK)
-        code = jlt_assign_refuse(d, index, values[index]);
+        code = refuse(d, index, values[index]);
     if (code == JLT_EXIT_DONE && jlt_region_check(&region, &value, d, values, NULL) != JLT_OK)
         code = region == NULL ? jlt_command_no_memory() : jlt_assign_refuse_region("parameters", d, region, value);
     if (code != JLT_EXIT_DONE) {

@@ -45,9 +45,6 @@ jlt_exit jlt_assign_refuse_region(const char *what, const jlt_descriptor *descri
 /** Say that the value of `what` for a quantity is outside its open interval. */
 jlt_exit jlt_assign_refuse_interval(const char *what, const jlt_quantity *quantity);
 
-/** Print that parameter number `index` must not have this value, and which values the table allows. Returns JLT_EXIT_INPUT. */
-jlt_exit jlt_assign_refuse(const jlt_descriptor *descriptor, size_t index, double value);
-
 /** The parameters of a model: the table's defaults, then the list's values, checked against the table's domain. Out: *params, shape
  *  (param_count,), in the table's units; the caller frees it. */
 jlt_exit jlt_assign_params(double **params, const jlt_descriptor *descriptor, const jlt_assign_list *list);

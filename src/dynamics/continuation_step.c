@@ -122,8 +122,11 @@ static double size_at(const jlt_continuation_runner *self, const double *u, doub
     return fmin(size, 1);
 }
 
-jlt_status jlt_continuation_step_correct(const jlt_continuation_runner *self, double *u, jlt_continuation_equation *at,
-                                         const double *tangent, unsigned *iterations)
+/* Newton's method on F = 0, tangent . (u - start) = 0 from start = u, in place; *at is left at the last u. Out: *iterations, unless
+ * NULL. Errors: NO_CONVERGENCE, also if a Newton step changes a component of u by more than 0.2 (times its length, over that of
+ * the start); as evaluate. */
+static jlt_status correct(const jlt_continuation_runner *self, double *u, jlt_continuation_equation *at, const double *tangent,
+                          unsigned *iterations)
 {
     const unsigned d = self->d;
     double matrix[U * U], right[U], delta[U], start[U], last = INFINITY, moved = INFINITY;
@@ -230,7 +233,7 @@ jlt_status jlt_continuation_step_to(const jlt_continuation_runner *self, jlt_con
     jlt_continuation_place next = { .arc = from->arc + fabs(step), .symmetric = from->symmetric };
 
     for (unsigned i = 0; i <= d; i++) next.u[i] = from->u[i] + step * from->tangent[i];
-    JLT_PASS(jlt_continuation_step_correct(self, next.u, &next.at, from->tangent, iterations));
+    JLT_PASS(correct(self, next.u, &next.at, from->tangent, iterations));
     if (!is_orbit(self, &next.at, next.u)) return JLT_ERR_NO_CONVERGENCE;
     JLT_PASS(tangent_at(self, next.tangent, &next.at, from->tangent));
     test_functions(next.test, &next.at, next.tangent, next.symmetric, d);
@@ -376,7 +379,7 @@ jlt_status jlt_continuation_switch(jlt_continuation_point *out, const jlt_family
     across(normal, direction, at->tangent);
     for (unsigned halving = 0; halving < HALVINGS; halving++, offset /= 2) {
         for (unsigned i = 0; i < 3; i++) u[i] = origin[i] + offset * direction[i];
-        jlt_status st = jlt_continuation_step_correct(&self, u, &here, normal, NULL);
+        jlt_status st = correct(&self, u, &here, normal, NULL);
         if (st == JLT_OK) st = jlt_continuation_step_measure(&self, &point, u, direction, 0, JLT_BIFURCATION_NONE);
         if (st == JLT_ERR_NOMEM) return st;
         for (unsigned i = 0; i < 3; i++) way[i] = u[i] - origin[i];

@@ -48,13 +48,6 @@ JLT_CHECKED jlt_status jlt_continuation_step_evaluate(const jlt_continuation_run
 /* The length of the coordinates at u but for angles, at least 1. */
 double jlt_continuation_step_length(const jlt_continuation_runner *self, const double *u);
 
-/* Newton's method on F = 0, tangent . (u - start) = 0 from start = u, in place; *at is left at the last u. Out: *iterations, unless
- * NULL. Errors: NO_CONVERGENCE, also if a Newton step changes a component of u by more than 0.2 (times its length, over that of
- * the start); as evaluate. */
-JLT_CHECKED jlt_status jlt_continuation_step_correct(const jlt_continuation_runner *self, double *u,
-                                                     jlt_continuation_equation *at, const double *tangent,
-                                                     unsigned *iterations);
-
 /* Take d, chart and tolerance from the map at a value. Errors: as map_at. */
 JLT_CHECKED jlt_status jlt_continuation_step_open(jlt_continuation_runner *self, double value);
 
