@@ -114,16 +114,14 @@ static void state_generators(ttc_question *q, const ttc_conditions *conditions)
 /* 1 - c^2 >= 0 */
 static void state_cosine(ttc_question *q, const fmpz_mpoly_t cosine)
 {
-    const ttc_ring *ring = q->point->ring;
-    fmpz_mpoly_t rest, one;
-    fmpz_mpoly_init(rest, ring->context);
-    fmpz_mpoly_init(one, ring->context);
-    fmpz_mpoly_one(one, ring->context);
-    fmpz_mpoly_mul(rest, cosine, cosine, ring->context);
-    fmpz_mpoly_sub(rest, one, rest, ring->context);
+    const fmpz_mpoly_ctx_struct *context = q->point->ring->context;
+    fmpz_mpoly_t rest;
+    fmpz_mpoly_init(rest, context);
+    fmpz_mpoly_mul(rest, cosine, cosine, context);
+    fmpz_mpoly_neg(rest, rest, context);
+    fmpz_mpoly_add_ui(rest, rest, 1, context);
     state_condition(q, rest, TTC_IS_NONNEGATIVE);
-    fmpz_mpoly_clear(one, ring->context);
-    fmpz_mpoly_clear(rest, ring->context);
+    fmpz_mpoly_clear(rest, context);
 }
 
 static bool is_of_numbers(const ttc_question *q, const ttc_ratio *ratio);
@@ -285,7 +283,27 @@ static ttc_symbol_kind read_function(ttc_question *q, slong v, ttc_ratio *a, ttc
     return entry->kind == TTC_LOG ? TTC_EXP : entry->kind;
 }
 
-/* Bounds of a function, and of log(e/f) = log(e) - log(f) with others: of two exponentials that is greater whose exponent is. */
+/* Bounds of log(e/f) = a - b; and of log(e/f^k) = a - k b where f is the variable w, up to the power with which e grows. */
+static void state_quotient(ttc_question *q, const ttc_ratio *a, const ttc_ratio *e, const ttc_ratio *b, const ttc_ratio *f, slong w)
+{
+    enum { HIGHEST = 4 };
+    ttc_ring *ring = q->point->ring;
+    const slong last = fmpz_mpoly_is_gen(f->numerator, w, ring->context) ? fmpz_mpoly_degree_si(e->numerator, w, ring->context) : 1;
+    ttc_ratio logarithm, quotient;
+    ttc_ratio_init(ring, &logarithm);
+    ttc_ratio_init(ring, &quotient);
+    ttc_ratio_set(ring, &logarithm, a);
+    ttc_ratio_set(ring, &quotient, e);
+    for (slong k = 1; k == 1 || (k <= last && k <= HIGHEST); k++) {
+        ttc_ratio_subtract(ring, &logarithm, &logarithm, b);
+        ttc_ratio_divide(ring, &quotient, &quotient, f);
+        state_exponential(q, &logarithm, &quotient);
+    }
+    ttc_ratio_clear(ring, &quotient);
+    ttc_ratio_clear(ring, &logarithm);
+}
+
+/* Bounds of a function, and of its quotients with others: of two exponentials that is greater whose exponent is. */
 static void state_function(ttc_question *q, slong v, const bool *stated)
 {
     ttc_ring *ring = q->point->ring;
@@ -299,13 +317,12 @@ static void state_function(ttc_question *q, slong v, const bool *stated)
     else if (kind != TTC_PI) state_circular(q, &a, &e, kind == TTC_SINE);
     for (slong w = 0; kind == TTC_EXP && w < (slong)ring->variable_count; w++) {
         if (w == v || !stated[w] || read_function(q, w, &b, &f) != TTC_EXP) continue;
-        ttc_ratio_subtract(ring, &b, &a, &b);
-        ttc_ratio_divide(ring, &f, &e, &f);
-        state_exponential(q, &b, &f);
+        if (ttc_ratio_uses(ring, &f, v)) state_quotient(q, &b, &f, &a, &e, v);
+        else state_quotient(q, &a, &e, &b, &f, w);
     }
     ttc_ratio_clear(ring, &f);
-    ttc_ratio_clear(ring, &b);
     ttc_ratio_clear(ring, &e);
+    ttc_ratio_clear(ring, &b);
     ttc_ratio_clear(ring, &a);
 }
 

@@ -273,6 +273,14 @@ bool ttc_ball_value(arb_t out, ttc_ball *ball, ttc_id id)
     return arb_is_finite(out);
 }
 
+int ttc_ball_sign(ttc_ball *ball, ttc_id id)
+{
+    arb_srcptr enclosure = evaluate_full(ball, id);
+
+    if (enclosure == NULL) return 0;
+    return arb_is_positive(enclosure) ? 1 : arb_is_negative(enclosure) ? -1 : 0;
+}
+
 static double radius_of(ttc_ball *ball, evaluation mode, ttc_id id)
 {
     if (!evaluate(ball, mode, id) || !arb_is_finite(ball->balls[mode].balls + id)) return INFINITY;

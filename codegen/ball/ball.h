@@ -51,6 +51,9 @@ bool ttc_ball_enclose(ttc_enclosure *out, ttc_ball *ball, ttc_id id);
 /** Enclose an expression with 256 bits, also one that is far from thin, as over an interval. Returns false in the same cases. */
 bool ttc_ball_value(arb_t out, ttc_ball *ball, ttc_id id);
 
+/** 1 or -1, the sign of all numbers of that enclosure, however large or small; 0 where there is none, or zero is one of them. */
+int ttc_ball_sign(ttc_ball *ball, ttc_id id);
+
 /** ttc_ball_enclose with the rounding errors to expect in doubles, at three times the cost. */
 bool ttc_ball_estimate(ttc_enclosure *out, ttc_ball *ball, ttc_id id);
 

@@ -285,6 +285,7 @@ static bool lacks_dimension(const ttc_task *task)
 static void draw_verdict(cover *c)
 {
     ttc_task *task = c->task;
+    task->is_partial = c->is_partial;
     if (task->exhibited) {
         task->status = TTC_PROVED;
         free(task->remainder);

@@ -7,7 +7,6 @@
 
 #include <flint/fmpq.h>
 
-#include <math.h>
 #include <stdlib.h>
 
 enum { PRECISION = 256, PIECES = 400, DIVISIONS = 48, DERIVATIVES = 6, FAR = 16, FARTHEST = 9, NODES = 100000, WORK = 20000 };
@@ -292,9 +291,8 @@ static size_t find_state(one_state *s, ttc_id id)
 
 static unsigned signs_of_number(one_state *s, ttc_id id)
 {
-    ttc_enclosure number;
-    if (!ttc_ball_enclose(&number, s->ball, id) || fabs(number.value) <= 2 * number.radius) return TTC_CAN_BE_ANY;
-    return number.value > 0 ? TTC_CAN_BE_POSITIVE : TTC_CAN_BE_NEGATIVE;
+    const int sign = ttc_ball_sign(s->ball, id);
+    return sign > 0 ? TTC_CAN_BE_POSITIVE : sign < 0 ? TTC_CAN_BE_NEGATIVE : TTC_CAN_BE_ANY;
 }
 
 static unsigned signs_on_interval(one_state *s, ttc_id id)

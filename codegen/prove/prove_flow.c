@@ -1,4 +1,5 @@
 /* Provers of claims about the flow or about expressions alone: integrals, rates, invariants, equalities, inequalities. */
+#include "prove/domain.h"
 #include "prove/signs.h"
 #include "prove/tangent.h"
 
@@ -145,6 +146,61 @@ static void take_radical(ttc_task *task, fmpz_mpoly_t polynomial)
     fmpz_mpoly_factor_clear(factors, context);
 }
 
+/* Whether a polynomial is one in parameters, states and levels alone. */
+static bool is_plain(const ttc_task *task, const fmpz_mpoly_t polynomial)
+{
+    const ttc_model *model = task->model;
+    bool plain = true;
+    for (slong v = 0; plain && v < (slong)task->ring->variable_count; v++) {
+        const size_t symbol = ttc_valuation_symbol(task->field, v);
+        plain = fmpz_mpoly_degree_si(polynomial, v, task->ring->context) < 1 ||
+                (symbol < model->symbol_count && !ttc_symbol_is_function(model->symbols[symbol].kind));
+    }
+    return plain;
+}
+
+/* Whether a divisor is zero on no whole part of the level of an irreducible factor: it is zero nowhere; or, without functions, of
+ * which y and exp(y) - 1 are zero together, it is another polynomial, and the factor changes its sign. */
+static bool is_apart(ttc_task *task, const fmpz_mpoly_t divisor, const fmpz_mpoly_t factor)
+{
+    ttc_ratio value;
+    fmpz_mpoly_t quotient;
+    if (!(ttc_conditions_signs(&task->domain, divisor) & TTC_CAN_BE_ZERO)) return true;
+    if (!is_plain(task, divisor) || !is_plain(task, factor)) return false;
+    ttc_ratio_init(task->ring, &value);
+    fmpz_mpoly_init(quotient, task->ring->context);
+    ttc_ratio_set_polynomial(task->ring, &value, factor);
+    const bool apart = !fmpz_mpoly_divides(quotient, divisor, factor, task->ring->context) &&
+                       ttc_task_signs_met(task, &value) == (TTC_CAN_BE_NEGATIVE | TTC_CAN_BE_POSITIVE);
+    fmpz_mpoly_clear(quotient, task->ring->context);
+    ttc_ratio_clear(task->ring, &value);
+    return apart;
+}
+
+/* Require that what divides in the claim is zero on no whole part of the level value = 0. */
+static void require_divisors(ttc_task *task, const ttc_ratio *value)
+{
+    const ttc_model *model = task->model;
+    unsigned char *of_claim = ttc_domain_divisors_of_claim(task->outer);
+    ttc_ratio divisor;
+    fmpz_mpoly_factor_t factors;
+    ttc_ratio_init(task->ring, &divisor);
+    fmpz_mpoly_factor_init(factors, task->ring->context);
+    if (of_claim == NULL || !fmpz_mpoly_factor(factors, value->numerator, task->ring->context))
+        ttc_task_unsettle(task, "the zero level could not be factored");
+    for (size_t i = 0; of_claim != NULL && i < model->divisor_count && ttc_task_open(task); i++) {
+        if (!of_claim[i]) continue;
+        ttc_evaluate(task->field, &divisor, model->divisors[i].divisor);
+        for (slong k = 0; k < factors->num && ttc_task_open(task); k++)
+            if ((ttc_conditions_signs(&task->domain, factors->poly + k) & TTC_CAN_BE_ZERO) &&
+                !is_apart(task, divisor.numerator, factors->poly + k))
+                ttc_task_unsettle(task, "what divides may be zero on a whole part of the level");
+    }
+    fmpz_mpoly_factor_clear(factors, task->ring->context);
+    ttc_ratio_clear(task->ring, &divisor);
+    free(of_claim);
+}
+
 /* The left side of the claim is f, the right one what should be zero where f is: require that it is K f with K finite all over the
  * domain. */
 static void prove_cofactor(ttc_task *task)
@@ -155,11 +211,13 @@ static void prove_cofactor(ttc_task *task)
     ttc_ratio_init(task->ring, &below);
     ttc_evaluate(task->field, &value, task->claim->expression);
     ttc_evaluate(task->field, &rest, task->claim->other);
-    const bool serves = ttc_task_open(task) && !task->is_at_zeros && ttc_task_moves(task, &value)
+    const bool is_own = task->outer->claim->kind == TTC_CLAIM_INVARIANT;
+    const bool serves = ttc_task_open(task) && !task->is_at_zeros && (!is_own || ttc_task_moves(task, &value))
                         && fmpz_mpoly_is_fmpz(value.denominator, task->ring->context);
     if (!serves) ttc_task_unsettle(task, "no cofactor is looked for");
-    if (serves && task->outer->claim->kind != TTC_CLAIM_INVARIANT) take_radical(task, value.numerator);
+    if (serves && !is_own) take_radical(task, value.numerator);
     if (ttc_task_open(task)) look_for_zero(task, &value, &rest);
+    if (ttc_task_open(task)) require_divisors(task, &value);
     if (ttc_task_open(task)) {
         ttc_ratio_divide(task->ring, &rest, &rest, &value);
         ttc_ratio_set_polynomial(task->ring, &below, rest.denominator);
@@ -171,19 +229,18 @@ static void prove_cofactor(ttc_task *task)
     ttc_ratio_clear(task->ring, &value);
 }
 
-/* What divides in the claim, or in claim number `level`, may vanish on a whole part of the level. */
-static bool divides(const ttc_task *task, uint32_t level)
+/* Whether anything divides in claim number `level`, also in what cancels from it; true when memory is out. */
+static bool divides(const ttc_model *model, uint32_t level)
 {
-    const ttc_model *model = task->model;
-    const ttc_id sides[] = { task->claim->expression, task->claim->other, model->claims[level].expression };
-    for (size_t i = 0; i < model->divisor_count; i++) {
+    unsigned char *used = ttc_model_uses_of(model, TTC_DIVIDES_CLAIM, level);
+    bool found = used == NULL;
+    for (size_t i = 0; i < model->divisor_count && !found; i++) {
         const ttc_divisor *divisor = &model->divisors[i];
-        if (divisor->role == task->role && (divisor->owner == task->owner || divisor->owner == level)) return true;
-        for (size_t k = 0; k < sizeof sides / sizeof *sides; k++)
-            if (divisor->role == TTC_DIVIDES_SYMBOL && sides[k] != TTC_NONE && ttc_model_depends(model, sides[k], divisor->owner))
-                return true;
+        found = (divisor->role == TTC_DIVIDES_CLAIM && divisor->owner == level) ||
+                (divisor->role == TTC_DIVIDES_SYMBOL && used[divisor->owner]);
     }
-    return false;
+    free(used);
+    return found;
 }
 
 /* Put an expression f and what should be zero where f is in place of the two sides. Returns false if there is no such f. */
@@ -197,7 +254,7 @@ static bool set_level(const ttc_task *task, ttc_claim *rest)
     const uint32_t index = is_own ? task->owner : claim->modulo[0];
     const ttc_claim *level = &model->claims[index];
     if (is_own ? ttc_task_restricts_states(task) : level->when.count + level->modulo_count > 0) return false;
-    if (divides(task, index) || (!is_own && task->verdict_of(task->verdict_context, index) != TTC_PROVED)) return false;
+    if (divides(model, index) || (!is_own && task->verdict_of(task->verdict_context, index) != TTC_PROVED)) return false;
     rest->modulo_count = 0;
     rest->expression = level->expression;
     rest->other = is_equal ? claim->expression : ttc_derive_field(model, claim->expression);
@@ -208,7 +265,7 @@ static bool set_level(const ttc_task *task, ttc_claim *rest)
 void ttc_prove_by_cofactor(ttc_task *task)
 {
     ttc_claim rest = *task->claim;
-    if (task->status != TTC_UNSETTLED || task->role != TTC_DIVIDES_CLAIM || !set_level(task, &rest)) return;
+    if (task->status != TTC_UNSETTLED || task->is_partial || task->role != TTC_DIVIDES_CLAIM || !set_level(task, &rest)) return;
     rest.kind = TTC_CLAIM_EQUAL;
     ttc_task inner = { .model = task->model, .claim = &rest, .role = task->role, .owner = task->owner, .outer = task,
                        .verdict_of = task->verdict_of, .verdict_context = task->verdict_context };

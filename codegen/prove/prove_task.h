@@ -58,6 +58,7 @@ struct ttc_task {
     size_t kept;    /* number of leaves that the flow was shown to keep, or whose image was shown to have its dimension */
     char why_empty[160]; /* why the last leaf without points has none; "" if that is not evident */
     bool varies;       /* an integral changes with the states on some leaf */
+    bool is_partial;   /* the claim divides by zero on a whole part of the domain, or that was not excluded */
     bool is_integral;  /* an invariant whose level is kept as one of an integral: what is left to show is that it has a point */
     ttc_id unexcluded; /* an expression that must not be zero, and may be for all that is known; TTC_NONE: none */
     ttc_id aside[8];   /* expressions that normal forms divide by: where those from aside_first on are zero, the claim is still to
@@ -179,8 +180,9 @@ void ttc_prove_level_is_periodic(ttc_task *task, const ttc_claim *integral, uint
 bool ttc_prove_is_integral(ttc_task *task);
 /* Settle an invariant f that does not divide, whose level cannot be solved: it is refuted at a point of the level at which f
  * changes; and proved if there is such a point, and df/dt = K f with a cofactor K that is finite all over the domain, as f is then
- * multiplied by exp of the integral of K. G. Darboux, Bull. Sci. Math. 2, 1878. So also an `equal` or a `rate` modulo one level f,
- * with the difference of its sides in place of df/dt, and the product of the factors of f in place of f. */
+ * multiplied by exp of the integral of K. G. Darboux, Bull. Sci. Math. 2, 1878. So also an `equal` or a `rate` modulo one such f,
+ * with the difference of its sides in place of df/dt, and the product of the factors of f in place of f, if nothing that divides
+ * in it is zero on a whole part of the level. */
 void ttc_prove_by_cofactor(ttc_task *task);
 
 /* The provers, one for each kind of claim. */

@@ -22,9 +22,10 @@ void jlt_theorem_symmetry_write(FILE *out, const jlt_theorem_subject *s)
 
     fputs("The orbit is its own mirror image under the reversor ", out);
     jlt_theorem_text_flips(out, flipped);
-    fprintf(out, ", which maps the section and the levels to themselves: its image passes through the same box%s after the "
-                 "same time%s. So DP on the levels is conjugate to its inverse, and det DP = 1 exactly. ",
-            many ? "es" : "", many ? "s" : "");
+    fprintf(out, ", which maps the section%s: its image passes through the same box%s after the same time%s. So DP%s is "
+                 "conjugate to its inverse, and det DP = 1 exactly. ",
+            json_object_size(json_object_get(s->given, "levels")) > 0 ? " and the levels to themselves" : " to itself",
+            many ? "es" : "", many ? "s" : "", jlt_theorem_of_levels(s, " on the levels"));
     for (size_t i = 0; i < sizeof verdicts / sizeof *verdicts; i++)
         if (strcmp(verdicts[i].type, jlt_theorem_text_of(symmetry, "type")) == 0) fputs(verdicts[i].words, out);
     if (rotation != NULL) jlt_theorem_text_ball(out, rotation);
@@ -34,15 +35,17 @@ void jlt_theorem_symmetry_write(FILE *out, const jlt_theorem_subject *s)
 void jlt_theorem_symmetry_write_twist(FILE *out, const jlt_theorem_subject *s)
 {
     const json_t *twist = json_object_get(s->shown, "twist");
+    const char *on_levels = jlt_theorem_of_levels(s, " on its levels");
 
-    fputs("No multiplier is a root of unity of order 1 to 4. So by an analytic change of coordinates the return map on these "
-          "levels is z -> z exp(i (2 pi rho + beta |z|^2)) + O(|z|^4), where |z| is to first order the amplitude of ", out);
+    fprintf(out, "No multiplier is a root of unity of order 1 to 4. So by an analytic change of coordinates the return map%s is "
+            "z -> z exp(i (2 pi rho + beta |z|^2)) + O(|z|^4), where |z| is to first order the amplitude of ",
+            jlt_theorem_of_levels(s, " on these levels"));
     fputs(jlt_theorem_text_of(twist, "coordinate"), out);
     fputs(", with beta = ", out);
     jlt_theorem_text_ball(out, json_object_get(twist, "coefficient"));
-    fputs(", which is not 0. Hence, by the theorem on invariant curves of reversible analytic maps (J. Moser, Stable and Random "
-          "Motions, 1973; M. B. Sevryuk, Reversible Systems, 1986), the orbit is surrounded on its levels by invariant tori, as "
-          "closely as one wishes, with quasi-periodic motion on them. They fill a part of each neighbourhood on the section that "
-          "tends to all of it as the neighbourhood shrinks. What begins between two of them remains there: the orbit is stable on "
-          "its levels.", out);
+    fprintf(out, ", which is not 0. Hence, by the theorem on invariant curves of reversible analytic maps (J. Moser, Stable and "
+            "Random Motions, 1973; M. B. Sevryuk, Reversible Systems, 1986), the orbit is surrounded%s by invariant tori, as "
+            "closely as one wishes, with quasi-periodic motion on them. They fill a part of each neighbourhood on the section that "
+            "tends to all of it as the neighbourhood shrinks. What begins between two of them remains there: the orbit is "
+            "stable%s.", on_levels, on_levels);
 }

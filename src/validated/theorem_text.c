@@ -39,3 +39,8 @@ void jlt_theorem_text_flips(FILE *out, const json_t *flipped)
         fprintf(out, "%s%s -> -%s", i == 0 ? "" : ", ", name, name);
     }
 }
+
+const char *jlt_theorem_of_levels(const jlt_theorem_subject *subject, const char *words)
+{
+    return json_object_size(json_object_get(subject->given, "levels")) > 0 ? words : "";
+}

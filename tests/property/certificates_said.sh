@@ -24,9 +24,9 @@ def words(c): # in place: of a cycle that does not turn
     more = f", and in turn through {len(legs) - 1} more of it that are listed under \"legs\"," if len(legs) > 1 else ""
     near = legs[0]["instant"] + ". That point"
     if more: near = f"{sum(float(leg['instant']) for leg in legs):.17g}, from box to box in the times listed. Its first point"
-    t[1] = f"Through the box {named(legs[0]['box'])} of the section{more} there is exactly one orbit on these levels that is " \
+    t[1] = f"Through the box {named(legs[0]['box'])} of the section{more} there is exactly one orbit that is " \
         f"back at its point after a time near {near} is {named(s['orbit'][0])}, the time T = {ball(s['period'])}."
-    t[2] = f"On the levels, det DP = exp(integral of div f over the orbit) = {ball(s['determinant'])}, trace DP = " \
+    t[2] = f"det DP = exp(integral of div f over the orbit) = {ball(s['determinant'])}, trace DP = " \
         f"{ball(s['trace'])}" + "".join(f"; multiplier ({ball(m['re'])}) + i ({ball(m['im'])})" for m in s["multipliers"]) + "."
     for name, bound in dict(s["conditions"]).items():
         t[3] = re.sub(rf"(The condition {name} [^:]*: its quantity is at least )[-.0-9e]*[0-9]", rf"\g<1>{bound}", t[3])

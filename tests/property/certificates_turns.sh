@@ -126,7 +126,7 @@ T
 kicked() { # STARTS ORBIT WORDS
     expect 0 "" jellett certify cycle ./kicked.tt --section phi=-0.08 --start "$1" --digits 10 --radius 0.3 -o kicked.json
     within kicked.json 'holds(c["given"]["legs"][0]["box"]["v"], 0) and holds(c["given"]["legs"][0]["box"]["th"], 0)'
-    expect 0 "there is exactly one orbit on these levels that is back at its point, but for $2, after" \
+    expect 0 "there is exactly one orbit that is back at its point, but for $2, after" \
         jellett check kicked.json --model ./kicked.tt
     expect 0 "orbits through this box close with other numbers of periods is not said" \
         jellett check kicked.json --model ./kicked.tt
