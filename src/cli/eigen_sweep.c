@@ -112,7 +112,7 @@ jlt_exit jlt_eigen_sweep(const jlt_eigen_request *request)
 {
     jlt_command_output output = { 0 };
     const volatile sig_atomic_t *const interrupt = jlt_interrupt_install();
-    size_t refused = 0;
+    size_t refused = 0, failed = 0;
     const jlt_eigen_row *first = NULL;
     char reason[JLT_EIGEN_REASON_MAX];
     jlt_exit code = JLT_EXIT_DONE;
@@ -127,8 +127,12 @@ jlt_exit jlt_eigen_sweep(const jlt_eigen_request *request)
     const size_t count = compute_all(all, request, interrupt);
     const jlt_eigen_rows rows = { all->rows, all->stride, count };
     jlt_interrupt_draw(); /* a million rows take some seconds to write */
-    for (size_t k = 0; k < count; k++)
-        if (jlt_eigen_row_at(rows, k)->found.status != JLT_OK && refused++ == 0) first = jlt_eigen_row_at(rows, k);
+    for (size_t k = 0; k < count; k++) {
+        const jlt_eigen_row *row = jlt_eigen_row_at(rows, k);
+        if (row->found.status == JLT_OK) continue;
+        if (refused++ == 0) first = row;
+        failed += jlt_command_exit(row->found.status) == JLT_EXIT_NUMERICAL;
+    }
     st = jlt_command_open(&output);
     if (st == JLT_OK && request->json) st = jlt_eigen_write_json(output.stream, rows, true);
     else if (st == JLT_OK) jlt_eigen_write_csv(output.stream, request, rows);
@@ -140,8 +144,8 @@ jlt_exit jlt_eigen_sweep(const jlt_eigen_request *request)
     if (code == JLT_EXIT_DONE && request->common.plot != NULL) code = jlt_eigen_draw(request, rows);
     if (code == JLT_EXIT_DONE && first != NULL) {
         jlt_eigen_reason(reason, first);
-        code = jlt_command_fail(jlt_command_exit(first->found.status), "%zu of %zu points refused; the first: %s", refused,
-                                count, reason);
+        fprintf(stderr, "jellett: %zu of %zu points refused; the first: %s\n", refused, count, reason);
+        code = failed > 0 ? JLT_EXIT_NUMERICAL : refused == count ? JLT_EXIT_INPUT : JLT_EXIT_DONE;
     }
     jlt_command_discard(&output);
     munmap(all, bytes_of(request));
