@@ -2,6 +2,8 @@
 #include "cli/eigen.h"
 #include "cli/interrupt.h"
 #include "cli/progress.h"
+#include "core/digits.h"
+#include "ext/number.h"
 
 #include <errno.h>
 #include <stddef.h>
@@ -46,19 +48,30 @@ static size_t bytes_of(const jlt_eigen_request *r)
     return sizeof(shared_rows) + r->points * (stride_of(r) + numbers_of(r->question.descriptor) * sizeof(double) + 1);
 }
 
-/* Compute row `k` of the grid, on which the last axis runs fastest. */
+/* Compute row `k` of the grid, on which the last axis runs fastest, at exactly the decimals that it shows; where memory is out, at
+ * their doubles. */
 static void compute_row(shared_rows *all, const jlt_eigen_request *r, size_t k)
 {
     const jlt_descriptor *d = r->question.descriptor;
     double *params = all->values + k * numbers_of(d), *x = params + d->param_count;
     double values[JLT_EIGEN_AXES_MAX];
+    char *exact[JLT_EIGEN_AXES_MAX];
+    jlt_equilibrium_question question = r->question;
     jlt_eigen_row row = { .descriptor = d, .params = params, .x = x };
 
     memcpy(params, r->params, d->param_count * sizeof *params);
     memcpy(x, r->x, d->state_count * sizeof *x);
     jlt_grid_point(values, r->axes, r->axis_count, k);
-    for (size_t i = 0; i < r->axis_count; i++) (r->targets[i].is_state ? x : params)[r->targets[i].index] = values[i];
-    jlt_equilibrium_compute(&row.found, &r->question, params, x);
+    for (size_t i = 0; i < r->axis_count; i++) {
+        const jlt_eigen_target *target = &r->targets[i];
+        char text[JLT_DIGITS_SIZE];
+        const size_t length = (size_t)(jlt_digits_shortest(text, values[i]) - text);
+        (target->is_state ? x : params)[target->index] = values[i];
+        if (jlt_number_fraction(&exact[i], text, length) != JLT_OK) exact[i] = NULL;
+        *(target->is_state ? &question.x[target->index] : &question.params[target->index]) = exact[i];
+    }
+    jlt_equilibrium_compute(&row.found, &question, params, x);
+    for (size_t i = 0; i < r->axis_count; i++) free(exact[i]);
     memcpy(all->rows + k * all->stride, &row, all->stride);
     __atomic_store_n(&all->is_done[k], 1, __ATOMIC_RELEASE);
 }
