@@ -158,7 +158,8 @@ jlt_exit jlt_eigen_sweep(const jlt_eigen_request *request)
     if (code == JLT_EXIT_DONE && first != NULL) {
         jlt_eigen_reason(reason, first);
         fprintf(stderr, "jellett: %zu of %zu points refused; the first: %s\n", refused, count, reason);
-        code = failed > 0 ? JLT_EXIT_NUMERICAL : refused == count ? JLT_EXIT_INPUT : JLT_EXIT_DONE;
+        if (failed > 0) code = JLT_EXIT_NUMERICAL;
+        else if (refused == count && request->axes[0].part == 0) code = JLT_EXIT_INPUT; /* of a part, other parts may have rows */
     }
     jlt_command_discard(&output);
     munmap(all, bytes_of(request));
