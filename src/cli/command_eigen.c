@@ -80,7 +80,7 @@ static const struct argp parser = {
     "  integrals, and by a reversor that leaves the equilibrium where it is\n\n"
     "What follows for the motion itself is reported separately. It is often \"not settled\", as a linear centre may be a weak "
     "focus, and a zero eigenvalue may hide x' = x^2.\n\n"
-    "A sweep does the same at the doubles that its rows show. With --fast, numbers and verdicts are those of doubles, and each "
+    "A sweep does the same at the decimals that its rows show. With --fast, numbers and verdicts are those of doubles, and each "
     "eigenvalue has a bound on its error. A state is refused with status 3, and its residual is printed, if it is off every "
     "equilibrium by more than the rounding of its digits, or by a part of its distance from a pole.\n\n"
     "Columns of a sweep:\n"
@@ -138,8 +138,8 @@ done:
     return code;
 }
 
-/* Give the question the exact values of what was typed, and of the table's defaults, in place of their roundings. Values of a sweep
- * stay doubles, as do states that are solved for. */
+/* Give the question the exact values of what was typed, and of the table's defaults, in place of their roundings. States that are
+ * solved for stay doubles; each row of a sweep has values of its own. */
 static jlt_exit take_exact(jlt_eigen_request *r)
 {
     jlt_equilibrium_question *q = &r->question;
@@ -148,11 +148,8 @@ static jlt_exit take_exact(jlt_eigen_request *r)
     q->params = jlt_common_exact(&r->common, d, q->oracle->defaults);
     if (q->params == NULL) return jlt_command_no_memory();
     for (size_t i = 0; i < d->state_count; i++) q->x[i] = jlt_assign_fraction(&r->at, d->states[i].name);
-    for (size_t i = 0; i < r->axis_count; i++) {
-        const jlt_eigen_target *target = &r->targets[i];
-        *(target->is_state ? &q->x[target->index] : &q->params[target->index]) = NULL;
-        if (target->is_state) q->given[target->index] = 1;
-    }
+    for (size_t i = 0; i < r->axis_count; i++)
+        if (r->targets[i].is_state) q->given[r->targets[i].index] = 1;
     return JLT_EXIT_DONE;
 }
 

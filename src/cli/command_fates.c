@@ -264,10 +264,9 @@ static jlt_exit sweep(options *o, const jlt_system *base, size_t all)
     if (code == JLT_EXIT_DONE) jlt_fates_crowd_tell(&crowd, rows.starts);
     if (code == JLT_EXIT_DONE && has_rows && common->plot != NULL) code = draw_sweep(o, base, &axes[0]);
     if (code == JLT_EXIT_DONE) code = jlt_motion_failures(base, &rows.failures, rows.starts);
-    if (code == JLT_EXIT_DONE && rows.outside > 0)
-        return jlt_command_fail(JLT_EXIT_INPUT, "%zu of %zu points are outside the model's domain, and have no starts",
-                                rows.outside, all);
-    return code;
+    if (code != JLT_EXIT_DONE || rows.outside == 0) return code;
+    fprintf(stderr, "jellett: %zu of %zu points are outside the model's domain, and have no starts\n", rows.outside, all);
+    return has_rows ? JLT_EXIT_DONE : JLT_EXIT_INPUT;
 }
 
 static jlt_exit run(int argc, char **argv)

@@ -63,7 +63,8 @@ static const struct argp parser = {
     "parameters (1/3, 0.51).\n\n"
     "Columns:\n"
     "  PARAM             the values of --sweep\n"
-    "  q                 the state on which the density depends, by its name\n"
+    "  along, at         the name of q, the state on which the density depends; its\n"
+    "                    values\n"
     "  density, error    as computed; 1 at the middle of what q may be\n"
     "  closed_form       as the table claims it; empty where it claims none\n\n"
     "Examples:\n"
@@ -208,16 +209,19 @@ static jlt_status write_json(FILE *stream, const jlt_measure_finding *f)
 static void write_csv(FILE *stream, const jlt_measure_finding *f, const request *r)
 {
     const jlt_measure_attempt *a = &f->attempt;
+    JLT_FREED double *params = jlt_common_steady(&r->common, f->instance->descriptor, f->instance->params);
     jlt_csv_names names;
 
+    if (params == NULL) return;
     jlt_csv_header(stream, &(jlt_csv_settings){ .command = r->common.command, .descriptor = f->instance->descriptor,
-                                                .params = f->instance->params });
+                                                .params = params });
     fprintf(stream, "# defect of %s: %.17g\n", along_name(f), a->defect);
-    fprintf(jlt_csv_names_begin(&names, stream), "%s,density,error,closed_form", along_name(f));
+    fputs("along,at,density,error,closed_form", jlt_csv_names_begin(&names, stream));
     jlt_csv_names_end(&names);
     for (size_t i = 0; a->points != NULL && i < a->count; i++) {
         const double row[4] = { a->points[i].at, a->points[i].density, a->points[i].error,
                                 a->closed == NULL ? NAN : a->closed[i] };
+        fprintf(stream, "%s,", along_name(f));
         jlt_csv_row(stream, row, 4);
     }
 }
@@ -308,7 +312,7 @@ static const char *why_not(jlt_status st)
                : "";
 }
 
-static const jlt_swept_form swept = { &jlt_command_measure, false, 1 };
+static const jlt_swept_form swept = { &jlt_command_measure, false, 2 };
 
 static jlt_exit run(int argc, char **argv)
 {

@@ -155,7 +155,7 @@ static jlt_status search_until_interrupted(jlt_orbits *list, jlt_map *map, jlt_o
     st = jlt_orbits_search(list, map, search);
     jlt_progress_end(&progress);
     if (!jlt_motion_interrupted(&o->motion) || (st != JLT_OK && st != JLT_ERR_NO_CONVERGENCE)) return st;
-    fprintf(stderr, "jellett: interrupted; the %zu orbits found so far are saved\n", list->count);
+    if (list->count > 0) fprintf(stderr, "jellett: interrupted; the %zu orbits found so far are saved\n", list->count);
     return JLT_OK;
 }
 
@@ -194,7 +194,7 @@ static bool find_attracting(jlt_periodic *out, jlt_map *map, const options *o, c
 }
 
 /* Find an orbit by Newton's method from q, of all returns that are asked for: near q, or attracting. Where there is none, find one
- * of fewer returns: near a strongly unstable orbit, those of q soon lead away from its points. */
+ * of fewer, near q unless the attracting one has more: beside a strongly unstable orbit, those of q soon lead away from it. */
 static jlt_status find_orbit(jlt_periodic *out, jlt_map *map, const options *o, const double *q, const unsigned char *held)
 {
     const size_t period = o->period_max;
@@ -204,9 +204,9 @@ static jlt_status find_orbit(jlt_periodic *out, jlt_map *map, const options *o, 
 
     if (found ? out->period == period : !jlt_orbits_is_miss(st)) return st;
     const bool attracts = (found || st == JLT_ERR_NO_CONVERGENCE) && find_attracting(&attracting, map, o, q);
-    if (!(attracts && attracting.period == period) && (found || find_shorter(out, map, q, period, held))) return JLT_OK;
-    if (attracts) *out = attracting;
-    return attracts ? JLT_OK : st;
+    const bool near = found || (!(attracts && attracting.period == period) && find_shorter(out, map, q, period, held));
+    if (attracts && (!near || attracting.period > out->period)) *out = attracting;
+    return near || attracts ? JLT_OK : st;
 }
 
 /* Read the start, the coordinates of --hold and the line of --line, which is left without samples if there is none. */

@@ -2,6 +2,8 @@
 #include "cli/eigen.h"
 #include "cli/interrupt.h"
 #include "cli/progress.h"
+#include "core/digits.h"
+#include "ext/number.h"
 
 #include <errno.h>
 #include <stddef.h>
@@ -46,19 +48,30 @@ static size_t bytes_of(const jlt_eigen_request *r)
     return sizeof(shared_rows) + r->points * (stride_of(r) + numbers_of(r->question.descriptor) * sizeof(double) + 1);
 }
 
-/* Compute row `k` of the grid, on which the last axis runs fastest. */
+/* Compute row `k` of the grid, on which the last axis runs fastest, at exactly the decimals that it shows; where memory is out, at
+ * their doubles. */
 static void compute_row(shared_rows *all, const jlt_eigen_request *r, size_t k)
 {
     const jlt_descriptor *d = r->question.descriptor;
     double *params = all->values + k * numbers_of(d), *x = params + d->param_count;
     double values[JLT_EIGEN_AXES_MAX];
+    char *exact[JLT_EIGEN_AXES_MAX];
+    jlt_equilibrium_question question = r->question;
     jlt_eigen_row row = { .descriptor = d, .params = params, .x = x };
 
     memcpy(params, r->params, d->param_count * sizeof *params);
     memcpy(x, r->x, d->state_count * sizeof *x);
     jlt_grid_point(values, r->axes, r->axis_count, k);
-    for (size_t i = 0; i < r->axis_count; i++) (r->targets[i].is_state ? x : params)[r->targets[i].index] = values[i];
-    jlt_equilibrium_compute(&row.found, &r->question, params, x);
+    for (size_t i = 0; i < r->axis_count; i++) {
+        const jlt_eigen_target *target = &r->targets[i];
+        char text[JLT_DIGITS_SIZE];
+        const size_t length = (size_t)(jlt_digits_shortest(text, values[i]) - text);
+        (target->is_state ? x : params)[target->index] = values[i];
+        if (jlt_number_fraction(&exact[i], text, length) != JLT_OK) exact[i] = NULL;
+        *(target->is_state ? &question.x[target->index] : &question.params[target->index]) = exact[i];
+    }
+    jlt_equilibrium_compute(&row.found, &question, params, x);
+    for (size_t i = 0; i < r->axis_count; i++) free(exact[i]);
     memcpy(all->rows + k * all->stride, &row, all->stride);
     __atomic_store_n(&all->is_done[k], 1, __ATOMIC_RELEASE);
 }
@@ -112,7 +125,7 @@ jlt_exit jlt_eigen_sweep(const jlt_eigen_request *request)
 {
     jlt_command_output output = { 0 };
     const volatile sig_atomic_t *const interrupt = jlt_interrupt_install();
-    size_t refused = 0;
+    size_t refused = 0, failed = 0;
     const jlt_eigen_row *first = NULL;
     char reason[JLT_EIGEN_REASON_MAX];
     jlt_exit code = JLT_EXIT_DONE;
@@ -127,8 +140,12 @@ jlt_exit jlt_eigen_sweep(const jlt_eigen_request *request)
     const size_t count = compute_all(all, request, interrupt);
     const jlt_eigen_rows rows = { all->rows, all->stride, count };
     jlt_interrupt_draw(); /* a million rows take some seconds to write */
-    for (size_t k = 0; k < count; k++)
-        if (jlt_eigen_row_at(rows, k)->found.status != JLT_OK && refused++ == 0) first = jlt_eigen_row_at(rows, k);
+    for (size_t k = 0; k < count; k++) {
+        const jlt_eigen_row *row = jlt_eigen_row_at(rows, k);
+        if (row->found.status == JLT_OK) continue;
+        if (refused++ == 0) first = row;
+        failed += jlt_command_exit(row->found.status) == JLT_EXIT_NUMERICAL;
+    }
     st = jlt_command_open(&output);
     if (st == JLT_OK && request->json) st = jlt_eigen_write_json(output.stream, rows, true);
     else if (st == JLT_OK) jlt_eigen_write_csv(output.stream, request, rows);
@@ -140,8 +157,9 @@ jlt_exit jlt_eigen_sweep(const jlt_eigen_request *request)
     if (code == JLT_EXIT_DONE && request->common.plot != NULL) code = jlt_eigen_draw(request, rows);
     if (code == JLT_EXIT_DONE && first != NULL) {
         jlt_eigen_reason(reason, first);
-        code = jlt_command_fail(jlt_command_exit(first->found.status), "%zu of %zu points refused; the first: %s", refused,
-                                count, reason);
+        fprintf(stderr, "jellett: %zu of %zu points refused; the first: %s\n", refused, count, reason);
+        if (failed > 0) code = JLT_EXIT_NUMERICAL;
+        else if (refused == count && request->axes[0].part == 0) code = JLT_EXIT_INPUT; /* of a part, other parts may have rows */
     }
     jlt_command_discard(&output);
     munmap(all, bytes_of(request));

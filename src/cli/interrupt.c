@@ -142,6 +142,8 @@ const volatile sig_atomic_t *jlt_interrupt_install(void)
     return &raised;
 }
 
+bool jlt_interrupt_asked(void) { return raised != 0; }
+
 static void block_asking(sigset_t *before)
 {
     sigset_t asked;

@@ -5,6 +5,7 @@
 #define JLT_CLI_INTERRUPT_H
 
 #include <signal.h>
+#include <stdbool.h>
 #include <sys/types.h>
 
 #include "report/file.h"
@@ -15,6 +16,9 @@ void jlt_interrupt_begin(void);
 /** Returns the flag that the first signal sets to its number for good; 0 before. The caller promises to look at it, and to save its
  *  rows when it is set. */
 const volatile sig_atomic_t *jlt_interrupt_install(void);
+
+/** Whether a signal has asked the program to end. */
+bool jlt_interrupt_asked(void);
 
 /** Before the command works on this many threads: start the threads of the OpenMP pool with INT, TERM and HUP blocked, so that only
  *  the first thread receives them. Otherwise two signals could be handled on two threads at once, the later one first. Parallel

@@ -111,7 +111,7 @@ jlt_exit jlt_section_run_verdict(const jlt_section_run *f)
     const jlt_section_run_options *o = f->o;
     const bool interrupted = jlt_motion_interrupted(&o->motion);
 
-    if (interrupted)
+    if (interrupted && sum->rows > f->table.dropped)
         fprintf(stderr, "jellett: interrupted; %zu whole rows of %zu orbits are saved in %s\n", sum->rows - f->table.dropped,
                 sum->orbits, f->o->motion.common.table.path);
     if (sum->empty > 0)

@@ -101,7 +101,9 @@ jlt_exit jlt_stream_close(jlt_stream *self)
         clearerr(self->file);
     } else {
         jlt_interrupt_hold();
-        if (self->file != stdout && jlt_file_commit(&self->place) != JLT_OK) code = save_rows(self, errno);
+        if (jlt_interrupt_asked() && self->place.temporary != NULL && !jlt_file_has_row(&self->place))
+            code = jlt_command_fail(JLT_EXIT_IO, "interrupted before the first row: nothing is saved in %s", self->path);
+        else if (self->file != stdout && jlt_file_commit(&self->place) != JLT_OK) code = save_rows(self, errno);
     }
     jlt_interrupt_release();
     jlt_stream_discard(self);

@@ -33,6 +33,14 @@ static size_t param_count(const jlt_csv_settings *s)
     return s->quantities != NULL ? s->param_count : s->descriptor->param_count;
 }
 
+static bool has_values(const jlt_csv_settings *s)
+{
+    size_t i = 0;
+
+    while (i < param_count(s) && isnan(s->params[i])) i++;
+    return i < param_count(s);
+}
+
 static void write_json(FILE *stream, const jlt_csv_settings *s)
 {
     const jlt_descriptor *d = s->descriptor;
@@ -63,9 +71,11 @@ void jlt_csv_header(FILE *stream, const jlt_csv_settings *settings)
     if (descriptor->elimination[0] != '\0') fprintf(stream, ", %s", descriptor->elimination);
     fprintf(stream, " (table %s, %s)\n", descriptor->sha256, descriptor->generator);
     if (unproved(settings) != NULL) fprintf(stream, "# these rest on claims that are not proved: %s\n", unproved(settings));
-    fputc('#', stream);
-    jlt_decimal_write_named(stream, quantities(settings), settings->params, param_count(settings));
-    fputc('\n', stream);
+    if (has_values(settings)) {
+        fputc('#', stream);
+        jlt_decimal_write_named(stream, quantities(settings), settings->params, param_count(settings));
+        fputc('\n', stream);
+    }
     write_json(stream, settings);
 }
 

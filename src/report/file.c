@@ -159,16 +159,33 @@ static off_t whole_lines(const char *path)
     return 0;
 }
 
+bool jlt_file_has_row(const jlt_file *self)
+{
+    char piece[4096], before = '\n';
+    bool is_comment = false;
+    ssize_t size;
+    int lines = 0;
+
+    if (self->temporary == NULL) return false;
+    if (self->tail != NULL) return self->whole > self->head;
+    for (off_t at = 0; lines < 2 && (size = pread(self->descriptor, piece, sizeof piece, at)) > 0; at += size)
+        for (ssize_t i = 0; i < size; before = piece[i++]) {
+            if (before == '\n') is_comment = piece[i] == '#';
+            lines += piece[i] == '\n' && !is_comment;
+        }
+    return lines >= 2;
+}
+
 jlt_status jlt_file_commit_lines(const jlt_file *self)
 {
-    if (self->temporary != NULL && self->tail != NULL) {
-        if (put_tail(self) == JLT_ERR_EMPTY) return JLT_ERR_EMPTY;
+    if (!jlt_file_has_row(self)) return JLT_ERR_EMPTY;
+    if (self->tail != NULL) {
+        (void)put_tail(self); /* as much of it as the disk has room for */
         return move(self) ? JLT_OK : JLT_ERR_IO;
     }
-    const off_t length = self->temporary == NULL ? 0 : whole_lines(self->temporary);
+    const off_t length = whole_lines(self->temporary);
 
-    if (length == 0) return JLT_ERR_EMPTY;
-    return ftruncate(self->descriptor, length) == 0 && move(self) ? JLT_OK : JLT_ERR_IO;
+    return length > 0 && ftruncate(self->descriptor, length) == 0 && move(self) ? JLT_OK : JLT_ERR_IO;
 }
 
 void jlt_file_end(jlt_file *self)

@@ -14,7 +14,7 @@ typedef struct {
     char *temporary; /* NULL for a device such as /dev/stdout, which is written to directly, and after the renaming */
     char *tail;      /* of a binary file: committing it keeps its first `whole` bytes and appends this, shape (tail_size,); NULL:
                         the file is text */
-    size_t tail_size, whole;
+    size_t tail_size, whole, head; /* head: the bytes before its first row */
 } jlt_file;
 
 /** Begin a file for `path`, in an existing folder. A file that is already there keeps its content until the new one replaces it,
@@ -24,9 +24,13 @@ JLT_CHECKED jlt_status jlt_file_begin(jlt_file *self, const char *path);
 /** Flush the file to the disk, and rename it to its target. Does nothing for a device. Errors: IO (errno says why). */
 JLT_CHECKED jlt_status jlt_file_commit(jlt_file *self);
 
+/** Whether the file has a whole row: a line behind its comments and its line of names; of a binary file, bytes behind its head. A
+ *  signal handler may call it. Returns false for a device. */
+bool jlt_file_has_row(const jlt_file *self);
+
 /** Save what is complete: cut a text file behind its last newline, a binary file to its first `whole` bytes and as much of the tail
  *  as the disk has room for, and rename it to its target. A signal handler may call it: it frees nothing, and jlt_file_end still
- *  has to be called. Errors: EMPTY, nothing is complete; IO. */
+ *  has to be called. Errors: EMPTY, no row is complete; IO. */
 JLT_CHECKED jlt_status jlt_file_commit_lines(const jlt_file *self);
 
 /** Write `size` bytes at an offset; read `size` bytes at an offset. Errors: IO (errno says why). */

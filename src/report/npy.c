@@ -151,6 +151,7 @@ static jlt_status flush(jlt_npy *self)
     const jlt_status st = put_rows(self);
     const int reason = errno;
     JLT_PASS(write_head(self));
+    self->place->head = self->head;
     self->place->whole = self->head + self->form.rows * self->width;
     errno = reason;
     return st;

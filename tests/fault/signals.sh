@@ -53,7 +53,7 @@ done
 printf 'model slow\nstate x\nstate v\nstate r\nstate u\neq x = v\neq v = -x\neq r = u\neq u = -r/10^12\n' > slow.tt
 jellett section ./slow.tt --section x=0 --grid v=1:2:8,r=0,u=1 --returns 1 > out 2>&1 || fail "slow.tt: $(cat out)"
 interrupt TERM jellett section ../slow.tt --section r=0 --grid x=0.1:1:8,v=0,u=1 --returns 5 --max-steps 1000000000 -o t.csv
-expect 143 "t.csv " "section before its first return"
+expect 143 "" "section before its first return"
 interrupt "TERM TERM" jellett fates --grid 300x300 -o t.csv
 expect 143 "t.csv " "fates"
 [ "$(grep -vc '^#' "$scratch/d/t.csv")" -gt 10 ] || fail "fates: saves nothing"
@@ -86,12 +86,17 @@ for command in orbits "certify cycle"; do
     expect 143 "" "$command"
     [ "$(head -1 "$scratch/err")" = "jellett: interrupted; nothing is saved" ] || fail "$command: says '$(cat "$scratch/err")'"
 done
-interrupt TERM jellett orbits lorenz --section z=27 --grid x=-20:20:3000,y=-20:20:3000 --near 1e-12 -o t.csv
-expect 143 "t.csv " "orbits of a grid"
-grep -q "the 0 orbits found so far" "$scratch/err" && ! grep -q "no orbit is found" "$scratch/err" ||
-    fail "orbits of a grid: says '$(cat "$scratch/err")'"
+# A table that has no row yet replaces no file.
+for file in old.csv old.npy; do
+    echo old > $file
+    interrupt TERM jellett orbits lorenz --section z=27 --grid x=-20:20:3000,y=-20:20:3000 --near 1e-12 -o ../$file
+    expect 143 "" "orbits of a grid"
+    [ "$(head -1 "$scratch/err")" = "jellett: interrupted before the first row: nothing is saved in ../$file" ] &&
+        ! grep -q "no orbit is found" "$scratch/err" || fail "orbits of a grid: says '$(cat "$scratch/err")'"
+    [ "$(cat $file)" = old ] || fail "orbits of a grid: replaces $file by a table without rows"
+done
 # So on a line, whose zeros take long, each on its own: those found before the interrupt are saved.
-interrupt "INT INT" jellett orbits restricted_three_body --section y=0 --direction both --mirror y,vx --period 40 \
+pause=4 interrupt "INT INT" jellett orbits restricted_three_body --section y=0 --direction both --mirror y,vx --period 40 \
     --start x=0.5,vx=0,vy=1 --line vy=0.2:1.5:200 -o t.csv
 expect 130 "t.csv " "orbits on a line"
 [ $open -eq 0 ] || fail "orbits on a line: $open threads beside the first meet signals"

@@ -220,14 +220,19 @@ for method in $methods; do
     ends "simulate wall $method" rows.csv 1 1.2533141373155003 1.3e-8
     says "simulate wall $method" "the domain of wall: before needs 1 - x > 0"
 done
-refuses "--sweep: at top=0.5: outside the domain of linear: order needs top - depth - 1 > 0" \
+# Where some points of a sweep are outside, the others have their rows, and the status is 0.
+leaves() { # TEXT COMMAND...: status 0, and this text
+    jellett "${@:2}" > out 2> err && grep -qF -- "$1" err || fail "jellett ${*:2} does not say '$1', with status 0: $(cat err)"
+}
+leaves "--sweep: at top=0.5: outside the domain of linear: order needs top - depth - 1 > 0" \
     fates ./linear.tt --section z=0 --start u=0,v=0.5,w=1 --returns 1 --sweep top=2:0.5:2
-# The other points of the sweep have their rows.
 grep -v '^#' out | cut -d, -f1,2 | paste -sd ' ' | grep -qx 'top,starts 2,1 0.5,0' ||
     fail "rows of a sweep that leaves the domain: $(cat out)"
-refuses "--sweep: at m=-1, g=0: m = -1: spherical_top_level needs m > 0" fates --grid 3x3 --returns 1 --sweep m=-1:1:3,g=0:1:2
+leaves "--sweep: at m=-1, g=0: m = -1: spherical_top_level needs m > 0" fates --grid 3x3 --returns 1 --sweep m=-1:1:3,g=0:1:2
 grep -q '4 of 6 points are outside' err && [ "$(grep -c '^[-01]*,[01],[09],' out)" -eq 6 ] ||
     fail "a sweep of masses: $(cat out err)"
+leaves "2 of 3 points refused; the first: m = -1 is no value" eigen --set a3=0 --at gamma3=0.3,omega3=1 --sweep m=-1:1:3
+refuses "3 of 3 points refused; the first: m = -3 is no value" eigen --set a3=0 --at gamma3=0.3,omega3=1 --sweep m=-3:-1:3
 
 # Orbits of other amplitudes: those of A > 1 - depth leave, at arccos(-(1 - depth)/A); in lanes as one at a time.
 starts=()

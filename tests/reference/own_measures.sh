@@ -98,11 +98,17 @@ for a in 2 1 1e-9 1e-100; do
                exit bad }' out || fail "measure in an interval of $a: $(tail -3 out)"
 done
 # A sweep has the table of each point behind its value.
-expect 0 '^1,0[.]' jellett measure ./narrow.tt --sweep a=1:2:2 --points 5
+expect 0 '^1,x,0[.]' jellett measure ./narrow.tt --sweep a=1:2:2 --points 5
 for a in 1 2; do
-    jellett measure ./narrow.tt --csv --points 5 --set a=$a | grep '^[-0-9]' | sed "s/^/$a,/" | cmp -s - <(grep "^$a," out) ||
+    jellett measure ./narrow.tt --csv --points 5 --set a=$a | grep '^x,' | sed "s/^/$a,/" | cmp -s - <(grep "^$a," out) ||
         fail "the sweep of measure differs at a = $a"
 done
+# Rows tell on which state the density depends, which may change from point to point: of y where p = 0, of x where p = 1.
+printf '%s\n' 'model turned' 'param p' 'state x in (-2, 2)' 'state y in (-2, 2)' 'eq x = p*(1 + x^2)*y + 1 - p' \
+    'eq y = (1 - p)*(1 + y^2)*x + p' > turned.tt
+expect 0 '^p,along,at,density,' jellett measure ./turned.tt --sweep p=0:1:2 --points 5
+awk -F, '/^[01],/ { off = $4*(1 + $3^2) - 1; good += $2 == ($1 ? "x" : "y") && off*off < 1e-20 } END { exit good != 10 }' out ||
+    fail "a density of x, then of y: $(cat out)"
 # Where x^2 is lost that is said; it is no pole of the density.
 for a in 1e-150 1e-160 1e-300; do expect 4 'use units in which parameters' jellett measure ./narrow.tt --set a=$a; done
 

@@ -105,6 +105,10 @@ printf '%s\n' 'model two_wells' 'state x' 'state v' 'state phi' 'angle c s = cos
 for start in x=0.569,v=-0.942 x=-0.248,v=-0.013; do
     expect 0 '^2,.*,attracting,' jellett orbits ./two_wells.tt --section phi=0 --period 2 --settle 300 --start $start
 done
-# So it does where they are beside the start: of the Roessler system from c = 2.9, the cycle that has doubled its period.
-expect 0 '^2,.*,attracting,' jellett orbits roessler --section y=0 --direction down --set c=3.5 --start x=-5,z=0.04 --period 2
+# So it does where they are beside the start: of the Roessler system from c = 2.9, the cycle that has doubled its period; also where
+# more returns are asked for than any orbit has.
+for period in 2 4 6; do
+    expect 0 '^2,.*,attracting,' \
+        jellett orbits roessler --section y=0 --direction down --set c=3.5 --start x=-5,z=0.04 --period $period
+done
 exit $status

@@ -349,5 +349,16 @@ for i in 1 2 3; do expect 0 "" jellett sweep locus.scene --shard=$i/3; done
 jellett merge locus.shards | rows | cut -d, -f2- > merged
 for i3 in 1/4 1/2; do jellett eigen --set a3=0,I3=$i3 --at v_nu=0.7,omega3=1.1 --sweep gamma3=-0.9:0.9:10 | rows; done |
     awk 'NR == 1 || !/^gamma3/' | diff -q - merged > diff || fail "eigenvalues over I3 are others than those that are typed"
+# Points of a sweep that are refused end no study of it, even if they are all that a piece has.
+refused() { # SETTINGS COMMAND...: the study's rows are those of the command
+    echo "parameters = { a3 = 0; }; piece = 2; compute = ( { what = \"$2\"; $1 sweep = { m = (-1.0, 1.0, 5); }; } );" > signs.scene
+    expect 0 "" jellett sweep signs.scene --into="signs.$2"
+    jellett merge "signs.$2" | rows > merged
+    jellett "${@:2}" --set a3=0 --sweep m=-1:1:5 2> err | rows > typed
+    [ "$(wc -l < typed)" -eq 6 ] && diff typed merged > diff ||
+        fail "$2: a study of points some of which are refused: $(cat err diff)"
+}
+refused 'at = { gamma3 = 0.3; v_nu = 0.7; omega3 = 1.1; };' eigen --at gamma3=0.3,v_nu=0.7,omega3=1.1
+refused 'grid = "2x2"; returns = 1;' fates --grid 2x2 --returns 1
 expect 3 "'over' is of a study" jellett run locus.scene
 exit $status
