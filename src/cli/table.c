@@ -19,12 +19,14 @@
 
 enum { LOADED_MAX = 64 };
 
-bool jlt_table_is_file(const char *model)
+bool jlt_table_is_named(const char *path)
 {
-    const size_t length = strlen(model);
+    const size_t length = strlen(path);
 
-    return strchr(model, '/') != NULL || (length > 3 && strcmp(model + length - 3, ".tt") == 0);
+    return length > 3 && strcmp(path + length - 3, ".tt") == 0;
 }
+
+bool jlt_table_is_file(const char *model) { return strchr(model, '/') != NULL || jlt_table_is_named(model); }
 
 static jlt_exit no_model(const char *model)
 {
