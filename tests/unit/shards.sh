@@ -217,6 +217,15 @@ expect 3 ":1: error: 'over' runs over a3, which the scene also sets or sweeps el
     jellett sweep <(sed 's/^over/parameters = { a3 = 0.2; }; over/' over.scene) --into=none
 sed 's/returns = 3/sweep = { E = (2, 3, 2); }; &/; s/ E = 2.15;//' over.scene > inner.scene
 expect 3 "'over' runs over E" jellett sweep <(sed 's/ a3 = (0.1/ E = (0.1/' inner.scene) --into=none
+# What the command does not take does not run either, nor does nothing.
+cat > sleigh.scene << 'END'
+model = "chaplygin_sleigh";
+over = { E = (1, 2, 3); };
+compute = ( { what = "simulate"; start = { v = 1; w = 1; }; times = (1); } );
+END
+expect 3 "sleigh.scene:2: error: 'over' runs over E, and simulate takes no levels" jellett sweep sleigh.scene --into=none
+sed -i 's/^over.*/over = { };/' sleigh.scene
+expect 3 "sleigh.scene:2: error: 'over' is empty" jellett sweep sleigh.scene --into=none
 [ ! -e none ] || fail "a study that is refused has begun"
 # A sweep within each piece begins runs of its own.
 cat > inside.scene << 'END'
