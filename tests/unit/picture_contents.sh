@@ -72,6 +72,14 @@ jellett simulate ./long.tt --start $long=1e200 --until 1 --every 1 --plot p.svg 
 jellett simulate ./long.tt --start $long=1e100 --until 1 --every 1 --plot p.svg --keep p.gp -o rows.csv 2> log
 grep -q 'label .*×10^{100}}. at graph 1,' p.gp || fail "the power of ten of a panel: $(grep label p.gp)"
 
+# Beside a colour box the numbers below the axis have less room.
+for command in "eigen --set a3=0 --at v_nu=0.7,omega3=1.1 --sweep gamma3=-0.9:0.9:9" \
+    "lyapunov --grid eta=-0.5:0.5:20,gamma3=-0.7:-0.6:2 --returns 2"; do
+    # shellcheck disable=SC2086
+    jellett $command --size 8x6cm --plot p.svg --keep p.gp -o rows.csv 2> log || fail "$command: $(cat log)"
+    grep -qx 'set xtics 0.5' p.gp || fail "$command: numbers run into each other: $(grep xtics p.gp)"
+done
+
 # An index has parts, each a letter or a word; an ending in capitals is the same ending.
 printf '%s\n' 'model parts' 'state gamma3_end' 'state A__b_omega2_' 'eq gamma3_end = 0' 'eq A__b_omega2_ = 1' > parts.tt
 jellett simulate ./parts.tt --start gamma3_end=1,A__b_omega2_=0 --until 1 --every 1 --axes A__b_omega2_,gamma3_end --plot p.PNG \
