@@ -31,6 +31,16 @@ for sweep in '' '--sweep a3=0.5:0.51:2'; do
     grep -qF 'kg*m/s^{2}]' p.gp || fail "contact_force $sweep: $(grep label p.gp)"
 done
 grep -qF 'jellett simulate at each a_{3}' p.gp || fail "the title of a sweep: $(grep title p.gp)"
+# The title has all that the points share, also where it was typed.
+while read -r title line; do
+    # shellcheck disable=SC2086
+    jellett $line --plot p.svg --keep p.gp -o rows.csv 2> log || fail "$line: $(cat log)"
+    grep -qF "m=1, R=1, g=1, I_{1}=0.333333, I_{3}=${title//,/, }}'" p.gp || fail "$line: $(grep 'set title' p.gp)"
+done << 'END'
+0.3,a_{3}=0.4,G=−0.5 section --set a3=0.4,I3=0.3 --level G=-0.5 --sweep E=2:2.1:2 --start eta=0.1,gamma3=-0.6 --returns 2
+0 measure --set I3=0 --sweep a3=0.1:0.5:2
+END
+[ "$(grep -c '^#.* m=1' rows.csv)" -eq 1 ] || fail "measure: what the points share stands in $(grep -c '^#.* m=1' rows.csv) lines"
 # --axes of a sweep are refused when its first point has said which columns there are.
 printf '%s\n' 'model drops' 'param k' 'default k = 1' 'state y' 'eq y = -k' 'valid up : y > 0' > drops.tt
 jellett simulate ./drops.tt --start y=1 --times 2 --sweep k=1:2:2 --axes k,none --plot p.svg -o rows.csv 2> log
