@@ -41,6 +41,8 @@ done << 'END'
 0 measure --set I3=0 --sweep a3=0.1:0.5:2
 END
 [ "$(grep -c '^#.* m=1' rows.csv)" -eq 1 ] || fail "measure: what the points share stands in $(grep -c '^#.* m=1' rows.csv) lines"
+jellett rod --start gamma3=0.2,v_nu=0.6,omega_tau=0.4,omega_n=1,omega3=0 --sweep omega_n=1:2:3 --plot p.svg --keep p.gp -o rows.csv
+grep -q 'start γ_{3}=0.2, v_{ν}=0.6, ω_{τ}=0.4, ω_{3}=0}' p.gp || fail "rod: $(grep title p.gp)"
 # --axes of a sweep are refused when its first point has said which columns there are.
 printf '%s\n' 'model drops' 'param k' 'default k = 1' 'state y' 'eq y = -k' 'valid up : y > 0' > drops.tt
 jellett simulate ./drops.tt --start y=1 --times 2 --sweep k=1:2:2 --axes k,none --plot p.svg -o rows.csv 2> log
