@@ -117,6 +117,13 @@ orbits=$(grep -o "(1\*\$3>0?\$2:NaN) with lines lc rgb '[^']*" p.gp | grep -o '#
 points=$(grep -oE "with points lc rgb '[^']*" p.gp | grep -o '#[0-9a-f]*$' | sort -u)
 [ -n "$orbits" ] && [ -n "$points" ] && [[ $points != *"$orbits"* ]] || fail "a portrait in grey: orbits $orbits, points $points"
 
+# A title leaves room for the axes, or is refused before anything is computed.
+for lines in 8 9; do
+    "${base[@]}" --axes x,z --size 8x6cm --title "$(seq $lines)" --plot p.svg -o rows_$lines.csv 2> log
+    [ $? -eq $((lines == 8 ? 0 : 2)) ] || fail "a title of $lines lines: $(cat log)"
+done
+[ ! -e rows_9.csv ] && grep -q '9 lines are more than half of the height' log || fail "a title of 9 lines: $(cat log)"
+
 # A letter that no font has is named, where the picture is drawn here.
 base_title() { "${base[@]}" --title "$1" --plot p.$2 -o rows.csv 2> log || fail "--title '$1': $(cat log)"; }
 if command -v fc-list > fonts && [ -n "$(fc-list ':charset=3b3')" ]; then
