@@ -223,7 +223,7 @@ static void shorten_title(jlt_plot *self)
     const double letters = self->look->height * 72 / 2.54 / jlt_look_points(self->look), rows = fmax(1, self->rows);
     const double title = 1.2 * jlt_look_lines(NULL, self->look, self->title.text, true);
 
-    if (self->stacked ? letters - 10 < 3.8 * rows : letters - title - 6 * rows < letters / 4)
+    if (self->stacked ? letters - title - 5 < 3.8 * rows : letters - title - 6 * rows < letters / 4)
         self->title.text[strcspn(self->title.text, "\n")] = '\0';
 }
 

@@ -117,6 +117,11 @@ orbits=$(grep -o "(1\*\$3>0?\$2:NaN) with lines lc rgb '[^']*" p.gp | grep -o '#
 points=$(grep -oE "with points lc rgb '[^']*" p.gp | grep -o '#[0-9a-f]*$' | sort -u)
 [ -n "$orbits" ] && [ -n "$points" ] && [[ $points != *"$orbits"* ]] || fail "a portrait in grey: orbits $orbits, points $points"
 
+# A caption of many parameters does not take the room of a panel.
+{ echo model many; printf 'param parameter_%d\n' {0..23}; printf '%s\n' 'state x' 'eq x = -x'; } > many.tt
+jellett simulate ./many.tt --set "$(printf 'parameter_%d=1/3\n' {0..23} | paste -sd,)" --start x=1 --times 0,1 \
+    --size 8x6cm --plot p.svg --keep p.gp -o rows.csv 2> log || fail "many parameters: $(cat log)"
+grep -q "title 'Motion of many' margins" p.gp || fail "many parameters: $(grep title p.gp)"
 # A title leaves room for the axes, or is refused before anything is computed.
 for lines in 8 9; do
     "${base[@]}" --axes x,z --size 8x6cm --title "$(seq $lines)" --plot p.svg -o rows_$lines.csv 2> log
