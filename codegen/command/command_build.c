@@ -109,7 +109,8 @@ int ttc_command_build(const ttc_options *options)
     if (model == NULL) return status;
     compiler = ttc_compiler_find();
     if (compiler == NULL)
-        status = fail(TTC_EXIT_IO, "there is no C compiler '%s' to compile kernels with: install gcc or clang, or name one by CC",
+        status = fail(TTC_EXIT_IO, "there is no C compiler '%s' to compile kernels with: install gcc or clang, or name one by "
+                                   "CC, without options",
                       getenv("CC") != NULL ? getenv("CC") : "cc");
     else if (!ttc_cache_open(&cache, &message)) status = fail(TTC_EXIT_IO, "%s", ttc_text_string(&message));
     else status = find_or_make(&cache, model, compiler, options, &path);

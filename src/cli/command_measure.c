@@ -206,14 +206,15 @@ static jlt_status write_json(FILE *stream, const jlt_measure_finding *f)
                                     "obstruction", obstruction_json(f)));
 }
 
-static void write_csv(FILE *stream, const jlt_measure_finding *f, const request *r)
+static jlt_status write_csv(FILE *stream, const jlt_measure_finding *f, const request *r)
 {
     const jlt_measure_attempt *a = &f->attempt;
-    JLT_FREED double *params = jlt_common_steady(&r->common, f->instance->descriptor, f->instance->params);
+    const jlt_instance *instance = f->instance;
+    JLT_FREED double *params = jlt_common_steady(&r->common, instance->descriptor, instance->params);
     jlt_csv_names names;
 
-    if (params == NULL) return;
-    jlt_csv_header(stream, &(jlt_csv_settings){ .command = r->common.command, .descriptor = f->instance->descriptor,
+    if (params == NULL) return JLT_ERR_NOMEM;
+    jlt_csv_header(stream, &(jlt_csv_settings){ .command = r->common.command, .descriptor = instance->descriptor,
                                                 .params = params });
     fprintf(stream, "# defect of %s: %.17g\n", along_name(f), a->defect);
     fputs("along,at,density,error,closed_form", jlt_csv_names_begin(&names, stream));
@@ -224,6 +225,7 @@ static void write_csv(FILE *stream, const jlt_measure_finding *f, const request 
         fprintf(stream, "%s,", along_name(f));
         jlt_csv_row(stream, row, 4);
     }
+    return JLT_OK;
 }
 
 /* Compare what the table claims with what was computed. */
@@ -295,7 +297,7 @@ static jlt_exit deliver(const jlt_measure_finding *f, const request *r)
 
     if (st == JLT_OK) {
         if (r->json) st = write_json(output.stream, f);
-        else if (r->csv) write_csv(output.stream, f, r);
+        else if (r->csv) st = write_csv(output.stream, f, r);
         else write_text(output.stream, f);
     }
     if (st == JLT_OK) return jlt_stream_deliver(&output, r->common.output);

@@ -301,8 +301,8 @@ static jlt_exit draw(const study *s, jlt_motion_map *map)
     if (jlt_plot_open(&plot, &s->o->motion.common) != JLT_OK) return jlt_command_no_memory();
     jlt_plot_words(&plot, "Density that stays under the %s map\n", s->o->backwards ? "inverse" : "return");
     jlt_motion_caption(&plot, s->system, NULL);
-    jlt_motion_map_frame(map, &plot);
     jlt_motion_map_palette(map, &plot, "log_{10} of the density");
+    jlt_motion_map_frame(map, &plot);
     jlt_motion_map_plot(map, &plot);
     jlt_motion_map_blank(map, &plot, has_empty ? "without states or of density 0" : "without states");
     fputc('\n', plot.stream);

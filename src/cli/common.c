@@ -87,12 +87,20 @@ static error_t parse_common(int key, char *value, struct argp_state *state)
     }
 }
 
+/* The table of the model leads to others, which are read without being named. */
+static void refuse_table(const char *option, const char *value, const struct argp_state *state)
+{
+    if (jlt_table_is_named(value))
+        argp_error(state, "%s: '%s' is a table's name, and tables are written by hand: name another file", option, value);
+}
+
 static error_t parse_files(int key, char *value, struct argp_state *state)
 {
     jlt_common *self = state->input;
 
     switch (key) {
     case 'o':
+        refuse_table("--output", value, state);
         if (jlt_merged_is_database(value))
             argp_error(state, "--output: '%s' would be a database, which 'jellett merge' alone writes: name a .csv or .npy", value);
         if (jlt_picture_is_named(value))
@@ -104,6 +112,7 @@ static error_t parse_files(int key, char *value, struct argp_state *state)
         self->plot = value;
         return 0;
     case KEEP:
+        refuse_table("--keep", value, state);
         if (jlt_picture_is_named(value)) argp_error(state, "--keep: '%s' would be a script under a picture's name", value);
         self->keep = value;
         return 0;

@@ -42,6 +42,11 @@ static void write_script(jlt_plot *plot, const jlt_eigen_request *r, jlt_eigen_r
     }
     fputs("END\n", stream);
     write_caption(plot, r);
+    if (axis != NULL) {
+        jlt_plot_label(label, r->question.descriptor, r->axes[0].name);
+        jlt_plot_palette(plot, label,
+                         (jlt_extent){ fmin(r->axes[0].low, r->axes[0].high), fmax(r->axes[0].low, r->axes[0].high) });
+    }
     jlt_plot_axis(plot, 'x', jlt_plot_timed(r->question.descriptor, "Re λ [1/s]", "Re λ"), jlt_extent_wider(re), 0);
     jlt_plot_axis(plot, 'y', jlt_plot_timed(r->question.descriptor, "Im λ [1/s]", "Im λ"), jlt_extent_wider(im), 0);
     fputs(JLT_LOOK_GRID "set zeroaxis lt -1\n", stream);
@@ -50,9 +55,6 @@ static void write_script(jlt_plot *plot, const jlt_eigen_request *r, jlt_eigen_r
         jlt_look_pen(stream, plot->look, (jlt_pen){ "points", .colour = 2, .size = 1 });
         fputs(" title 'eigenvalues'", stream);
     } else {
-        jlt_plot_label(label, r->question.descriptor, r->axes[0].name);
-        jlt_look_palette(stream, plot->look, label,
-                         (jlt_extent){ fmin(r->axes[0].low, r->axes[0].high), fmax(r->axes[0].low, r->axes[0].high) });
         fprintf(stream, "plot $VALUES using 1:2:3 with points pt 7 ps %.3g lc palette notitle", 0.5 * plot->look->size);
     }
     if (zeros) {

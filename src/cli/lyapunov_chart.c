@@ -36,8 +36,8 @@ jlt_exit jlt_lyapunov_chart_draw(const jlt_lyapunov_chart_options *o, const jlt_
     if (jlt_plot_open(&plot, &o->motion.common) != JLT_OK) return jlt_command_no_memory();
     jlt_plot_words(&plot, "Finite-time exponent over %zu return%s\n", o->returns, ttc_text_plural(o->returns));
     jlt_motion_caption(&plot, system, NULL);
-    jlt_motion_map_frame(map, &plot);
     jlt_motion_map_palette(map, &plot, jlt_plot_timed(system->instance->descriptor, "exponent [1/s]", "exponent"));
+    jlt_motion_map_frame(map, &plot);
     jlt_motion_map_plot(map, &plot);
     if (o->others > 0) jlt_motion_map_blank(map, &plot, "without an exponent");
     else jlt_motion_map_blank(map, &plot, "ended before %zu return%s", o->returns, ttc_text_plural(o->returns));

@@ -133,7 +133,7 @@ void jlt_motion_map_frame(jlt_motion_map *self, jlt_plot *plot)
 
 void jlt_motion_map_palette(const jlt_motion_map *self, jlt_plot *plot, const char *label)
 {
-    jlt_look_palette(plot->stream, plot->look, label, self->values);
+    jlt_plot_palette(plot, label, self->values);
 }
 
 void jlt_motion_map_plot(const jlt_motion_map *self, jlt_plot *plot)

@@ -31,7 +31,7 @@ void jlt_motion_map_add(jlt_motion_map *self, const double *q, double value);
 /** Write the data and the axes into the script. */
 void jlt_motion_map_frame(jlt_motion_map *self, jlt_plot *plot);
 
-/** Write a palette for the values, and the colour box with this label. */
+/** Write a palette for the values, and the colour box with this label; before the frame. */
 void jlt_motion_map_palette(const jlt_motion_map *self, jlt_plot *plot, const char *label);
 
 /** Write "plot ...": the grid as an image, whose size in bytes does not grow with its cells, and other starts as points. */

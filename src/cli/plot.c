@@ -108,14 +108,14 @@ static double panels_along(const jlt_plot *self, char axis)
 {
     const double em = jlt_look_points(self->look) * 2.54 / 72, width = self->look->width / em, height = self->look->height / em;
 
-    if (self->rows == 0) return 1;
+    if (self->rows == 0 && (axis == 'y' || self->beside <= 0)) return 1;
     if (axis == 'y' && self->stacked) return self->rows;
     if (axis == 'y') {
         fflush(self->title.stream);
         const double title = 1.2 * jlt_look_lines(NULL, self->look, self->title.text, true);
         return fmax(1, 0.65 * height / fmax(1, (height - title) / self->rows - 9));
     }
-    if (self->stacked) return 0.75 / (1 - (MARGIN + fmax(MARGIN, self->beside)) / width);
+    if (self->stacked || self->rows == 0) return 0.75 / (1 - (MARGIN + fmax(MARGIN, self->beside)) / width);
     /* to scale, the axes of a panel are as long as its shorter side */
     return self->to_scale ? fmax(self->columns, 0.75 * width * panels_along(self, 'y') / (0.65 * height)) : self->columns;
 }
@@ -142,6 +142,11 @@ void jlt_plot_log(jlt_plot *self, char axis, const char *label, jlt_extent range
 {
     look_for_data(self, axis, range);
     jlt_look_log(self->stream, self->look, axis, label, range, base, panels_along(self, axis));
+}
+
+void jlt_plot_palette(jlt_plot *self, const char *label, jlt_extent values)
+{
+    self->beside = jlt_look_palette(self->stream, self->look, label, values);
 }
 
 double jlt_plot_drift(double drift)
@@ -218,7 +223,7 @@ static void shorten_title(jlt_plot *self)
     const double letters = self->look->height * 72 / 2.54 / jlt_look_points(self->look), rows = fmax(1, self->rows);
     const double title = 1.2 * jlt_look_lines(NULL, self->look, self->title.text, true);
 
-    if (self->stacked ? letters - 10 < 3.8 * rows : letters - title - 6 * rows < letters / 4)
+    if (self->stacked ? letters - title - 5 < 3.8 * rows : letters - title - 6 * rows < letters / 4)
         self->title.text[strcspn(self->title.text, "\n")] = '\0';
 }
 

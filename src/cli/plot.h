@@ -20,7 +20,7 @@ typedef struct {
     unsigned rows, columns; /* of panels; 0: there is one picture without panels */
     bool stacked;           /* panels share the x axis */
     bool to_scale;          /* both axes of a panel have the same scale */
-    double beside;          /* the room for the keys of stacked panels, in units of the font size */
+    double beside;          /* the room for a colour box, or the keys of stacked panels, in units of the font size */
     double letters;         /* in the longest label of a tick on a y axis */
     jlt_command_output script, title;
     bool valued;            /* the caption ends with NAME=VALUE */
@@ -49,6 +49,10 @@ jlt_extent jlt_plot_axis(jlt_plot *self, char axis, const char *label, jlt_exten
 
 /** The same for a logarithmic axis, as jlt_look_log does. */
 void jlt_plot_log(jlt_plot *self, char axis, const char *label, jlt_extent range, int base);
+
+/** Write the palette and the colour box of a picture without panels, as jlt_look_palette does. Call it before the axes, which have
+ *  less room beside the box. */
+void jlt_plot_palette(jlt_plot *self, const char *label, jlt_extent values);
 
 /** A drift as it is drawn on a logarithmic axis: at least 1e-17, also where nothing drifts; NaN where it is not known. */
 double jlt_plot_drift(double drift);

@@ -113,6 +113,16 @@ static void parse_style(jlt_look *look, const char *value, const struct argp_sta
     }
 }
 
+/* The axes have no room any more where a title takes half of the height. */
+static void check_title(const jlt_look *look, const struct argp_state *state)
+{
+    const unsigned lines = look->title == NULL ? 0 : jlt_look_lines(NULL, look, look->title, false);
+
+    if (1.2 * lines * jlt_look_points(look) > look->height * 72 / 2.54 / 2)
+        argp_error(state, "--title: %u lines are more than half of the height: shorten it, or choose another --size or --font",
+                   lines);
+}
+
 static error_t parse(int key, char *value, struct argp_state *state)
 {
     jlt_look *look = state->input;
@@ -128,6 +138,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
         look->title = value;
         break;
     case STYLE: parse_style(look, value, state); break;
+    case ARGP_KEY_END: check_title(look, state); return 0;
     default: return ARGP_ERR_UNKNOWN;
     }
     look->asked = true;

@@ -9,6 +9,7 @@
 #include "kernel/batch_isa.h"
 #include "kernel/descriptor.h"
 #include "report/json.h"
+#include "scene/schema.h"
 
 /* The commands of which a study can be made: what they write for a point does not depend on other points. `dealt` is the option
  * whose grid is cut into pieces; NULL: the command is run whole at each point of `over`. `least`: the default number of points in a
@@ -82,18 +83,24 @@ static jlt_exit check_options(const jlt_study *self)
     return JLT_EXIT_DONE;
 }
 
-/* Check that nothing that runs has a value elsewhere: in the scene, or in --set of the command line, `set`. */
+/* Check that the command takes what runs, and that this has no value elsewhere: in the scene, or in --set of the command line,
+ * `set`. */
 static jlt_exit check_over(const jlt_study *self, const jlt_assign_list *set)
 {
     const jlt_scene *scene = self->scene;
     const jlt_scene_job *job = self->job;
+    jlt_key levels;
 
     for (size_t i = 0; i < set->count; i++)
         if (jlt_assign_names(scene->over, set->items[i].name)
             || (self->dealt < job->count && jlt_assign_names(job->options[self->dealt].value, set->items[i].name)))
             return jlt_command_fail(JLT_EXIT_USAGE, "--set: %s runs over %s by itself: leave it out, or take it from there",
                                     scene->file, set->items[i].name);
-    for (size_t i = 0; i < self->over_count; i++)
+    for (size_t i = 0; i < self->over_count; i++) {
+        if (!jlt_descriptor_param(scene->model, self->over[i].name, &(size_t){ 0 })
+            && !jlt_schema_key(&levels, job->known, "levels"))
+            return refuse(self, scene->over_line, "'over' runs over %s, and %s takes no levels, parameters alone",
+                          self->over[i].name, job->what);
         for (size_t k = 0; k < job->count; k++) {
             const jlt_scene_option *option = &job->options[k];
             const bool gives = k == self->dealt || strcmp(option->name, "set") == 0 || strcmp(option->name, "level") == 0;
@@ -101,6 +108,7 @@ static jlt_exit check_over(const jlt_study *self, const jlt_assign_list *set)
                 return refuse(self, scene->over_line, "'over' runs over %s, which the scene also sets or sweeps elsewhere: remove "
                               "one of the two", self->over[i].name);
         }
+    }
     return JLT_EXIT_DONE;
 }
 

@@ -190,13 +190,11 @@ static jlt_exit refuse_picture(const jlt_swept_rows *self, const char *x, const 
     return jlt_command_fail(JLT_EXIT_INPUT, "--axes: no row has values of both %s and %s: nothing is drawn", x, y);
 }
 
-/* Whether the text has " NAME=" before offset `place`. */
-static bool stands_before(const char *text, size_t place, const char *name)
+/* Whether this name is one of the strings that stand before it, one behind the other, from `first` on. */
+static bool stands_before(const char *first, const char *name)
 {
-    const size_t length = strlen(name);
-
-    for (const char *at = strchr(text, ' '); at != NULL && (size_t)(at + 1 - text) < place; at = strchr(at + 1, ' '))
-        if (strncmp(at + 1, name, length) == 0 && at[1 + length] == '=') return true;
+    for (const char *at = first; at < name; at += strlen(at) + 1)
+        if (strcmp(at, name) == 0) return true;
     return false;
 }
 
@@ -208,13 +206,15 @@ static void caption(jlt_plot *plot, const jlt_swept_rows *self)
     char *lines = NULL, *words = NULL;
 
     for (char *line = text == NULL ? NULL : strtok_r(text, "\n", &lines); line != NULL; line = strtok_r(NULL, "\n", &lines)) {
-        const char *levels = "# levels ", *start = strncmp(line, levels, strlen(levels)) == 0 ? line + strlen(levels) : line + 2;
+        const char *levels = "# levels ";
+        char *start = strncmp(line, levels, strlen(levels)) == 0 ? line + strlen(levels) : line + 2;
         if (strncmp(line, "# ", 2) != 0 || strcspn(start, "=") > strcspn(start, " :{")) continue;
-        for (char *word = strtok_r((char *)start, " ", &words); word != NULL; word = strtok_r(NULL, " ", &words)) {
+        start[-1] = '\0'; /* what is before is another string */
+        for (char *word = strtok_r(start, " ", &words); word != NULL; word = strtok_r(NULL, " ", &words)) {
             char *equals = strchr(word, '=');
             if (equals == NULL) break;
             *equals = '\0';
-            if (!stands_before(self->header, (size_t)(word - text), word)) jlt_plot_value(plot, word, strtod(equals + 1, NULL));
+            if (!stands_before(text, word)) jlt_plot_value(plot, word, strtod(equals + 1, NULL));
         }
     }
 }

@@ -8,6 +8,7 @@
 #include "kernel/descriptor.h"
 #include "kernel/load.h"
 
+#include <dlfcn.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
@@ -19,12 +20,14 @@
 
 enum { LOADED_MAX = 64 };
 
-bool jlt_table_is_file(const char *model)
+bool jlt_table_is_named(const char *path)
 {
-    const size_t length = strlen(model);
+    const size_t length = strlen(path);
 
-    return strchr(model, '/') != NULL || (length > 3 && strcmp(model + length - 3, ".tt") == 0);
+    return length > 3 && strcmp(path + length - 3, ".tt") == 0;
 }
+
+bool jlt_table_is_file(const char *model) { return strchr(model, '/') != NULL || jlt_table_is_named(model); }
 
 static jlt_exit no_model(const char *model)
 {
@@ -165,9 +168,12 @@ static jlt_exit load(const jlt_descriptor **descriptor, bool *has_said, const ch
     if (*descriptor != NULL) return JLT_EXIT_DONE;
     JLT_PASS(build(path, sizeof path, has_said, table, lanes));
     st = jlt_load(descriptor, path);
+    if (st == JLT_ERR_UNSUPPORTED)
+        return jlt_command_fail(JLT_EXIT_IO, "the kernels of %s cannot be loaded from %s: ttc is of another version than this "
+                                             "program", table, path);
     if (st != JLT_OK)
-        return jlt_command_fail(JLT_EXIT_IO, "the kernels of %s cannot be loaded from %s: %s", table, path,
-                                st == JLT_ERR_UNSUPPORTED ? "ttc is of another version than this program" : "remove this file");
+        return jlt_command_fail(JLT_EXIT_IO, "the kernels of %s cannot be loaded: %s (XDG_CACHE_HOME names another folder for "
+                                             "them)", table, dlerror());
     if (before != NULL && !is_of_one_text(*descriptor, before)) return was_edited(table);
     char *name = loaded_count < LOADED_MAX ? strdup(table) : NULL;
     if (name != NULL) {

@@ -5,6 +5,9 @@
 #include "cli/command.h"
 #include "kernel/way.h"
 
+/** Whether a path ends as that of a table, in .tt. */
+bool jlt_table_is_named(const char *path);
+
 /** Whether this is the path of a table, with a slash or ending in .tt, and not the name of a built-in model. */
 bool jlt_table_is_file(const char *model);
 

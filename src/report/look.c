@@ -264,7 +264,7 @@ void jlt_look_pen(FILE *stream, const jlt_look *self, jlt_pen pen)
                 pen.size * self->size * reduction(self));
 }
 
-void jlt_look_palette(FILE *stream, const jlt_look *self, const char *label, jlt_extent values)
+double jlt_look_palette(FILE *stream, const jlt_look *self, const char *label, jlt_extent values)
 {
     if (values.high == values.low) {
         values = jlt_extent_wider(values);
@@ -272,17 +272,19 @@ void jlt_look_palette(FILE *stream, const jlt_look *self, const char *label, jlt
     }
     const bool known = values.high > values.low;
     const jlt_ticks ticks = known ? jlt_ticks_choose(values, 6, false) : (jlt_ticks){ 0 };
+    const double margin = 5.2 + 0.8 * ticks.letters;
 
     write_label(stream, "cb", label, ticks.power);
     fputs(" offset 1.2,0\n", stream); /* gnuplot puts it so near that it touches labels of two letters */
     if (known) {
         jlt_ticks_write(stream, "cb", values, &ticks, true);
         /* set the margin: gnuplot leaves the same room for the colour box however long its tick labels are */
-        fprintf(stream, "set rmargin %.1f\n", 5.2 + 0.8 * ticks.letters);
+        fprintf(stream, "set rmargin %.1f\n", margin);
     }
     fputs(self->grey ? "set palette defined (0 '#202020', 1 '#d8d8d8')\n"
                      : "set palette defined (0 '#440154', 1 '#3b528b', 2 '#21918c', 3 '#5ec962', 4 '#fde725')\n",
           stream);
+    return margin;
 }
 
 void jlt_look_steps(FILE *stream, const jlt_look *self, unsigned count)

@@ -82,8 +82,8 @@ void jlt_look_pen(FILE *stream, const jlt_look *self, jlt_pen pen);
 const char *jlt_look_colour(const jlt_look *self, unsigned series);
 
 /** Write a palette for continuous values, whose lightness increases with the value, and the colour box's label and ticks for this
- *  range of values. */
-void jlt_look_palette(FILE *stream, const jlt_look *self, const char *label, jlt_extent values);
+ *  range of values. Returns the width that it takes beside the axes, in units of the font size. */
+double jlt_look_palette(FILE *stream, const jlt_look *self, const char *label, jlt_extent values);
 
 /** Write a palette that gives each of the values 0 .. count - 1 its colour (jlt_look_colour), without a colour box. */
 void jlt_look_steps(FILE *stream, const jlt_look *self, unsigned count);

@@ -212,6 +212,8 @@ static jlt_status append_group(const jlt_value_reader *r, const config_setting_t
         return jlt_value_complain(r, jlt_value_line(at), "'%s' takes names and numbers in braces, %s", name,
                                   key->kind == JLT_KEY_INTERVAL ? "{ a = (0, 1); }"
                                   : key->kind == JLT_KEY_RANGES ? "{ a = (-1, 1, 21); b = 2; }" : "{ a = 1; b = 2; }");
+    if (key->kind == JLT_KEY_RANGES && config_setting_length(at) == 0)
+        return jlt_value_complain(r, jlt_value_line(at), "'%s' is empty", name);
     for (int i = 0; i < config_setting_length(at); i++) {
         const config_setting_t *member = config_setting_get_elem(at, (unsigned)i);
         const bool several = config_setting_is_array(member) == CONFIG_TRUE || config_setting_is_list(member) == CONFIG_TRUE;

@@ -218,6 +218,9 @@ static jlt_exit draw(const request *r)
     jlt_plot_block(&plot, "ROWS", r->session.common.drawn);
     jlt_plot_words(&plot, "Period and rotation number\n");
     jlt_session_caption(&plot, &r->session);
+    jlt_plot_words(&plot, "; start ");
+    for (unsigned i = 0; i < r->session.descriptor->state_count; i++)
+        jlt_plot_value(&plot, r->session.descriptor->states[i].name, r->session.x[i]);
     jlt_plot_label(label, r->session.descriptor, r->axes[0].name);
     fputs(JLT_LOOK_GRID, plot.stream);
     for (unsigned k = 0; k < 2; k++) {

@@ -224,6 +224,15 @@ for damage in 'truncate -s -4096' 'truncate -s 4096' 'truncate -s 0' \
     eval "$damage" '"$object"' > /dev/null
     expect 0 '^1,-4.40912038921' jellett simulate ./lorenz.tt --start x=1,y=1,z=20 --times 1
 done
+# Where a sealed object cannot be loaded, as from a disk that may hold no programs, the loader's reason is told.
+cp "$object" whole
+python3 - "$object" << 'END'
+import hashlib, os, sys
+key, text = os.path.basename(sys.argv[1])[:-3], b"no object" * 1000
+open(sys.argv[1], "wb").write(text + hashlib.sha256(text + key.encode()).hexdigest().encode())
+END
+expect 5 "of ./lorenz.tt cannot be loaded: .*invalid ELF header" jellett simulate ./lorenz.tt --start x=1,y=1,z=20 --times 1
+cp whole "$object"
 # What has the name of another object is made anew.
 printf '%s\n' 'model decay' 'state x' 'state y' 'state z' 'eq x = -x' 'eq y = -y' 'eq z = -z' > decay.tt
 ttc build decay.tt > "$scratch/other" && cp "$(cat "$scratch/other")" "$object"

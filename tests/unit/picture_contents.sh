@@ -31,6 +31,18 @@ for sweep in '' '--sweep a3=0.5:0.51:2'; do
     grep -qF 'kg*m/s^{2}]' p.gp || fail "contact_force $sweep: $(grep label p.gp)"
 done
 grep -qF 'jellett simulate at each a_{3}' p.gp || fail "the title of a sweep: $(grep title p.gp)"
+# The title has all that the points share, also where it was typed.
+while read -r title line; do
+    # shellcheck disable=SC2086
+    jellett $line --plot p.svg --keep p.gp -o rows.csv 2> log || fail "$line: $(cat log)"
+    grep -qF "m=1, R=1, g=1, I_{1}=0.333333, I_{3}=${title//,/, }}'" p.gp || fail "$line: $(grep 'set title' p.gp)"
+done << 'END'
+0.3,a_{3}=0.4,G=−0.5 section --set a3=0.4,I3=0.3 --level G=-0.5 --sweep E=2:2.1:2 --start eta=0.1,gamma3=-0.6 --returns 2
+0 measure --set I3=0 --sweep a3=0.1:0.5:2
+END
+[ "$(grep -c '^#.* m=1' rows.csv)" -eq 1 ] || fail "measure: what the points share stands in $(grep -c '^#.* m=1' rows.csv) lines"
+jellett rod --start gamma3=0.2,v_nu=0.6,omega_tau=0.4,omega_n=1,omega3=0 --sweep omega_n=1:2:3 --plot p.svg --keep p.gp -o rows.csv
+grep -q 'start γ_{3}=0.2, v_{ν}=0.6, ω_{τ}=0.4, ω_{3}=0}' p.gp || fail "rod: $(grep title p.gp)"
 # --axes of a sweep are refused when its first point has said which columns there are.
 printf '%s\n' 'model drops' 'param k' 'default k = 1' 'state y' 'eq y = -k' 'valid up : y > 0' > drops.tt
 jellett simulate ./drops.tt --start y=1 --times 2 --sweep k=1:2:2 --axes k,none --plot p.svg -o rows.csv 2> log
@@ -72,6 +84,14 @@ jellett simulate ./long.tt --start $long=1e200 --until 1 --every 1 --plot p.svg 
 jellett simulate ./long.tt --start $long=1e100 --until 1 --every 1 --plot p.svg --keep p.gp -o rows.csv 2> log
 grep -q 'label .*×10^{100}}. at graph 1,' p.gp || fail "the power of ten of a panel: $(grep label p.gp)"
 
+# Beside a colour box the numbers below the axis have less room.
+for command in "eigen --set a3=0 --at v_nu=0.7,omega3=1.1 --sweep gamma3=-0.9:0.9:9" \
+    "lyapunov --grid eta=-0.5:0.5:20,gamma3=-0.7:-0.6:2 --returns 2"; do
+    # shellcheck disable=SC2086
+    jellett $command --size 8x6cm --plot p.svg --keep p.gp -o rows.csv 2> log || fail "$command: $(cat log)"
+    grep -qx 'set xtics 0.5' p.gp || fail "$command: numbers run into each other: $(grep xtics p.gp)"
+done
+
 # An index has parts, each a letter or a word; an ending in capitals is the same ending.
 printf '%s\n' 'model parts' 'state gamma3_end' 'state A__b_omega2_' 'eq gamma3_end = 0' 'eq A__b_omega2_ = 1' > parts.tt
 jellett simulate ./parts.tt --start gamma3_end=1,A__b_omega2_=0 --until 1 --every 1 --axes A__b_omega2_,gamma3_end --plot p.PNG \
@@ -96,6 +116,18 @@ jellett portrait --set I1=2/5,I3=1/4 --start gamma3=0.5,v_nu=0.8,omega_tau=0,ome
 orbits=$(grep -o "(1\*\$3>0?\$2:NaN) with lines lc rgb '[^']*" p.gp | grep -o '#[0-9a-f]*$')
 points=$(grep -oE "with points lc rgb '[^']*" p.gp | grep -o '#[0-9a-f]*$' | sort -u)
 [ -n "$orbits" ] && [ -n "$points" ] && [[ $points != *"$orbits"* ]] || fail "a portrait in grey: orbits $orbits, points $points"
+
+# A caption of many parameters does not take the room of a panel.
+{ echo model many; printf 'param parameter_%d\n' {0..23}; printf '%s\n' 'state x' 'eq x = -x'; } > many.tt
+jellett simulate ./many.tt --set "$(printf 'parameter_%d=1/3\n' {0..23} | paste -sd,)" --start x=1 --times 0,1 \
+    --size 8x6cm --plot p.svg --keep p.gp -o rows.csv 2> log || fail "many parameters: $(cat log)"
+grep -q "title 'Motion of many' margins" p.gp || fail "many parameters: $(grep title p.gp)"
+# A title leaves room for the axes, or is refused before anything is computed.
+for lines in 8 9; do
+    "${base[@]}" --axes x,z --size 8x6cm --title "$(seq $lines)" --plot p.svg -o rows_$lines.csv 2> log
+    [ $? -eq $((lines == 8 ? 0 : 2)) ] || fail "a title of $lines lines: $(cat log)"
+done
+[ ! -e rows_9.csv ] && grep -q '9 lines are more than half of the height' log || fail "a title of 9 lines: $(cat log)"
 
 # A letter that no font has is named, where the picture is drawn here.
 base_title() { "${base[@]}" --title "$1" --plot p.$2 -o rows.csv 2> log || fail "--title '$1': $(cat log)"; }

@@ -39,7 +39,7 @@ done
 
 # NumPy and SQLite have what CSV has.
 python3 - map.1 << 'END' || fail "the files differ"
-import ast, csv, math, sqlite3, struct, sys
+import ast, csv, glob, math, sqlite3, struct, sys
 rows = list(csv.reader(l for l in open(sys.argv[1] + ".csv") if l[0] != "#"))
 names, rows = rows[0], rows[1:]
 data = open(sys.argv[1] + ".npy", "rb").read()
@@ -64,6 +64,9 @@ for row, packed, kept in zip(rows, struct.iter_unpack(code, data[length:end]), s
 assert empty > 0
 about = dict(sqlite3.connect(sys.argv[1] + ".sqlite").execute("SELECT name, value FROM provenance"))
 assert about["command"] == "section" and "spherical_top_level.tt" in about["kernels"]
+file = sqlite3.connect(sys.argv[1] + ".sqlite")
+file.execute("SELECT * FROM rows").fetchone()
+assert not glob.glob(sys.argv[1] + ".sqlite-*"), "who reads it must be able to write beside it"
 indices = "SELECT name FROM sqlite_master WHERE type = 'index' AND name LIKE 'rows%'"
 assert [n for n, in sqlite3.connect(sys.argv[1] + ".sqlite").execute(indices)] == ["rows_by_fate"]
 END
@@ -217,6 +220,15 @@ expect 3 ":1: error: 'over' runs over a3, which the scene also sets or sweeps el
     jellett sweep <(sed 's/^over/parameters = { a3 = 0.2; }; over/' over.scene) --into=none
 sed 's/returns = 3/sweep = { E = (2, 3, 2); }; &/; s/ E = 2.15;//' over.scene > inner.scene
 expect 3 "'over' runs over E" jellett sweep <(sed 's/ a3 = (0.1/ E = (0.1/' inner.scene) --into=none
+# What the command does not take does not run either, nor does nothing.
+cat > sleigh.scene << 'END'
+model = "chaplygin_sleigh";
+over = { E = (1, 2, 3); };
+compute = ( { what = "simulate"; start = { v = 1; w = 1; }; times = (1); } );
+END
+expect 3 "sleigh.scene:2: error: 'over' runs over E, and simulate takes no levels" jellett sweep sleigh.scene --into=none
+sed -i 's/^over.*/over = { };/' sleigh.scene
+expect 3 "sleigh.scene:2: error: 'over' is empty" jellett sweep sleigh.scene --into=none
 [ ! -e none ] || fail "a study that is refused has begun"
 # A sweep within each piece begins runs of its own.
 cat > inside.scene << 'END'
