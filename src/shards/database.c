@@ -184,6 +184,7 @@ jlt_status jlt_database_finish(jlt_database *self, char **message)
     sqlite3_finalize(self->row);
     sqlite3_finalize(self->piece);
     self->row = self->piece = NULL;
+    JLT_TRY(execute(self, message, "PRAGMA journal_mode = WAL"));
     JLT_TRY(told(self, message, sqlite3_close(self->db)));
     self->db = NULL;
 done:

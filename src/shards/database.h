@@ -1,6 +1,7 @@
 /** A merged study as one SQLite file of three tables: `rows`, in the order of the study, with an index on every column that the
  *  study runs over and on every text column; `pieces`, with each piece's exit status and what its command wrote to standard error;
- *  `provenance`, the study's JSON and its members. To read it takes the right to read this one file. */
+ *  `provenance`, the study's JSON and its members. The file is in WAL mode, so that readers and one writer do not block each
+ *  other. */
 #ifndef JLT_SHARDS_DATABASE_H
 #define JLT_SHARDS_DATABASE_H
 
