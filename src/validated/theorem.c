@@ -95,7 +95,7 @@ static void write_orbit(FILE *out, const jlt_theorem_subject *s)
     jlt_theorem_text_named(out, json_object_get(first, "box"));
     fputs(" of the section", out);
     if (count > 1) fprintf(out, ", and in turn through %zu more of it that are listed under \"legs\",", count - 1);
-    fprintf(out, " there is exactly one orbit%s that is back at its point", jlt_theorem_of_levels(s, " on these levels"));
+    fprintf(out, " there is exactly one orbit%s that is back at its point", jlt_theorem_text_levels(s, " on these levels"));
     jlt_theorem_turns_write_all(out, legs, d);
     fputs(" after a time near ", out);
     if (count > 1) {
@@ -114,7 +114,7 @@ static void write_multipliers(FILE *out, const jlt_theorem_subject *s)
 {
     const json_t *shown = s->shown, *multipliers = json_object_get(shown, "multipliers");
 
-    fprintf(out, "%sdet DP = exp(integral of div f over the orbit) = ", jlt_theorem_of_levels(s, "On the levels, "));
+    fprintf(out, "%sdet DP = exp(integral of div f over the orbit) = ", jlt_theorem_text_levels(s, "On the levels, "));
     jlt_theorem_text_ball(out, json_object_get(shown, "determinant"));
     fputs(", trace DP = ", out);
     jlt_theorem_text_ball(out, json_object_get(shown, "trace"));
@@ -158,7 +158,7 @@ static void write_image(FILE *out, const jlt_theorem_subject *s)
     fputs("The image of the orbit under the reversor ", out);
     jlt_theorem_text_flips(out, flipped);
     fprintf(out, ", time reversed, is another periodic orbit, which has the inverse multipliers%s: it repels.",
-            jlt_theorem_of_levels(s, " on the images of the levels"));
+            jlt_theorem_text_levels(s, " on the images of the levels"));
 }
 
 static bool add(json_t *words, FILE **out, char **text)
@@ -210,7 +210,7 @@ static void write_tangent(FILE *out, const jlt_theorem_subject *s)
     fputs("At the symmetric point a tangent of the unstable manifold on the section is ", out);
     jlt_theorem_text_named(out, json_object_get(json_object_get(s->shown, "homoclinic"), "tangent"));
     fprintf(out, "; that of the stable manifold has the opposite sign in what the reversor flips. They differ: the manifolds cross "
-            "transversally%s.", jlt_theorem_of_levels(s, " in their levels"));
+            "transversally%s.", jlt_theorem_text_levels(s, " in their levels"));
 }
 
 static void write_sink_measure(FILE *out, const jlt_theorem_subject *s)
@@ -223,7 +223,7 @@ static void write_sink_measure(FILE *out, const jlt_theorem_subject *s)
     jlt_theorem_turns_write_density(out, "", legs, s->descriptor, " ");
     fprintf(out, "positive almost everywhere near the orbit and is finite there: a neighbourhood%s shrinks under the flow to the "
             "cycle%s alone, a set of measure zero.",
-            jlt_theorem_of_levels(s, ", made up of these basins,"), jlt_theorem_of_levels(s, "s"));
+            jlt_theorem_text_levels(s, ", made up of these basins,"), jlt_theorem_text_levels(s, "s"));
 }
 
 static void write_expansion(FILE *out, const jlt_theorem_subject *s)
@@ -234,7 +234,7 @@ static void write_expansion(FILE *out, const jlt_theorem_subject *s)
           "whose density rho", out);
     jlt_theorem_turns_write_density(out, ", ", legs, s->descriptor, ",");
     fprintf(out, " is continuous and positive at that orbit is invariant under this flow%s: rho(phi_T x) det Dphi_T(x) = rho(x) "
-            "would hold at ", jlt_theorem_of_levels(s, ", nor one with such a density on its levels"));
+            "would hold at ", jlt_theorem_text_levels(s, ", nor one with such a density on its levels"));
     fputs(jlt_theorem_turns_any(legs, s->descriptor) ? "x, and phi_T x is x but for these periods." : "x = phi_T x.", out);
 }
 
@@ -242,7 +242,7 @@ static void write_attraction(FILE *out, const jlt_theorem_subject *s)
 {
     fprintf(out, "All multipliers lie inside the unit circle, |mu| < 1: the orbit attracts, exponentially and with asymptotic "
             "phase, what begins near it%s.",
-            jlt_theorem_of_levels(s, " on its levels, and so do its continuations on all levels nearby"));
+            jlt_theorem_text_levels(s, " on its levels, and so do its continuations on all levels nearby"));
 }
 
 static void write_horseshoe(FILE *out, const jlt_theorem_subject *s)
@@ -251,10 +251,10 @@ static void write_horseshoe(FILE *out, const jlt_theorem_subject *s)
 
     fprintf(out, "Hence, by the theorem of Smale and Birkhoff, a section across the flow%s has an iterate of its return map with a "
             "horseshoe near this orbit: the flow there has positive topological entropy, and infinitely many periodic orbits of "
-            "saddle type. ", jlt_theorem_of_levels(s, " on these levels"));
+            "saddle type. ", jlt_theorem_text_levels(s, " on these levels"));
     fputs(has_levels ? "A transversal crossing remains on all levels nearby, so that no" : "So no", out);
     fprintf(out, " real-analytic function that is defined on a connected neighbourhood of both orbits is a%s integral: it %s (J. "
-            "Moser, Stable and Random Motions, 1973).", jlt_theorem_of_levels(s, " further"),
+            "Moser, Stable and Random Motions, 1973).", jlt_theorem_text_levels(s, " further"),
             has_levels ? "depends on those named" : "is constant");
 }
 

@@ -38,7 +38,7 @@ void jlt_theorem_text_named(FILE *out, const json_t *values);
 void jlt_theorem_text_flips(FILE *out, const json_t *flipped);
 
 /** These words, which are about levels; "" if no integral has its level given. */
-const char *jlt_theorem_of_levels(const jlt_theorem_subject *subject, const char *words);
+const char *jlt_theorem_text_levels(const jlt_theorem_subject *subject, const char *words);
 
 /* Phrases about the periods by which states have grown at the end of legs ("turns", see given.h). Uniqueness is claimed for these
  * numbers of each leg only. Nothing is written if no leg has turns. */

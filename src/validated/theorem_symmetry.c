@@ -25,7 +25,7 @@ void jlt_theorem_symmetry_write(FILE *out, const jlt_theorem_subject *s)
     fprintf(out, ", which maps the section%s: its image passes through the same box%s after the same time%s. So DP%s is "
                  "conjugate to its inverse, and det DP = 1 exactly. ",
             json_object_size(json_object_get(s->given, "levels")) > 0 ? " and the levels to themselves" : " to itself",
-            many ? "es" : "", many ? "s" : "", jlt_theorem_of_levels(s, " on the levels"));
+            many ? "es" : "", many ? "s" : "", jlt_theorem_text_levels(s, " on the levels"));
     for (size_t i = 0; i < sizeof verdicts / sizeof *verdicts; i++)
         if (strcmp(verdicts[i].type, jlt_theorem_text_of(symmetry, "type")) == 0) fputs(verdicts[i].words, out);
     if (rotation != NULL) jlt_theorem_text_ball(out, rotation);
@@ -35,11 +35,11 @@ void jlt_theorem_symmetry_write(FILE *out, const jlt_theorem_subject *s)
 void jlt_theorem_symmetry_write_twist(FILE *out, const jlt_theorem_subject *s)
 {
     const json_t *twist = json_object_get(s->shown, "twist");
-    const char *on_levels = jlt_theorem_of_levels(s, " on its levels");
+    const char *on_levels = jlt_theorem_text_levels(s, " on its levels");
 
     fprintf(out, "No multiplier is a root of unity of order 1 to 4. So by an analytic change of coordinates the return map%s is "
             "z -> z exp(i (2 pi rho + beta |z|^2)) + O(|z|^4), where |z| is to first order the amplitude of ",
-            jlt_theorem_of_levels(s, " on these levels"));
+            jlt_theorem_text_levels(s, " on these levels"));
     fputs(jlt_theorem_text_of(twist, "coordinate"), out);
     fputs(", with beta = ", out);
     jlt_theorem_text_ball(out, json_object_get(twist, "coefficient"));

@@ -40,7 +40,7 @@ void jlt_theorem_text_flips(FILE *out, const json_t *flipped)
     }
 }
 
-const char *jlt_theorem_of_levels(const jlt_theorem_subject *subject, const char *words)
+const char *jlt_theorem_text_levels(const jlt_theorem_subject *subject, const char *words)
 {
     return json_object_size(json_object_get(subject->given, "levels")) > 0 ? words : "";
 }
