@@ -224,8 +224,9 @@ static void add_root(ttc_task *task, ttc_conditions *c, uint32_t symbol, ttc_rat
     ttc_conditions_add(c, value, TTC_IS_POSITIVE);
 }
 
-/* What the other table is subject to may use an angle that nothing here uses. Its signs are added if it has a value, which the
- * domain does not say that it has; and while its sine leaves most of the ring's generators to what the claim uses. */
+/* What the other table is subject to, or a multiple of the angle, may use one that nothing here uses. Its signs are added if it has
+ * a value, which the domain does not say that it has; and while its sine leaves most of the ring's generators to what the claim
+ * uses. */
 static void add_unused_angle(ttc_task *task, ttc_conditions *c, uint32_t cosine)
 {
     ttc_ring *ring = task->ring;
@@ -234,14 +235,36 @@ static void add_unused_angle(ttc_task *task, ttc_conditions *c, uint32_t cosine)
     if (ring->status != TTC_RING_NO_MEMORY) ring->status = TTC_RING_OK;
 }
 
+/* Flags, by symbol, of what the angles that are used depend on, for free(); NULL when memory is out. */
+static unsigned char *support_of_angles(const ttc_model *model, const unsigned char *support)
+{
+    id_list list = { NULL, 0, false };
+    for (uint32_t i = 0; i < model->symbol_count; i++)
+        if (model->symbols[i].kind == TTC_COSINE && support[i]) add_id(&list, model->symbols[i].definition);
+    unsigned char *turned = list.failed ? NULL : ttc_model_support(model, list.ids, list.count);
+    free(list.ids);
+    return turned;
+}
+
+/* Whether an angle changes with a state with which angles change that are used: these may be multiples of it. */
+static bool turns_with(const ttc_model *model, uint32_t cosine, const unsigned char *turned)
+{
+    bool turns = false;
+    for (size_t i = 0; !turns && i < model->state_count; i++)
+        turns = turned[model->states[i]] && ttc_model_depends(model, model->symbols[cosine].definition, model->states[i]);
+    return turns;
+}
+
 void ttc_domain_add(ttc_task *task, ttc_conditions *c, ttc_domain_extent extent)
 {
     const ttc_model *model = task->model;
     const bool parameters_alone = is_of_parameters(task);
     const bool leads_elsewhere = task->claim->target != NULL || task->outer != NULL;
     unsigned char *support = ttc_domain_support(task, extent);
+    unsigned char *turned = support == NULL ? NULL : support_of_angles(model, support);
     ttc_ratio value, end;
-    if (support == NULL) {
+    if (turned == NULL) {
+        free(support);
         ttc_ring_fail(task->ring, TTC_RING_NO_MEMORY);
         return;
     }
@@ -262,7 +285,8 @@ void ttc_domain_add(ttc_task *task, ttc_conditions *c, ttc_domain_extent extent)
         if (entry->kind == TTC_COSINE && ttc_valuation_is_bound(task->field, i))
             ttc_evaluate(task->field, &value, model->symbols[entry->partner].node);
         if (entry->kind == TTC_COSINE && support[i]) ttc_domain_add_angle(task, c, i);
-        if (entry->kind == TTC_COSINE && !support[i] && leads_elsewhere) add_unused_angle(task, c, i);
+        if (entry->kind == TTC_COSINE && !support[i] && (leads_elsewhere || turns_with(model, i, turned)))
+            add_unused_angle(task, c, i);
     }
     for (size_t i = 0; i < model->region_count; i++) {
         if (parameters_alone && depends_on_states(model, model->regions[i].expression)) continue;
@@ -284,6 +308,7 @@ void ttc_domain_add(ttc_task *task, ttc_conditions *c, ttc_domain_extent extent)
     if (task->divisor != TTC_NONE && extent != TTC_DOMAIN_WITHOUT_CLAIM) add_divisor(task, c, task->divisor, extent, &value);
     ttc_ratio_clear(task->ring, &end);
     ttc_ratio_clear(task->ring, &value);
+    free(turned);
     free(support);
 }
 
