@@ -101,8 +101,11 @@ typedef struct {
     jlt_system_family *systems;
     const jlt_observed *observed;
     jlt_orbit_losses losses; /* of the branch */
-    unsigned kinds, lines; /* in the picture: bit k, bifurcations of kind k; bit 0, unstable orbits, bit 1, stable ones */
+    unsigned kinds, lines; /* in the picture: bit k, bifurcations of kind k; bit k, orbits of which stability() is k */
 } table;
+
+static const double near = 1e-5; /* closer to the unit circle than this, rounding may decide the side */
+static const char *const stabilities[] = { "stable", "unstable", "degenerate" };
 
 static void write_point(const table *self, size_t branch, const jlt_continuation_point *point)
 {
@@ -121,7 +124,6 @@ static void write_point(const table *self, size_t branch, const jlt_continuation
  * crosses the unit circle; where two real ones cross together, only the number of multipliers outside the circle shows it. */
 static void watch_stability(table *self, size_t branch, const jlt_continuation_point *point)
 {
-    static const double near = 1e-5; /* closer to the unit circle than this, rounding may decide the side */
     unsigned outside = 0;
 
     if (self->rows == 0 || branch != self->branch) self->is_watched = false;
@@ -143,6 +145,13 @@ static void watch_stability(table *self, size_t branch, const jlt_continuation_p
     self->clear_at = point->value;
 }
 
+/* Index into stabilities. Where a multiplier is 1 or -1 and none is larger, they do not tell. */
+static unsigned stability(const jlt_periodic *orbit)
+{
+    if (orbit->type == JLT_ORBIT_CENTRE || orbit->type == JLT_ORBIT_ATTRACTING) return 0;
+    return orbit->type != JLT_ORBIT_DEGENERATE || hypot(orbit->re[0], orbit->im[0]) > 1 + near ? 1 : 2;
+}
+
 static jlt_status take(void *context, size_t branch, const jlt_continuation_point *point)
 {
     table *self = context;
@@ -154,14 +163,14 @@ static jlt_status take(void *context, size_t branch, const jlt_continuation_poin
     jlt_orbit_losses_add(&self->losses, jlt_map_flow(map), &point->orbit, point->value);
     write_point(self, branch, point);
     if (self->points != NULL) {
-        const bool stable = point->orbit.type == JLT_ORBIT_CENTRE || point->orbit.type == JLT_ORBIT_ATTRACTING;
-        double row[4] = { [2] = (double)point->kind, stable };
+        const unsigned line = stability(&point->orbit);
+        double row[4] = { [2] = (double)point->kind, line };
         for (unsigned k = 0; k < 2; k++) row[k] = self->shown[k] == 0 ? point->value : point->orbit.points[self->shown[k] - 1];
         for (unsigned k = 0; k < 2; k++) jlt_extent_add(&self->extent[k], row[k]);
         if (branch != self->branch) fputc('\n', self->points);
         jlt_look_row(self->points, row, 4);
         self->kinds |= 1u << point->kind;
-        self->lines |= point->kind == JLT_BIFURCATION_NONE ? 1u << stable : 0;
+        self->lines |= point->kind == JLT_BIFURCATION_NONE ? 1u << line : 0;
     }
     self->branch = branch;
     self->rows++;
@@ -220,7 +229,7 @@ static jlt_exit choose_axes(unsigned shown[2], const options *o, const jlt_syste
     return jlt_plot_shown(shown, &o->motion.common, names, chart->dim + 1);
 }
 
-/* Draw the branches; a bifurcation point belongs to both the stable and the unstable line. */
+/* Draw the branches; a bifurcation point belongs to all their lines, stable or not. */
 static jlt_exit draw(const options *o, const jlt_system *system, const char *name, const table *to)
 {
     char label[JLT_LOOK_LABEL_MAX];
@@ -239,12 +248,12 @@ static jlt_exit draw(const options *o, const jlt_system *system, const char *nam
     }
     const bool alone = to->extent[0].low == to->extent[0].high && to->extent[1].low == to->extent[1].high;
     fputs("plot ", stream);
-    for (unsigned stable = 2; stable-- > 0;) {
-        if ((to->lines >> stable & 1u) == 0) continue;
-        fprintf(stream, "$POINTS using 1:($4==%u||$3>0?$2:NaN) ", stable);
-        jlt_look_pen(stream, plot.look, alone ? (jlt_pen){ "points", .mark = !stable, .size = 0.8 }
-                                              : (jlt_pen){ "lines", .dash = !stable });
-        fprintf(stream, " title '%s', ", stable ? "stable" : "unstable");
+    for (unsigned line = 0; line < sizeof stabilities / sizeof *stabilities; line++) {
+        if ((to->lines >> line & 1u) == 0) continue;
+        fprintf(stream, "$POINTS using 1:($4==%u||$3>0?$2:NaN) ", line);
+        jlt_look_pen(stream, plot.look, alone ? (jlt_pen){ "points", .mark = line, .size = 0.8 }
+                                              : (jlt_pen){ "lines", .dash = line });
+        fprintf(stream, " title '%s', ", stabilities[line]);
     }
     for (unsigned kind = JLT_BIFURCATION_FOLD; kind <= (unsigned)JLT_BIFURCATION_TORUS; kind++) {
         if ((to->kinds >> kind & 1u) == 0) continue;

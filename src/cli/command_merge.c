@@ -12,6 +12,7 @@
 #include "cli/merged.h"
 #include "cli/study.h"
 #include "core/memory.h"
+#include "report/file.h"
 #include "report/json.h"
 #include "shards/gather.h"
 
@@ -351,6 +352,16 @@ static jlt_exit check_outputs(const options *o)
     return code;
 }
 
+/* No shard is written over. */
+static jlt_exit check_inputs(const options *o, const file_list *files)
+{
+    for (size_t i = 0; i < o->output_count; i++)
+        for (size_t k = 0; k < files->count; k++)
+            if (jlt_file_same(o->outputs[i], files->paths[k]))
+                return jlt_command_fail(JLT_EXIT_USAGE, "--output: %s is a shard that is merged: name another file", o->outputs[i]);
+    return JLT_EXIT_DONE;
+}
+
 static jlt_exit run(int argc, char **argv)
 {
     options o = { .places = calloc((size_t)argc + 1, sizeof *o.places) };
@@ -362,6 +373,7 @@ static jlt_exit run(int argc, char **argv)
     ttc_options_parse(&parser, argc, argv, &o);
     code = check_outputs(&o);
     if (code == JLT_EXIT_DONE) code = find_files(&files, &o);
+    if (code == JLT_EXIT_DONE) code = check_inputs(&o, &files);
     if (code == JLT_EXIT_DONE) code = merge_files(&self, &files);
     jlt_gather_destroy(self.gather);
     jlt_table_form_close(&self.form);

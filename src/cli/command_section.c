@@ -168,7 +168,8 @@ static jlt_exit finish(void *run)
     JLT_PASS(jlt_common_save(common));
     const jlt_exit verdict = jlt_section_run_verdict(&self->run);
     if (common->plot != NULL)
-        JLT_PASS(jlt_section_picture_draw(&self->picture, common, self->system, o->motion.grid, o->axes, o->returns));
+        JLT_PASS(jlt_section_picture_draw(&self->picture, common, self->system, o->motion.grid, o->axes, o->returns,
+                                          o->time_direction));
     return verdict;
 }
 

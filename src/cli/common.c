@@ -87,20 +87,12 @@ static error_t parse_common(int key, char *value, struct argp_state *state)
     }
 }
 
-/* The table of the model leads to others, which are read without being named. */
-static void refuse_table(const char *option, const char *value, const struct argp_state *state)
-{
-    if (jlt_table_is_named(value))
-        argp_error(state, "%s: '%s' is a table's name, and tables are written by hand: name another file", option, value);
-}
-
 static error_t parse_files(int key, char *value, struct argp_state *state)
 {
     jlt_common *self = state->input;
 
     switch (key) {
     case 'o':
-        refuse_table("--output", value, state);
         if (jlt_merged_is_database(value))
             argp_error(state, "--output: '%s' would be a database, which 'jellett merge' alone writes: name a .csv or .npy", value);
         if (jlt_picture_is_named(value))
@@ -112,7 +104,6 @@ static error_t parse_files(int key, char *value, struct argp_state *state)
         self->plot = value;
         return 0;
     case KEEP:
-        refuse_table("--keep", value, state);
         if (jlt_picture_is_named(value)) argp_error(state, "--keep: '%s' would be a script under a picture's name", value);
         self->keep = value;
         return 0;
@@ -295,6 +286,15 @@ jlt_exit jlt_common_still(void)
     return JLT_EXIT_PLANNED;
 }
 
+/* The table of the model leads to others, which are read without being named. */
+static jlt_exit check_place(const jlt_command_file *file)
+{
+    if (file->path != NULL && jlt_table_is_named(file->path))
+        return jlt_command_fail(JLT_EXIT_USAGE, "%s: '%s' is a table's name, and tables are written by hand: name another file",
+                                file->option, file->path);
+    return jlt_command_check_output(file->path);
+}
+
 void jlt_common_check_files(const jlt_common *self, const char *option, const char *path)
 {
     const char *table = self->model != NULL && jlt_table_is_file(self->model) ? self->model : NULL;
@@ -309,7 +309,7 @@ void jlt_common_check_files(const jlt_common *self, const char *option, const ch
         if (optional[i].path != NULL) files[count++] = optional[i];
     code = jlt_command_distinct(files, count);
     for (size_t i = 0; code == JLT_EXIT_DONE && i < count; i++)
-        if (files[i].path != table) code = jlt_command_check_output(files[i].path);
+        if (files[i].path != table) code = check_place(&files[i]);
     if (code != JLT_EXIT_DONE) exit((int)code);
 }
 

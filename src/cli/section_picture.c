@@ -108,7 +108,7 @@ static void frame(jlt_plot *plot, const jlt_section_picture *self, const jlt_sys
 }
 
 jlt_exit jlt_section_picture_draw(jlt_section_picture *self, const jlt_common *common, const jlt_system *system, const char *grid,
-                                  const jlt_grid_axis *axes, size_t returns)
+                                  const jlt_grid_axis *axes, size_t returns, int time_direction)
 {
     static const struct {
         const char *name;
@@ -129,8 +129,8 @@ jlt_exit jlt_section_picture_draw(jlt_section_picture *self, const jlt_common *c
         jlt_look_row(stream, (const double[]){ point->at[0], point->at[1], (double)point->fate }, 3);
     }
     fputs("END\n", stream);
-    jlt_plot_words(&plot, "Poincaré map: %zu orbit%s of up to %zu return%s", self->orbits, ttc_text_plural(self->orbits), returns,
-                   ttc_text_plural(returns));
+    jlt_plot_words(&plot, "Poincaré map: %zu orbit%s of up to %zu return%s%s", self->orbits, ttc_text_plural(self->orbits),
+                   returns, ttc_text_plural(returns), time_direction < 0 ? " backwards" : "");
     if (self->halvings > 0) jlt_plot_words(&plot, ", one in %llu drawn", 1ULL << self->halvings);
     jlt_plot_words(&plot, "\n");
     jlt_motion_caption(&plot, system, NULL);

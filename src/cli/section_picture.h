@@ -33,8 +33,9 @@ void jlt_section_picture_add(jlt_section_picture *self, const double *q);
 /** End the current orbit, which gets the colour of its fate. */
 void jlt_section_picture_end(jlt_section_picture *self, jlt_fate fate);
 
-/** Draw the picture; call it once. grid: as typed, with its axes (dim,); NULL: none. returns: how many were asked for. */
+/** Draw the picture; call it once. grid: as typed, with its axes (dim,); NULL: none. returns: how many were asked for;
+ *  time_direction: -1 if orbits are followed backwards. */
 jlt_exit jlt_section_picture_draw(jlt_section_picture *self, const jlt_common *common, const jlt_system *system, const char *grid,
-                                  const jlt_grid_axis *axes, size_t returns);
+                                  const jlt_grid_axis *axes, size_t returns, int time_direction);
 
 #endif

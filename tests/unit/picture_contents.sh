@@ -117,6 +117,16 @@ orbits=$(grep -o "(1\*\$3>0?\$2:NaN) with lines lc rgb '[^']*" p.gp | grep -o '#
 points=$(grep -oE "with points lc rgb '[^']*" p.gp | grep -o '#[0-9a-f]*$' | sort -u)
 [ -n "$orbits" ] && [ -n "$points" ] && [[ $points != *"$orbits"* ]] || fail "a portrait in grey: orbits $orbits, points $points"
 
+# Orbits that multipliers of 1 leave open are not drawn as unstable; those that a larger one decides are.
+printf '%s\n' 'model swing' 'param a > 0' 'state x' 'state y' 'eq x = a*y' 'eq y = -a*x' > swing.tt
+sed 's/swing/saddle/; s/^eq x/state z\n&/' swing.tt > saddle.tt
+echo 'eq z = z' >> saddle.tt
+for case in "swing y=1 degenerate" "saddle y=1,z=0 unstable"; do
+    read -r table start title <<< "$case"
+    jellett continue ./$table.tt --set a=1 --section x=0 --start $start --along a=1:1.5 --plot p.svg --keep p.gp -o rows.csv \
+        2> log || fail "$table: $(cat log)"
+    [ "$(grep -o "title '[a-z]*stable'\|title 'degenerate'" p.gp)" = "title '$title'" ] || fail "$table: $(grep ^plot p.gp)"
+done
 # A caption of many parameters does not take the room of a panel.
 { echo model many; printf 'param parameter_%d\n' {0..23}; printf '%s\n' 'state x' 'eq x = -x'; } > many.tt
 jellett simulate ./many.tt --set "$(printf 'parameter_%d=1/3\n' {0..23} | paste -sd,)" --start x=1 --times 0,1 \

@@ -17,6 +17,10 @@ jellett section --grid eta=0.40:0.48:8,gamma3=-0.63:-0.61:8 --returns 1000 --tol
     -o rows.csv 2> log
 grep -q '^plot .* with points .* ps 0.6 ' p.gp || fail "--style points=3 is not followed: $(grep -o 'with dots' p.gp)"
 jellett section --grid gamma3=0.95:0.99:2,eta=3:3.1:2 --returns 5 --plot p.svg --keep p.gp -o rows.csv 2> log
+grep -q "up to 5 returns'" p.gp || fail "a title: $(grep title p.gp)"
 grep '^set yrange' p.gp | tr '[:]' '   ' | awk '{ exit !($3 < -0.648 && $4 > -0.584) }' ||
     fail "no return lies in the ranges of the grid, and none is seen: $(grep '^set yrange' p.gp)"
+# Orbits that are followed backwards are said to be: they come to other sets.
+jellett section --start eta=0.1,gamma3=-0.6 --returns 5 --backward --plot p.svg --keep p.gp -o rows.csv 2> log
+grep -q "up to 5 returns backwards'" p.gp || fail "backwards: $(grep title p.gp)"
 exit $status

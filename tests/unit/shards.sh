@@ -270,6 +270,10 @@ expect 3 "no files" jellett merge cache
 : > empty.shard
 expect 1 "no file holds a study yet: run jellett sweep STUDY.scene first" jellett merge empty.shard
 expect 2 "no .csv" jellett merge map.1 -o rows.txt
+ln -s map.1/1-of-1.shard shard.csv
+cp -L shard.csv shard
+expect 2 "shard.csv is a shard that is merged" jellett merge map.1 -o shard.csv
+cmp shard map.1/1-of-1.shard || fail "a shard is written over by what is merged of it"
 
 # Parts of a grid by hand.
 jellett fates --grid 5x4 --returns 3 2> log | rows > all
