@@ -281,7 +281,7 @@ static jlt_status clip(const runner *self, place *next, double *step, const plac
     const double limit = limit_ahead(self, next, here);
     double inside = 0, outside = *step, miss_inside = here->u[d] - limit, miss_outside = next->u[d] - limit;
 
-    for (int i = 0; i < CLIPPING && fabs(miss_outside) > 1e-14 * fmax(1, fabs(limit)) && miss_inside != 0; i++) {
+    for (int i = 0; i < CLIPPING && !jlt_continuation_step_is_at(next->u[d], limit) && miss_inside != 0; i++) {
         const double secant = (inside * miss_outside - outside * miss_inside) / (miss_outside - miss_inside);
         const double s = i % 3 == 2 ? (inside + outside) / 2 : secant;
         place trial;
@@ -293,7 +293,6 @@ static jlt_status clip(const runner *self, place *next, double *step, const plac
         }
         *next = trial;
         *step = s;
-        if (fabs(trial.u[d] - limit) <= 1e-14 * fmax(1, fabs(limit))) break;
     }
     return JLT_OK;
 }
@@ -338,7 +337,7 @@ jlt_status jlt_continuation_run(jlt_continuation_end *end, const jlt_family *fam
         value = on->next.u[self.d] * self.options.scale;
         leaves = value < self.options.low || value > self.options.high;
         const double at = on->here.u[self.d], beyond = limit_ahead(&self, &on->next, &on->here);
-        if (leaves && fabs(at - beyond) <= 1e-14 * fmax(1, fabs(at))) {
+        if (leaves && jlt_continuation_step_is_at(at, beyond)) {
             *end = JLT_CONTINUATION_RANGE;
             break;
         }

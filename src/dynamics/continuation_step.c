@@ -31,6 +31,15 @@ static jlt_status image_beside(const jlt_continuation_runner *self, jlt_image *i
     return jlt_map_point(map, image, q, self->period, 1);
 }
 
+bool jlt_continuation_step_is_at(double u, double limit) { return fabs(u - limit) <= 1e-14 * fmax(1, fabs(u)); }
+
+/* The value at u; at an end of the range, the end itself. */
+static double value_at(const jlt_continuation_options *range, double u)
+{
+    if (jlt_continuation_step_is_at(u, range->low / range->scale)) return range->low;
+    return jlt_continuation_step_is_at(u, range->high / range->scale) ? range->high : u * range->scale;
+}
+
 double jlt_continuation_step_length(const jlt_continuation_runner *self, const double *u)
 {
     double square = 0;
@@ -165,7 +174,7 @@ jlt_status jlt_continuation_step_measure(const jlt_continuation_runner *self, jl
     const unsigned d = self->d;
     jlt_map *map;
     jlt_image image;
-    jlt_continuation_point point = { .value = u[d] * self->options.scale, .arc = arc, .kind = kind };
+    jlt_continuation_point point = { .value = value_at(&self->options, u[d]), .arc = arc, .kind = kind };
 
     JLT_PASS(self->family->map_at(self->family->context, &map, point.value));
     point.orbit.period = self->period;

@@ -45,6 +45,9 @@ bool jlt_continuation_step_allows(const jlt_continuation_options *options, int d
 JLT_CHECKED jlt_status jlt_continuation_step_evaluate(const jlt_continuation_runner *self, jlt_continuation_equation *out,
                                                       const double *u);
 
+/* Whether a place at the value u, in units of the scale, is at an end of the range, to rounding. */
+bool jlt_continuation_step_is_at(double u, double limit);
+
 /* The length of the coordinates at u but for angles, at least 1. */
 double jlt_continuation_step_length(const jlt_continuation_runner *self, const double *u);
 

@@ -329,5 +329,10 @@ awk -F, '$17 == "branch point" { found++; bad += ($2 - 1.00431947743)^2 > 1e-16 
     END { exit !(found == 1 && !bad) }' rows.csv || fail "a loss of symmetry: $(grep point rows.csv)"
 # Places have room for the largest sections, and are kept off the stack: half of the usual 8 MiB suffices.
 (ulimit -s 4096 && jellett continue --along E=1.9:2.15 > rows.csv 2> log) || fail "with a stack of 4 MiB: status $?, $(cat log)"
+# A branch that leaves the range ends on it, not beyond it by rounding.
+for range in E=2.1:2.3 "E=2.1:2.3 --decreasing" a3=0.45:0.53; do
+    jellett continue --along $range 2> log | tail -1 | cut -d, -f2 > end
+    grep -qx '2.3\|2.1\|0.53' end || fail "the end of $range: $(cat end)"
+done
 [ $failures = 0 ] || exit 1
 echo "bifurcations are the same at all steps"
