@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "integrate/batch_lanes.h"
+#include "integrate/batch_method.h"
 #include "integrate/invariant.h"
 
 static jlt_status run(const jlt_batch_job *job)
@@ -31,6 +32,14 @@ unsigned jlt_batch_columns(const jlt_batch_map *map)
     return map->tangents > 0 ? map->dim * (1 + map->tangents) + 2 : map->dim + map->clock;
 }
 
+static bool is_method(const jlt_batch_method *method)
+{
+    size_t i = 0;
+
+    while (jlt_batch_method_at(i) != NULL && jlt_batch_method_at(i) != method) i++;
+    return jlt_batch_method_at(i) == method;
+}
+
 jlt_status jlt_batch_section(const jlt_batch_map *map, const double *starts, size_t count, size_t returns,
                              jlt_batch_row row, jlt_batch_end end, void *context, jlt_batch_work *work)
 {
@@ -39,7 +48,7 @@ jlt_status jlt_batch_section(const jlt_batch_map *map, const double *starts, siz
     const unsigned columns = jlt_batch_columns(map);
 
     if (map->dim == 0 || map->dim > JLT_BATCH_STATES_MAX || map->column >= map->dim || !(map->tolerance > 0) ||
-        !(map->tolerance < 1) || map->kernels == NULL || map->cases == NULL ||
+        !(map->tolerance < 1) || !is_method(map->method) || map->kernels == NULL || map->cases == NULL ||
         map->tangents > JLT_BATCH_COLUMNS_MAX || columns > JLT_BATCH_COLUMNS_MAX ||
         (map->watch != NULL && (map->watch->count == 0 || map->watch->count > JLT_BATCH_CONDITIONS_MAX)) ||
         (map->project != NULL && (map->tangents > 0 || map->kernels->integral_gradients == NULL ||

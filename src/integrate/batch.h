@@ -79,7 +79,7 @@ typedef struct {
                                         above twice it ends with JLT_LANE_STALLED. 0: relative to the root itself */
     const jlt_domain *domain;        /* orbits end with JLT_LANE_DOMAIN where they leave it: that of the map's kernels, at most
                                         JLT_BATCH_CONDITIONS_MAX conditions; NULL: not watched */
-    const struct jlt_batch_method *method; /* NULL: the usual one for the tolerance */
+    const struct jlt_batch_method *method; /* one of jlt_batch_method_at; NULL: the usual one for the tolerance */
     double tolerance;                /* of the local error, in (0, 1): the root mean square over states, the clock added. A state's
                                         error is relative to max(size, largest |x_j| but for the root), or JLT_BATCH_SPREAD times
                                         max(size, |x_i|) if that is less, size being jlt_field_size of the orbit's start; the

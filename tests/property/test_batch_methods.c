@@ -8,6 +8,7 @@
 
 #include <stdbool.h>
 
+#include "integrate/batch.h"
 #include "integrate/batch_method.h"
 
 enum { DIM = 4, TREE_MAX = 11 };
@@ -186,12 +187,27 @@ static void weights_meet_the_order_conditions_and_no_more(void **unused)
         }
 }
 
+/* Errors are estimated by the weights that the table has. */
+static void methods_are_those_of_the_table(void **unused)
+{
+    (void)unused;
+    const jlt_batch_method copy = *jlt_batch_method_at(0);
+    const jlt_kernel_batch kernels = { .lanes = 3 };
+    const jlt_batch_case of = { .level = 0 };
+    jlt_batch_map map = { .kernels = &kernels, .cases = &of, .dim = 2, .root = -1, .tolerance = 1e-9, .method = &copy };
+
+    assert_int_equal(jlt_batch_section(&map, NULL, 0, 1, NULL, NULL, NULL, NULL), JLT_ERR_ARG);
+    map.method = jlt_batch_method_at(0);
+    assert_int_equal(jlt_batch_section(&map, NULL, 0, 1, NULL, NULL, NULL, NULL), JLT_ERR_UNSUPPORTED);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(methods_have_their_orders),
         cmocka_unit_test(weights_meet_the_order_conditions_and_no_more),
         cmocka_unit_test(no_stage_needs_a_later_one),
+        cmocka_unit_test(methods_are_those_of_the_table),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
