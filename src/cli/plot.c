@@ -149,6 +149,8 @@ void jlt_plot_palette(jlt_plot *self, const char *label, jlt_extent values)
     self->beside = jlt_look_palette(self->stream, self->look, label, values);
 }
 
+double jlt_plot_height(const jlt_plot *self) { return self->look->height * 72 / 2.54 / jlt_look_points(self->look); }
+
 double jlt_plot_drift(double drift)
 {
     return isnan(drift) ? drift : fmax(drift, 1e-17);
@@ -220,7 +222,7 @@ static unsigned write_title(FILE *stream, const jlt_plot *self)
  * six lines of each are labels and key. */
 static void shorten_title(jlt_plot *self)
 {
-    const double letters = self->look->height * 72 / 2.54 / jlt_look_points(self->look), rows = fmax(1, self->rows);
+    const double letters = jlt_plot_height(self), rows = fmax(1, self->rows);
     const double title = 1.2 * jlt_look_lines(NULL, self->look, self->title.text, true);
 
     if (self->stacked ? letters - title - 5 < 3.8 * rows : letters - title - 6 * rows < letters / 4)

@@ -54,6 +54,9 @@ void jlt_plot_log(jlt_plot *self, char axis, const char *label, jlt_extent range
  *  less room beside the box. */
 void jlt_plot_palette(jlt_plot *self, const char *label, jlt_extent values);
 
+/** The height of the picture, in units of the font size. */
+double jlt_plot_height(const jlt_plot *self);
+
 /** A drift as it is drawn on a logarithmic axis: at least 1e-17, also where nothing drifts; NaN where it is not known. */
 double jlt_plot_drift(double drift);
 

@@ -182,7 +182,8 @@ static void draw_states(jlt_plot *plot, const jlt_simulate_request *r)
     key(plot, drifts, panels + 1, narrow);
     jlt_plot_panel(plot, panels, time, r->extents[0]);
     fputs("unset label\n", plot->stream);
-    const char *const label = drift.low > jlt_plot_drift(0) ? "drift" : "drift ≥ 10^{−17}";
+    const bool has_room = jlt_plot_height(plot) > 7 * plot->rows; /* the longer label is six and a half high */
+    const char *const label = drift.low > jlt_plot_drift(0) || !has_room ? "drift" : "drift ≥ 10^{−17}";
     jlt_plot_log(plot, 'y', label, (jlt_extent){ drift.low / 1.01, drift.high * 1.01 }, 10);
     for (unsigned i = 0; i < drifts; i++) curve(plot, r, first_drift(r) + 1 + i, i, jlt_course_integral(r->courses[0], i));
     fputc('\n', plot->stream);

@@ -77,6 +77,10 @@ grep -qF ",}}'.\"\\n\".'{/*0.85 _{holds}=1; tier model" p.gp ||
     fail "a long name: $(grep '^set multiplot' p.gp)"
 # Drifts are drawn where one has a value, and those of less than 1e-17 are said to be.
 grep -q 'label .drift ≥ 10^{−17}' p.gp || fail "drifts of 0: $(grep label p.gp)"
+# In a low panel the label is one word.
+jellett simulate --start gamma3=-0.6,v_nu=0.5,omega_tau=0.3,omega_n=1,omega3=0.8 --until 1 --every 0.1 --size 8x6cm --plot p.svg \
+    --keep low.gp -o rows.csv 2> log || fail "low panels: $(cat log)"
+grep -q "ylabel 'drift'" low.gp || fail "low panels: $(grep label low.gp)"
 jellett simulate ./long.tt --start $long=1e200 --until 1 --every 1 --plot p.svg --keep p.gp -o rows.csv 2> log ||
     fail "drifts without values: $(cat log)"
 ! grep -q drift p.gp || fail "drifts without values: $(grep label p.gp)"
