@@ -288,7 +288,9 @@ static void state_quotient(ttc_question *q, const ttc_ratio *a, const ttc_ratio 
 {
     enum { HIGHEST = 4 };
     ttc_ring *ring = q->point->ring;
-    const slong last = fmpz_mpoly_is_gen(f->numerator, w, ring->context) ? fmpz_mpoly_degree_si(e->numerator, w, ring->context) : 1;
+    const bool is_variable = fmpz_mpoly_is_gen(f->numerator, w, ring->context);
+    const slong last = is_variable ? fmpz_mpoly_degree_si(e->numerator, w, ring->context)
+                                         - fmpz_mpoly_degree_si(e->denominator, w, ring->context) : 1;
     ttc_ratio logarithm, quotient;
     ttc_ratio_init(ring, &logarithm);
     ttc_ratio_init(ring, &quotient);
