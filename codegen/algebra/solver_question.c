@@ -33,11 +33,8 @@ static Z3_ast term_of(ttc_question *q, const fmpz_mpoly_t polynomial, slong inde
     factors[0] = number_of(q, coefficient);
     for (slong v = 0; v < (slong)q->point->ring->variable_count; v++) {
         ulong exponent = fmpz_mpoly_get_term_var_exp_ui(polynomial, index, v, q->point->ring->context);
-        if (exponent > DEGREE_LIMIT || count + exponent > DEGREE_LIMIT) {
-            q->too_large = true;
-            break;
-        }
-        while (exponent-- > 0) factors[count++] = variable_of(q, v);
+        q->too_large |= exponent > DEGREE_LIMIT || count + exponent > DEGREE_LIMIT;
+        while (!q->too_large && exponent-- > 0) factors[count++] = variable_of(q, v);
     }
     fmpz_clear(coefficient);
     return count == 1 ? factors[0] : Z3_mk_mul(q->z3, count, factors);
@@ -288,7 +285,9 @@ static void state_quotient(ttc_question *q, const ttc_ratio *a, const ttc_ratio 
 {
     enum { HIGHEST = 4 };
     ttc_ring *ring = q->point->ring;
-    const slong last = fmpz_mpoly_is_gen(f->numerator, w, ring->context) ? fmpz_mpoly_degree_si(e->numerator, w, ring->context) : 1;
+    slong last = 1;
+    if (fmpz_mpoly_is_gen(f->numerator, w, ring->context))
+        last = fmpz_mpoly_degree_si(e->numerator, w, ring->context) - fmpz_mpoly_degree_si(e->denominator, w, ring->context);
     ttc_ratio logarithm, quotient;
     ttc_ratio_init(ring, &logarithm);
     ttc_ratio_init(ring, &quotient);

@@ -201,14 +201,30 @@ static void require_divisors(ttc_task *task, const ttc_ratio *value)
     free(of_claim);
 }
 
+/* Require that a polynomial is zero nowhere in the domain. By its factors, as most are what divides in the claim. */
+static void require_no_zero(ttc_task *task, const fmpz_mpoly_t polynomial)
+{
+    ttc_ratio factor;
+    fmpz_mpoly_factor_t factors;
+    ttc_ratio_init(task->ring, &factor);
+    fmpz_mpoly_factor_init(factors, task->ring->context);
+    if (!fmpz_mpoly_factor(factors, polynomial, task->ring->context)) ttc_task_unsettle(task, "the cofactor could not be factored");
+    for (slong i = 0; i < factors->num && ttc_task_open(task); i++) {
+        ttc_ratio_set_polynomial(task->ring, &factor, factors->poly + i);
+        const ttc_search_result pole = ttc_task_search_against(task, &factor, TTC_IS_NONZERO, NULL);
+        if (pole != TTC_POINT_IMPOSSIBLE && pole != TTC_POINT_EXCLUDED) ttc_task_unsettle(task, "the cofactor may have a pole");
+    }
+    fmpz_mpoly_factor_clear(factors, task->ring->context);
+    ttc_ratio_clear(task->ring, &factor);
+}
+
 /* The left side of the claim is f, the right one what should be zero where f is: require that it is K f with K finite all over the
  * domain. */
 static void prove_cofactor(ttc_task *task)
 {
-    ttc_ratio value, rest, below;
+    ttc_ratio value, rest;
     ttc_ratio_init(task->ring, &value);
     ttc_ratio_init(task->ring, &rest);
-    ttc_ratio_init(task->ring, &below);
     ttc_evaluate(task->field, &value, task->claim->expression);
     ttc_evaluate(task->field, &rest, task->claim->other);
     const bool is_own = task->outer->claim->kind == TTC_CLAIM_INVARIANT;
@@ -220,11 +236,8 @@ static void prove_cofactor(ttc_task *task)
     if (ttc_task_open(task)) require_divisors(task, &value);
     if (ttc_task_open(task)) {
         ttc_ratio_divide(task->ring, &rest, &rest, &value);
-        ttc_ratio_set_polynomial(task->ring, &below, rest.denominator);
-        const ttc_search_result pole = ttc_task_search_against(task, &below, TTC_IS_NONZERO, NULL);
-        if (pole != TTC_POINT_IMPOSSIBLE && pole != TTC_POINT_EXCLUDED) ttc_task_unsettle(task, "the cofactor may have a pole");
+        require_no_zero(task, rest.denominator);
     }
-    ttc_ratio_clear(task->ring, &below);
     ttc_ratio_clear(task->ring, &rest);
     ttc_ratio_clear(task->ring, &value);
 }

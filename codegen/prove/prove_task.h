@@ -108,8 +108,8 @@ unsigned ttc_task_signs_met(ttc_task *task, const ttc_ratio *ratio);
 /* Search for a point of the leaf at which a ratio does not stand in this relation to zero. That there is none may hold but for
  * points put `aside`. */
 ttc_search_result ttc_task_search_against(ttc_task *task, const ttc_ratio *ratio, ttc_relation relation, char **text);
-/* The text of a point of the leaf at which a state has this value and a ratio is not positive; NULL if none is found. */
-char *ttc_task_point_with(ttc_task *task, const ttc_ratio *ratio, uint32_t state, const fmpq_t value);
+/* The text of a point of the leaf at which a state has this value; NULL if none is found. */
+char *ttc_task_point_with(ttc_task *task, uint32_t state, const fmpq_t value);
 /* The text of a point of the leaf at which a value is zero, between two of its signs; NULL if none is found. */
 char *ttc_task_zero_of(ttc_task *task, const ttc_ratio *value);
 /* A polynomial as an expression of the table; TTC_NONE if it uses spare symbols, which have no value on other leaves. */

@@ -241,12 +241,15 @@ static void require_value(ttc_task *task, ttc_valuation *valuation, ttc_id id, t
     ttc_ratio value;
     char *point = NULL;
     if (relation == TTC_IS_POSITIVE) refute_at_square(task, valuation, id, what);
+    const ttc_ring_status status = task->ring->status; /* the normal form may have failed: the point does not rest on it */
+    task->ring->status = TTC_RING_OK;
+    if (negative->is_known && valuation == task->field && relation == TTC_IS_POSITIVE && !task->has_left_out)
+        point = ttc_task_point_with(task, negative->symbol, negative->value);
+    task->ring->status = status;
     ttc_ratio_init(task->ring, &value);
     ttc_evaluate(valuation, &value, id);
     const bool is_first = task->unexcluded == TTC_NONE;
-    if (negative->is_known && valuation == task->field && relation == TTC_IS_POSITIVE && !task->has_left_out)
-        point = ttc_task_point_with(task, &value, negative->symbol, negative->value);
-    if (point != NULL) ttc_task_refute_at(task, point, &value, "%s", what);
+    if (point != NULL) ttc_task_refute_at(task, point, task->ring->status == TTC_RING_OK ? &value : NULL, "%s", what);
     ttc_task_require(task, &value, relation, "%s", what);
     if (is_first && task->unexcluded != TTC_NONE && valuation == task->field && ttc_signs_are_one(task, id)) task->unexcluded = id;
     ttc_ratio_clear(task->ring, &value);

@@ -246,20 +246,16 @@ ttc_search_result ttc_task_search_against(ttc_task *task, const ttc_ratio *ratio
     return result;
 }
 
-char *ttc_task_point_with(ttc_task *task, const ttc_ratio *ratio, uint32_t state, const fmpq_t value)
+char *ttc_task_point_with(ttc_task *task, uint32_t state, const fmpq_t value)
 {
     char *text = NULL;
     ttc_witness point;
     const slong variable = ttc_valuation_variable(task->field, state);
-    const size_t mark = ttc_conditions_mark(&task->domain);
-    const bool contradictory = task->domain.contradictory;
     add_new_roots(task);
-    ttc_conditions_add_negative(&task->domain, ratio, TTC_IS_NONNEGATIVE);
     if (ttc_witness_init(&point, task->field) && variable >= 0 && ttc_witness_is_free(&point, variable)
         && ttc_search_with(&point, &task->domain, variable, value))
         text = ttc_witness_text(&point);
     ttc_witness_clear(&point);
-    ttc_conditions_rewind(&task->domain, mark, contradictory);
     return text;
 }
 

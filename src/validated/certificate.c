@@ -289,5 +289,6 @@ void jlt_certificate_check(jlt_certificate_report *report, json_t *certificate, 
     /* The theorem's words are made only from members that have the form of what was proved. */
     else if ((words = jlt_theorem_words(kind, d, given, said)) == NULL) *report = jlt_judge_failure(JLT_ERR_NOMEM);
     else if (!json_equal(words, json_object_get(certificate, "theorem")))
-        *report = jlt_judge_say(JLT_CERTIFICATE_REFUSED, "its theorem is not what its numbers say");
+        *report = jlt_judge_say(JLT_CERTIFICATE_REFUSED, "its theorem is not what its numbers say in the words of this version: "
+                                                         "'jellett certify' writes one anew");
 }
