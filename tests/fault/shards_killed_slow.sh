@@ -38,6 +38,7 @@ for _ in $(seq 60); do
     [ $killed = 137 ] && kills=$((kills + 1))
     # What is whole in the file is there when it is opened again.
     whole=$([ -e before ] && grep -ac '^piece ' before)
+    : > log # or what it said the time before is read
     jellett sweep ends.scene --into=shards --shard=$victim/3 --resume 2> log & again=$!
     for _ in $(seq 200); do grep -q 'are there' log && break; sleep 0.01; done
     kill -TERM $again 2> /dev/null
