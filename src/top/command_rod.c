@@ -268,7 +268,8 @@ static jlt_exit run(int argc, char **argv)
     JLT_PASS(jlt_common_save(common));
     if (jlt_session_interrupted(&r.session))
         fprintf(stderr, "jellett: interrupted; %zu whole rows are saved in %s\n", r.rows, common->table.path);
-    return common->plot != NULL ? draw(&r) : JLT_EXIT_DONE;
+    if (common->plot != NULL) JLT_PASS(draw(&r));
+    return r.empty == r.all && r.axes[0].part == 0 ? JLT_EXIT_INPUT : JLT_EXIT_DONE; /* of a part, other parts may have rows */
 }
 
 const jlt_command jlt_command_rod = {
