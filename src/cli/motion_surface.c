@@ -308,10 +308,12 @@ static jlt_exit read_values(double *values, const jlt_motion_options *options, c
             }
             values[index] = item->value;
         }
-    for (unsigned i = 0; i < surface->count; i++)
+    for (unsigned i = 0; i < surface->count; i++) {
+        if (isnan(values[i])) values[i] = jlt_assign_first(options->common.own_sweep, surface->names[i]);
         if (isnan(values[i]))
             return jlt_command_fail(JLT_EXIT_INPUT, "%s has no default: add --%s %s=VALUE", surface->names[i],
                                     i < surface->params ? "set" : "level", surface->names[i]);
+    }
     return JLT_EXIT_DONE;
 }
 
