@@ -24,6 +24,11 @@ for a in 0.1 0.2 0.3 0.4 0.5; do jellett eigen ./focus.tt --set a=$a --csv | tai
 cmp single <(grep '^0' rows) || fail "rows of a sweep are not those of its points"
 jellett fates ./focus.tt --section y=0 --grid x=0.1:1:3 --returns 2 --sweep a=0.1:0.2:2 > rows 2> err || fail "fates: $(cat err)"
 [ "$(grep '^0' rows | cut -d, -f1,2 | tr '\n' ' ')" = "0.1,3 0.2,3 " ] || fail "fates: $(cat rows)"
+# Of those, points that the table does not allow are refused, not the sweep.
+sed 's/param a/& > 0/' focus.tt > focus_right.tt
+jellett eigen ./focus_right.tt --sweep a=-1:1:3 > rows 2> err && grep -q "2 of 3 points refused" err || fail "a > 0: $(cat err)"
+jellett fates ./focus_right.tt --section y=0 --start x=1 --returns 2 --sweep a=-1:1:3 > rows 2> err &&
+    grep -q "2 of 3 points are outside" err && [ "$(grep -c '^[-01]*,[01],' rows)" -eq 3 ] || fail "fates, a > 0: $(cat err)"
 many=(eigen --set a3=0 --at $at --sweep gamma3=-0.9:0.9:30000 --fast)
 OMP_NUM_THREADS=1 jellett "${many[@]}" > rows.1
 OMP_NUM_THREADS=2 jellett "${many[@]}" > rows.2 2> err & job=$!
