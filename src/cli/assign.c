@@ -140,10 +140,22 @@ jlt_exit jlt_assign_refuse_interval(const char *what, const jlt_quantity *quanti
     return jlt_command_fail(JLT_EXIT_INPUT, "%s: %s must lie strictly between %.10g and %.10g", what, quantity->name, low, high);
 }
 
-jlt_exit jlt_assign_params(double **params, const jlt_descriptor *d, const jlt_assign_list *list)
+bool jlt_assign_ends(double ends[2], const char *sweep, const char *name)
+{
+    char found[64];
+
+    for (const char *at = sweep; at != NULL && jlt_grid_ends(&at, found, sizeof found, &ends[0], &ends[1]);) {
+        if (strcmp(found, name) != 0) continue;
+        if (isnan(ends[1])) ends[1] = ends[0];
+        return true;
+    }
+    return false;
+}
+
+jlt_exit jlt_assign_params(double **params, const jlt_descriptor *d, const jlt_assign_list *list, const char *sweep)
 {
     const jlt_region *region;
-    double *values, value;
+    double *values, value, ends[2];
     size_t index = 0;
     jlt_exit code;
 
@@ -152,10 +164,13 @@ jlt_exit jlt_assign_params(double **params, const jlt_descriptor *d, const jlt_a
     if (values == NULL) return jlt_command_no_memory();
     for (unsigned i = 0; i < d->param_count; i++) values[i] = d->params[i].value;
     code = jlt_assign_apply(values, NULL, list, d->params, d->param_count, "parameter", d->model);
-    for (unsigned i = 0; code == JLT_EXIT_DONE && i < d->param_count; i++)
+    for (unsigned i = 0; code == JLT_EXIT_DONE && i < d->param_count; i++) {
+        if (isnan(values[i]) && jlt_assign_ends(ends, sweep, d->params[i].name))
+            values[i] = ends[!jlt_descriptor_allows(&d->params[i], ends[0])];
         if (isnan(values[i]))
             code = jlt_command_fail(JLT_EXIT_INPUT, "parameter %s has no default in %s: add --set %s=VALUE",
                                     d->params[i].name, d->model, d->params[i].name);
+    }
     if (code == JLT_EXIT_DONE && jlt_descriptor_check_params(d, values, &index) != JLT_OK)
         code = refuse(d, index, values[index]);
     if (code == JLT_EXIT_DONE && jlt_region_check(&region, &value, d, values, NULL) != JLT_OK)

@@ -45,8 +45,13 @@ jlt_exit jlt_assign_refuse_region(const char *what, const jlt_descriptor *descri
 /** Say that the value of `what` for a quantity is outside its open interval. */
 jlt_exit jlt_assign_refuse_interval(const char *what, const jlt_quantity *quantity);
 
-/** The parameters of a model: the table's defaults, then the list's values, checked against the table's domain. Out: *params, shape
+/** Out: the first and the last value that a sweep, NAME=LOW:HIGH:COUNT,... or NAME=VALUE,..., gives to a name. Returns false if it
+ *  gives none, or is NULL. */
+bool jlt_assign_ends(double ends[2], const char *sweep, const char *name);
+
+/** The parameters of a model: the table's defaults, then the list's values, then, where there is neither, a value that `sweep`
+ *  (NULL: none) gives, the last if the table does not allow the first; checked against the table's domain. Out: *params, shape
  *  (param_count,), in the table's units; the caller frees it. */
-jlt_exit jlt_assign_params(double **params, const jlt_descriptor *descriptor, const jlt_assign_list *list);
+jlt_exit jlt_assign_params(double **params, const jlt_descriptor *descriptor, const jlt_assign_list *list, const char *sweep);
 
 #endif

@@ -220,7 +220,7 @@ jlt_exit jlt_common_open(const jlt_common *self, const jlt_descriptor **descript
 {
     const jlt_exit code = jlt_common_model(self, descriptor);
 
-    return code == JLT_EXIT_DONE ? jlt_assign_params(params, *descriptor, &self->set) : code;
+    return code == JLT_EXIT_DONE ? jlt_assign_params(params, *descriptor, &self->set, self->own_sweep) : code;
 }
 
 const char **jlt_common_exact(const jlt_common *self, const jlt_descriptor *descriptor, char *const *defaults)

@@ -250,7 +250,7 @@ jlt_exit jlt_motion_plane_read(jlt_motion_plane *out, const jlt_motion_options *
 {
     out->descriptor = descriptor;
     out->flow = options->flow;
-    JLT_PASS(jlt_assign_params(&out->params, descriptor, &options->common.set));
+    JLT_PASS(jlt_assign_params(&out->params, descriptor, &options->common.set, options->common.own_sweep));
     /* Take the most special variant: integrals and densities that hold only for these parameters belong to it. */
     JLT_PASS(choose(out, descriptor, running, count));
     JLT_PASS(read_section(out, options, out->descriptor));

@@ -287,6 +287,7 @@ static jlt_exit read_values(double *values, const jlt_motion_options *options, c
 {
     const jlt_assign_list *const lists[] = { &options->common.set, &options->level };
     char text[512];
+    double ends[2];
 
     memcpy(values, surface->defaults, surface->count * sizeof *values);
     for (unsigned k = 0; k < 2; k++)
@@ -308,10 +309,12 @@ static jlt_exit read_values(double *values, const jlt_motion_options *options, c
             }
             values[index] = item->value;
         }
-    for (unsigned i = 0; i < surface->count; i++)
+    for (unsigned i = 0; i < surface->count; i++) {
+        if (isnan(values[i]) && jlt_assign_ends(ends, options->common.own_sweep, surface->names[i])) values[i] = ends[0];
         if (isnan(values[i]))
             return jlt_command_fail(JLT_EXIT_INPUT, "%s has no default: add --%s %s=VALUE", surface->names[i],
                                     i < surface->params ? "set" : "level", surface->names[i]);
+    }
     return JLT_EXIT_DONE;
 }
 

@@ -106,7 +106,7 @@ jlt_exit jlt_planned_motion(const jlt_system *system, const jlt_motion_options *
     double levels[JLT_INVARIANTS_MAX], *params = NULL;
     const unsigned count = jlt_motion_levels(system, names, levels);
     jlt_way_tables others = { .count = 0 };
-    jlt_exit code = jlt_assign_params(&params, asked, &options->common.set);
+    jlt_exit code = jlt_assign_params(&params, asked, &options->common.set, options->common.own_sweep);
 
     if (code == JLT_EXIT_DONE && options->common.model != NULL)
         code = jlt_table_others(&others, asked, options->common.model, "reduction", options->common.lanes);

@@ -41,8 +41,8 @@ typedef struct {
     jlt_worker worker;
     char *told;   /* the last messages of a point that were shown */
     size_t repeated, repeated_at; /* later points at which they were the same; the last of these */
-    size_t lost, refused; /* points whose process was ended by a signal; points that refused their input */
-    jlt_exit worst;
+    size_t refused; /* points that refused their input */
+    jlt_exit worst; /* largest status of the other points */
 } sweep;
 
 /* ---- the command line of a point ---- */
@@ -118,7 +118,7 @@ static jlt_exit compute(sweep *self, size_t point)
     tell(self, point, self->worker.words);
     if (by != 0) {
         fprintf(stderr, "jellett: the command was ended there by signal %d\n", by);
-        self->lost++;
+        self->worst = JLT_EXIT_NUMERICAL;
         return JLT_EXIT_DONE;
     }
     if (status == JLT_EXIT_USAGE || status == JLT_EXIT_IO) return status;
@@ -180,7 +180,7 @@ static jlt_exit compute_all(sweep *self)
     jlt_worker_close(&self->worker);
     if (code == JLT_EXIT_DONE) code = jlt_swept_rows_finish(&self->rows);
     if (code == JLT_EXIT_DONE && self->rows.names == NULL && *interrupt == 0)
-        code = self->lost > 0 ? JLT_EXIT_NUMERICAL : JLT_EXIT_INPUT;
+        code = self->worst != JLT_EXIT_DONE ? self->worst : JLT_EXIT_INPUT;
     if (code == JLT_EXIT_DONE && self->rows.names == NULL) fputs("jellett: interrupted; nothing is saved\n", stderr);
     if (code != JLT_EXIT_DONE || self->rows.names == NULL) return code;
     if (self->refused > 0)
@@ -189,7 +189,6 @@ static jlt_exit compute_all(sweep *self)
     if (code == JLT_EXIT_DONE && *interrupt != 0)
         fprintf(stderr, "jellett: interrupted; whole points are saved in %s\n", self->common->table.path);
     else if (code == JLT_EXIT_DONE && self->common->plot != NULL) code = jlt_swept_rows_draw(&self->rows);
-    if (code == JLT_EXIT_DONE && self->lost > 0) code = JLT_EXIT_NUMERICAL;
     return code == JLT_EXIT_DONE ? self->worst : code;
 }
 

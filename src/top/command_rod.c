@@ -19,7 +19,7 @@ typedef struct {
     jlt_grid_axis axes[AXES_MAX];
     double *targets[AXES_MAX]; /* the entry of the session's params or x that an axis runs over */
     size_t axis_count, all; /* all: number of rows */
-    size_t rows, empty; /* written; those of them without values */
+    size_t rows, empty, failed; /* written; those of them that are refused; that could not be computed or checked */
     bool check;
     jlt_extent extent[2]; /* of period and rotation number */
 } request;
@@ -148,36 +148,47 @@ static jlt_exit check_start(const request *r)
                                             "(give omega_n a value other than 0)");
 }
 
+/* Compute and write a row, unless an interrupt came meanwhile, which cuts the check short. A point of a sweep that fails leaves
+ * fields empty; the first is told of. */
 static jlt_exit write_row(FILE *file, request *r)
 {
-    double values[16];
-    size_t count = 0;
+    double values[10];
+    const size_t count = r->check ? 10 : 7;
+    const char *what = "the quadrature";
     jlt_rod rod;
-    jlt_status st = open_rod(&rod, r);
+    const jlt_status opened = open_rod(&rod, r);
+    jlt_status st = opened;
 
+    for (size_t i = 0; i < count; i++) values[i] = NAN;
+    if (opened == JLT_OK) {
+        const double row[] = { rod.E1, rod.E2, rod.G, rod.below - 1, 1 - rod.above, rod.period, jlt_rod_rotation(&rod) };
+        memcpy(values, row, sizeof row);
+        if (r->check) {
+            what = "--check";
+            st = integrate(values + 7, r, &rod);
+        }
+    }
+    if (jlt_session_interrupted(&r->session)) return JLT_EXIT_DONE;
+    if (st != JLT_OK && (r->axis_count == 0 || st == JLT_ERR_NOMEM)) return jlt_session_fail(st, what);
+    if (opened == JLT_ERR_DOMAIN) r->empty++;
+    else if (st != JLT_OK && r->failed++ == 0) {
+        char where[JLT_GRID_PLACE_MAX];
+        (void)jlt_grid_place(where, r->axes, r->axis_count, r->rows);
+        fprintf(stderr, "jellett: at %s:\n", where);
+        (void)jlt_session_fail(st, what);
+    }
+    if (opened == JLT_OK) {
+        if (r->session.common.points != NULL && r->axis_count > 0)
+            jlt_look_row(r->session.common.points, (const double[]){ *r->targets[0], values[5], values[6] }, 3);
+        jlt_extent_add(&r->extent[0], values[5]);
+        jlt_extent_add(&r->extent[1], values[6]);
+    }
     for (size_t k = 0; k < r->axis_count; k++) {
         jlt_csv_value(file, *r->targets[k]);
         fputc(',', file);
     }
-    if (st == JLT_ERR_DOMAIN) {
-        r->empty++;
-        while (count < 7 + (r->check ? 3u : 0u)) values[count++] = NAN;
-    } else {
-        if (st != JLT_OK) return jlt_session_fail(st, "the quadrature");
-        const double row[] = { rod.E1, rod.E2, rod.G, rod.below - 1, 1 - rod.above, rod.period, jlt_rod_rotation(&rod) };
-        memcpy(values + count, row, sizeof row);
-        count += sizeof row / sizeof *row;
-        if (r->check) {
-            st = integrate(values + count, r, &rod);
-            if (st != JLT_OK) return jlt_session_fail(st, "--check");
-            count += 3;
-        }
-        if (r->session.common.points != NULL && r->axis_count > 0)
-            jlt_look_row(r->session.common.points, (const double[]){ *r->targets[0], row[5], row[6] }, 3);
-        jlt_extent_add(&r->extent[0], row[5]);
-        jlt_extent_add(&r->extent[1], row[6]);
-    }
     jlt_csv_row(file, values, count);
+    r->rows++;
     return JLT_EXIT_DONE;
 }
 
@@ -194,7 +205,7 @@ static jlt_exit write_rows(FILE *file, request *r)
     for (size_t k = 0; k < r->axis_count; k++) fprintf(file, "%s,", r->axes[k].name);
     fprintf(file, "E1,E2,G,gamma3_low,gamma3_high,period,rotation%s\n",
             r->check ? ",defect_gamma3,defect_turn,defect_state" : "");
-    for (; code == JLT_EXIT_DONE && r->rows < r->all && !jlt_session_interrupted(&r->session); r->rows++) {
+    while (code == JLT_EXIT_DONE && r->rows < r->all && !jlt_session_interrupted(&r->session)) {
         double values[AXES_MAX];
         jlt_grid_point(values, r->axes, r->axis_count, r->rows);
         for (size_t k = 0; k < r->axis_count; k++) *r->targets[k] = values[k];
@@ -203,6 +214,7 @@ static jlt_exit write_rows(FILE *file, request *r)
     if (r->empty > 0)
         fprintf(stderr, "jellett: %zu of %zu points have no values: G = 0, |gamma3| >= 1, or a parameter that %s does not allow\n",
                 r->empty, r->rows, r->session.descriptor->model);
+    if (r->failed > 0) fprintf(stderr, "jellett: %zu of %zu points failed\n", r->failed, r->rows);
     return code;
 }
 
@@ -268,7 +280,9 @@ static jlt_exit run(int argc, char **argv)
     JLT_PASS(jlt_common_save(common));
     if (jlt_session_interrupted(&r.session))
         fprintf(stderr, "jellett: interrupted; %zu whole rows are saved in %s\n", r.rows, common->table.path);
-    return common->plot != NULL ? draw(&r) : JLT_EXIT_DONE;
+    if (common->plot != NULL) JLT_PASS(draw(&r));
+    if (r.failed > 0) return JLT_EXIT_NUMERICAL;
+    return r.empty == r.all && r.axes[0].part == 0 ? JLT_EXIT_INPUT : JLT_EXIT_DONE; /* of a part, other parts may have rows */
 }
 
 const jlt_command jlt_command_rod = {

@@ -54,6 +54,15 @@ printf 'model slow\nstate x\nstate v\nstate r\nstate u\neq x = v\neq v = -x\neq 
 jellett section ./slow.tt --section x=0 --grid v=1:2:8,r=0,u=1 --returns 1 > out 2>&1 || fail "slow.tt: $(cat out)"
 interrupt TERM jellett section ../slow.tt --section r=0 --grid x=0.1:1:8,v=0,u=1 --returns 5 --max-steps 1000000000 -o t.csv
 expect 143 "" "section before its first return"
+# A row whose check is cut short is none.
+for pause in 0.3 0.4 0.5; do
+    interrupt TERM jellett rod --start gamma3=0.2,v_nu=0.6,omega_tau=0.4,omega_n=1,omega3=0 --sweep omega_n=0.2:2:900000 --check \
+        -o t.csv
+    expect 143 "t.csv " "rod"
+    awk -F, '/^[0-9]/ { n++; if ($10 > 1e-12) bad = 1 } END { exit !(n > 10 && !bad) }' "$scratch/d/t.csv" ||
+        fail "rod: a row of a check that was cut: $(tail -1 "$scratch/d/t.csv")"
+done
+unset pause
 interrupt "TERM TERM" jellett fates --grid 300x300 -o t.csv
 expect 143 "t.csv " "fates"
 [ "$(grep -vc '^#' "$scratch/d/t.csv")" -gt 10 ] || fail "fates: saves nothing"

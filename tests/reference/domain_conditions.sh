@@ -233,6 +233,10 @@ grep -q '4 of 6 points are outside' err && [ "$(grep -c '^[-01]*,[01],[09],' out
     fail "a sweep of masses: $(cat out err)"
 leaves "2 of 3 points refused; the first: m = -1 is no value" eigen --set a3=0 --at gamma3=0.3,omega3=1 --sweep m=-1:1:3
 refuses "3 of 3 points refused; the first: m = -3 is no value" eigen --set a3=0 --at gamma3=0.3,omega3=1 --sweep m=-3:-1:3
+rod=(rod --start gamma3=0.2,v_nu=0.6,omega_tau=0.4,omega_n=1,omega3=0)
+leaves "2 of 3 points have no values" "${rod[@]}" --sweep m=-1:1:3
+refuses "3 of 3 points have no values" "${rod[@]}" --sweep m=-3:-1:3
+leaves "1 of 1 points have no values" "${rod[@]}" --sweep m=-1:1:3@0:1
 
 # Orbits of other amplitudes: those of A > 1 - depth leave, at arccos(-(1 - depth)/A); in lanes as one at a time.
 starts=()

@@ -96,6 +96,13 @@ awk -F, '/^t/ { next } /^[0-9]/ { good = $(NF - 1) > good ? $(NF - 1) : good; if
 jellett rod --start gamma3=0.2,v_nu=0.6,omega_tau=0.4,omega_n=1,omega3=0 --sweep omega_n=0.5:2:31 --check -o "$scratch/rod.csv"
 awk -F, '/^[0-9]/ { n++; if ($9 > 1e-12 || $10 > 1e-12) bad = 1 } END { exit !(n == 31 && !bad) }' "$scratch/rod.csv" ||
     fail "quadratures and integration differ"
+# Points that fail leave fields empty, and the others their values.
+code=0
+jellett rod --start gamma3=0.2,v_nu=0.6,omega_tau=0.4,omega_n=1,omega3=0 --sweep v_nu=0:1e200:3 -o "$scratch/rod.csv" \
+    2> "$scratch/err" || code=$?
+[ $code -eq 4 ] && grep -q '^jellett: at v_nu=5e+199:' "$scratch/err" && grep -q '2 of 3 points failed' "$scratch/err" &&
+    [ "$(grep -c '^0,0.25205,.*,3.76544[0-9]*,\|^[15]e+[0-9]*,,,,,,,$' "$scratch/rod.csv")" -eq 3 ] ||
+    fail "rod of points that fail: $(cat "$scratch/err")"
 jellett rod --set I1=0.7,a3=0.3 --start gamma3=0.6,v_nu=0,omega_tau=0.4,omega_n=1.2,omega3=-27/20 --check -o "$scratch/rod.csv"
 awk -F, '/^[0-9]/ { exit !($10 <= 1e-12) }' "$scratch/rod.csv" || fail "an orbit with E1 = 0 does not return"
 # Turns beside both poles, where psi' varies a millionfold: within ten times the quadratures' 2e-14 of mpmath's, with 40 digits.

@@ -111,6 +111,9 @@ awk -F, '/^[01],/ { off = $4*(1 + $3^2) - 1; good += $2 == ($1 ? "x" : "y") && o
     fail "a density of x, then of y: $(cat out)"
 # Where x^2 is lost that is said; it is no pole of the density.
 for a in 1e-150 1e-160 1e-300; do expect 4 'use units in which parameters' jellett measure ./narrow.tt --set a=$a; done
+# A sweep without any row ends with 4 if one of its points does, and with 3 only where each refuses its input.
+expect 4 'at a=-1:' jellett measure ./narrow.tt --sweep a=-1:1e-160:2
+expect 3 'at a=-2:' jellett measure ./narrow.tt --sweep a=-1:-2:2
 
 # At a = p the density 1/(1 - y) is invariant. The trace of the equilibrium x = a^(1/2), a - p, is then zero but for the rounding
 # of x.

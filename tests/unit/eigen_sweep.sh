@@ -15,12 +15,20 @@ jellett eigen --set a3=0 --at gamma3=0.3 --threads 2 > rows.1 2>&1
 [ $? -eq 2 ] && grep -q -e "--sweep" rows.1 || fail "--threads without a sweep"
 
 # A row is that of the decimals that it shows: at a = 0.3 the trace a - 3/10 is zero, which at the double nearest to 0.3 it is not.
-printf '%s\n' 'model focus' 'param a' 'default a = 0' 'state x' 'state y' 'eq x = (a - 3/10)*x - y' 'eq y = x' > focus.tt
+# What a sweep gives its values needs no default.
+printf '%s\n' 'model focus' 'param a' 'state x' 'state y' 'eq x = (a - 3/10)*x - y' 'eq y = x' > focus.tt
 jellett eigen ./focus.tt --sweep a=0.1:0.5:5 > rows 2> err || fail "a focus: $(cat err)"
 [ "$(grep '^0' rows | cut -d, -f5,15 | tr '\n' ' ')" = "-0.2,stable -0.1,stable 0,centre 0.1,unstable 0.2,unstable " ] ||
     fail "a focus: $(cat rows)"
 for a in 0.1 0.2 0.3 0.4 0.5; do jellett eigen ./focus.tt --set a=$a --csv | tail -1 | sed "s/^/$a,/"; done > single
 cmp single <(grep '^0' rows) || fail "rows of a sweep are not those of its points"
+jellett fates ./focus.tt --section y=0 --grid x=0.1:1:3 --returns 2 --sweep a=0.1:0.2:2 > rows 2> err || fail "fates: $(cat err)"
+[ "$(grep '^0' rows | cut -d, -f1,2 | tr '\n' ' ')" = "0.1,3 0.2,3 " ] || fail "fates: $(cat rows)"
+# Of those, points that the table does not allow are refused, not the sweep.
+sed 's/param a/& > 0/' focus.tt > focus_right.tt
+jellett eigen ./focus_right.tt --sweep a=-1:1:3 > rows 2> err && grep -q "2 of 3 points refused" err || fail "a > 0: $(cat err)"
+jellett fates ./focus_right.tt --section y=0 --start x=1 --returns 2 --sweep a=-1:1:3 > rows 2> err &&
+    grep -q "2 of 3 points are outside" err && [ "$(grep -c '^[-01]*,[01],' rows)" -eq 3 ] || fail "fates, a > 0: $(cat err)"
 many=(eigen --set a3=0 --at $at --sweep gamma3=-0.9:0.9:30000 --fast)
 OMP_NUM_THREADS=1 jellett "${many[@]}" > rows.1
 OMP_NUM_THREADS=2 jellett "${many[@]}" > rows.2 2> err & job=$!
