@@ -13,6 +13,7 @@
 #include "cli/merged.h"
 #include "cli/plot.h"
 #include "cli/table.h"
+#include "core/memory.h"
 #include "integrate/invariant.h"
 #include "kernel/descriptor.h"
 #include "report/picture.h"
@@ -289,7 +290,9 @@ jlt_exit jlt_common_still(void)
 /* The table of the model leads to others, which are read without being named. */
 static jlt_exit check_place(const jlt_command_file *file)
 {
-    if (file->path != NULL && jlt_table_is_named(file->path))
+    JLT_FREED char *real = file->path == NULL ? NULL : realpath(file->path, NULL); /* where a link leads */
+
+    if (file->path != NULL && (jlt_table_is_named(file->path) || (real != NULL && jlt_table_is_named(real))))
         return jlt_command_fail(JLT_EXIT_USAGE, "%s: '%s' is a table's name, and tables are written by hand: name another file",
                                 file->option, file->path);
     return jlt_command_check_output(file->path);

@@ -9,9 +9,10 @@ manifolds="manifolds --length 0.2 --count 20"
 mkdir folder
 ln -s . loop
 ln -s new.svg to_new
-for file in old.svg old.csv; do echo content > $file; done
+for file in old.svg old.csv old.tt; do echo content > $file; done
 ln old.svg hard
 ln -s ../old.svg folder/soft
+ln -s ../old.tt folder/table
 cp "$JLT_SOURCE_DIR/tests/reference/data/grid_regular_51.csv" reference.csv
 before=$(ls -AR)
 refused() { # STATUS ARGUMENTS
@@ -23,7 +24,7 @@ refused() { # STATUS ARGUMENTS
     [ $code -eq "$want" ] || fail "$*: status $code, not $want: $(head -2 "$scratch.err")"
     [ -s "$scratch.err" ] || fail "$*: says nothing"
     [ "$(ls -AR)" = "$before" ] || fail "$*: leaves $(ls -A | tr '\n' ' ')"
-    [ "$(cat old.svg old.csv)" = "content"$'\n'"content" ] || fail "$*: an old file is changed"
+    [ "$(cat old.svg old.csv old.tt | uniq -c | tr -d ' ')" = 3content ] || fail "$*: an old file is changed"
 }
 refused 2 "$section -o same.svg --plot same.svg"
 refused 2 "$section --keep same.svg --plot loop/same.svg"
@@ -34,6 +35,7 @@ refused 2 "$section -o folder/soft --plot old.svg"
 refused 2 "$section --plot same.svg --keep same.svg"
 refused 2 "$section -o same --plot p.svg --keep same"
 refused 2 "$section -o old.tt"
+refused 2 "$section -o folder/table"
 refused 2 "$section --plot p.svg --keep old.tt"
 refused 2 "$manifolds --crossings old.tt"
 refused 2 "$manifolds -o same --crossings same"
