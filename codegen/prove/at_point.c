@@ -53,6 +53,23 @@ static bool is_not_zero_at_point(ttc_task *task, ttc_id id, char **text, char **
     return excludes_zero;
 }
 
+unsigned ttc_task_signs_at_points(ttc_task *task, ttc_id id)
+{
+    enum { ATTEMPTS = 6 };
+    unsigned signs = 0;
+    ttc_witness point;
+    ttc_ball *ball = ttc_ball_create(task->model);
+    const bool ok = ttc_witness_init(&point, task->field) && ball != NULL;
+    for (unsigned i = 0; ok && i < ATTEMPTS; i++) {
+        if (!ttc_search_attempt(&point, &task->domain, i) || !set_ball(ball, task, &point)) continue;
+        const int sign = ttc_ball_sign(ball, id);
+        signs |= sign > 0 ? TTC_CAN_BE_POSITIVE : sign < 0 ? TTC_CAN_BE_NEGATIVE : 0;
+    }
+    ttc_witness_clear(&point);
+    ttc_ball_destroy(ball);
+    return signs;
+}
+
 bool ttc_task_refute_at_point(ttc_task *task, ttc_id id, const char *name)
 {
     const ttc_ring_status status = task->ring->status;

@@ -130,6 +130,9 @@ bool ttc_task_restricts_states(const ttc_task *task);
 /* The equilibria claim that a claim is about: itself, or its family; NULL for other kinds. */
 const ttc_claim *ttc_task_family(const ttc_task *task);
 
+/* The signs that an expression has at a few points of the leaf, in balls. */
+unsigned ttc_task_signs_at_points(ttc_task *task, ttc_id id);
+
 /* out = the entry of the Jacobian of the field. */
 void ttc_task_jacobian(ttc_task *task, ttc_ratio *out, size_t row, size_t column);
 /* Require left = right at every point of the leaf: by quick tests, then exactly, and if that grows too large at one point. what:

@@ -185,7 +185,10 @@ static bool follows(ttc_task *task, ttc_valuation *valuation, ttc_id id, ttc_rel
 
 static bool tell(ttc_task *task, ttc_valuation *valuation, ttc_id id, ttc_relation relation, ttc_state_value *negative)
 {
-    return follows(task, valuation, id, relation, false, negative) || follows(task, valuation, id, relation, true, NULL);
+    if (follows(task, valuation, id, relation, false, negative)) return true;
+    /* Where the whole has another sign, what its parts can be, which may take long, does not matter. */
+    if (valuation == task->field && (ttc_task_signs_at_points(task, id) & ~ttc_conditions_signs_in(relation)) != 0) return false;
+    return follows(task, valuation, id, relation, true, NULL);
 }
 
 bool ttc_signs_tell(ttc_task *task, ttc_valuation *valuation, ttc_id id, ttc_relation relation)
