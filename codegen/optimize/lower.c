@@ -106,15 +106,20 @@ static ttc_value lower_symbol(lowering *l, uint32_t symbol)
     return value;
 }
 
-/* Numerator over denominator, with one division. */
+/* Numerator over denominator, with one division. The coefficient is divided with them where both of its numbers are exact in double
+ * precision, and else is one number: two of that size could pass the range that their ratio does not. */
 static ttc_value lower_product(lowering *l, ttc_id id)
 {
+    enum { EXACT = 53 };
     ttc_program *program = l->program;
+    const fmpq *coefficient = ttc_coefficient(l->field->graph, id);
+    const bool is_exact = fmpz_bits(fmpq_numref(coefficient)) <= EXACT && fmpz_bits(fmpq_denref(coefficient)) <= EXACT;
     fmpq_t unit;
     fmpq_init(unit);
-    fmpq_set_fmpz(unit, fmpq_numref(ttc_coefficient(l->field->graph, id)));
+    fmpq_set(unit, coefficient);
+    if (is_exact) fmpz_one(fmpq_denref(unit));
     ttc_value up = ttc_program_constant(program, unit);
-    fmpq_set_fmpz(unit, fmpq_denref(ttc_coefficient(l->field->graph, id)));
+    fmpq_div(unit, unit, coefficient);
     ttc_value down = ttc_program_constant(program, unit);
     fmpq_clear(unit);
     for (size_t i = 0; i < ttc_part_count(l->field->graph, id) && !l->failed; i++) {
