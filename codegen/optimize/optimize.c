@@ -211,8 +211,8 @@ typedef struct {
 /* Of several strategies, take each that costs no more than the last one taken and has less latency. */
 static choice choose(ttc_workspace *workspace, ttc_purpose purpose, const search_limits *limits)
 {
-    bool one_division = purpose != TTC_FOR_VALUES
-                        && (purpose != TTC_FOR_POINTS || !prefers_separate_divisions(workspace, limits));
+    bool one_division = purpose == TTC_FOR_STEPS
+                        || (purpose == TTC_FOR_POINTS && !prefers_separate_divisions(workspace, limits));
     choice c = { workspace, { limits, one_division, 0 }, { UINT_MAX, UINT_MAX } };
     c.rating = rate(workspace, c.how);
     for (uint64_t seed = 1; seed < limits->finishes && purpose != TTC_FOR_JETS; seed++) {

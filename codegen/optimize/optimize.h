@@ -11,7 +11,8 @@ typedef enum {
                       none that waits for a root if that takes at most a thirtieth more work */
     TTC_FOR_POINTS, /* one state: the same, but separate divisions if each saves at least four operations */
     TTC_FOR_VALUES, /* one state: separate divisions, so that where one divides by zero the other outputs keep their values */
-    TTC_FOR_JETS    /* Taylor recurrences: one division, and the fewest operations */
+    TTC_FOR_JETS    /* Taylor recurrences: the fewest operations, and separate divisions, which cost as much as products there; a
+                      reciprocal recovered from another by products has the roundings of the fastest of them */
 } ttc_purpose;
 
 /* How long the search for a short program may take. QUICK tries a few of the ways that FULL tries. */

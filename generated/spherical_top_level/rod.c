@@ -355,9 +355,6 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double t26[JLT_JET_ORDER_MAX + 1];
     double t27[JLT_JET_ORDER_MAX + 1];
     double t28[JLT_JET_ORDER_MAX + 1];
-    double t29[JLT_JET_ORDER_MAX + 1];
-    double t30[JLT_JET_ORDER_MAX + 1];
-    double t31[JLT_JET_ORDER_MAX + 1];
     coefficients[0] = x0[0] = x[0];
     coefficients[1] = x1[0] = x[1];
     coefficients[2] = x2[0] = x[2];
@@ -368,28 +365,25 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t12[k] = jlt_jet_product(t10, t11, k);
         t13[k] = jlt_jet_root(t12[k], t13, k);
         t14[k] = p[8]*t12[k] + (k == 0 ? p[3] : 0);
-        t15[k] = jlt_jet_product(t13, t14, k);
-        t16[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t15, t16, k);
-        t17[k] = jlt_jet_product(t14, t16, k);
-        t18[k] = jlt_jet_product(t13, t16, k);
-        t19[k] = jlt_jet_product(x2, t13, k);
-        t20[k] = x2[k]*p[8];
-        t21[k] = jlt_jet_product(t19, t20, k);
-        t22[k] = jlt_jet_product(t17, t17, k);
-        t23[k] = p[9]*t17[k];
-        t24[k] = t21[k] - jlt_jet_product(t22, t23, k);
-        t25[k] = p[7]*t22[k];
-        t26[k] = jlt_jet_product(x0, t24, k);
-        t27[k] = t26[k] - p[10]*t13[k];
-        t28[k] = jlt_jet_product(t18, t27, k);
-        t29[k] = jlt_jet_product(x3, t25, k);
-        t30[k] = jlt_jet_product(x1, t25, k);
-        t31[k] = -t30[k];
+        t15[k] = jlt_jet_product(x2, t13, k);
+        t16[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t13, t16, k);
+        t17[k] = x2[k]*p[8];
+        t18[k] = jlt_jet_product(t15, t17, k);
+        t19[k] = jlt_jet_product(t16, t16, k);
+        t20[k] = p[9]*t16[k];
+        t21[k] = t18[k] - jlt_jet_product(t19, t20, k);
+        t22[k] = jlt_jet_product(x0, t21, k);
+        t23[k] = t22[k] - p[10]*t13[k];
+        t24[k] = jlt_jet_quotient(t23[k], t14, t24, k);
+        t25[k] = p[7]*t19[k];
+        t26[k] = jlt_jet_product(x3, t25, k);
+        t27[k] = jlt_jet_product(x1, t25, k);
+        t28[k] = -t27[k];
         double *restrict next = coefficients + (k + 1)*4;
-        next[0] = x0[k + 1] = t19[k]/(k + 1);
-        next[1] = x1[k + 1] = t29[k]/(k + 1);
-        next[2] = x2[k + 1] = t28[k]/(k + 1);
-        next[3] = x3[k + 1] = t31[k]/(k + 1);
+        next[0] = x0[k + 1] = t15[k]/(k + 1);
+        next[1] = x1[k + 1] = t26[k]/(k + 1);
+        next[2] = x2[k + 1] = t24[k]/(k + 1);
+        next[3] = x3[k + 1] = t28[k]/(k + 1);
     }
 }
 

@@ -219,42 +219,43 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
 {
     double x0[JLT_JET_ORDER_MAX + 1];
     double x1[JLT_JET_ORDER_MAX + 1];
-    double t3[JLT_JET_ORDER_MAX + 1];
-    double t4[JLT_JET_ORDER_MAX + 1];
-    double t5[JLT_JET_ORDER_MAX + 1];
-    double t6[JLT_JET_ORDER_MAX + 1];
+    double t9[JLT_JET_ORDER_MAX + 1];
     double t10[JLT_JET_ORDER_MAX + 1];
-    double u10[JLT_JET_ORDER_MAX + 1];
     double t11[JLT_JET_ORDER_MAX + 1];
     double t12[JLT_JET_ORDER_MAX + 1];
-    double t13[JLT_JET_ORDER_MAX + 1];
+    const double t13 = 1.0/p[11];
+    double t14[JLT_JET_ORDER_MAX + 1];
     double t15[JLT_JET_ORDER_MAX + 1];
+    double u15[JLT_JET_ORDER_MAX + 1];
+    double t16[JLT_JET_ORDER_MAX + 1];
     double t17[JLT_JET_ORDER_MAX + 1];
-    double u17[JLT_JET_ORDER_MAX + 1];
     double t18[JLT_JET_ORDER_MAX + 1];
     double t19[JLT_JET_ORDER_MAX + 1];
+    double t20[JLT_JET_ORDER_MAX + 1];
+    double u20[JLT_JET_ORDER_MAX + 1];
     double t21[JLT_JET_ORDER_MAX + 1];
     double t22[JLT_JET_ORDER_MAX + 1];
+    double t23[JLT_JET_ORDER_MAX + 1];
     coefficients[0] = x0[0] = x[0];
     coefficients[1] = x1[0] = x[1];
     for (unsigned k = 0; k < order; k++) {
-        t3[k] = (k == 0 ? 1.0 : 0) - x0[k];
-        t4[k] = (k == 0 ? 1.0 : 0) + x0[k];
-        t5[k] = jlt_jet_product(t3, t4, k);
-        t6[k] = jlt_jet_root(t5[k], t6, k);
-        t10[k] = jlt_jet_sine(x1, t10, u10, k);
-        t11[k] = (k == 0 ? p[8] : 0) - p[5]*t10[k];
-        t12[k] = p[7]*t6[k];
-        t13[k] = jlt_jet_product(t11, t12, k);
-        t15[k] = t6[k]*p[9];
-        t17[k] = jlt_jet_cosine(x1, t17, u17, k);
-        t18[k] = x0[k]*p[10];
-        t19[k] = jlt_jet_product(t17, t18, k) + t15[k];
-        t21[k] = t6[k]*p[11];
-        t22[k] = jlt_jet_quotient(t19[k], t21, t22, k);
+        t9[k] = (k == 0 ? 1.0 : 0) - x0[k];
+        t10[k] = (k == 0 ? 1.0 : 0) + x0[k];
+        t11[k] = jlt_jet_product(t9, t10, k);
+        t12[k] = jlt_jet_root(t11[k], t12, k);
+        t14[k] = jlt_jet_quotient((k == 0 ? t13 : 0), t12, t14, k);
+        t15[k] = jlt_jet_sine(x1, t15, u15, k);
+        t16[k] = (k == 0 ? p[8] : 0) - p[5]*t15[k];
+        t17[k] = p[9]*t12[k];
+        t18[k] = p[7]*t12[k];
+        t19[k] = jlt_jet_product(t16, t18, k);
+        t20[k] = jlt_jet_cosine(x1, t20, u20, k);
+        t21[k] = x0[k]*p[10];
+        t22[k] = jlt_jet_product(t20, t21, k) + t17[k];
+        t23[k] = jlt_jet_product(t14, t22, k);
         double *restrict next = coefficients + (k + 1)*2;
-        next[0] = x0[k + 1] = t13[k]/(k + 1);
-        next[1] = x1[k + 1] = t22[k]/(k + 1);
+        next[0] = x0[k + 1] = t19[k]/(k + 1);
+        next[1] = x1[k + 1] = t23[k]/(k + 1);
     }
 }
 

@@ -64,9 +64,32 @@ static void no_division_of_the_reduced_field_waits_for_its_root(void **unused)
     ttc_diagnostics_destroy(diagnostics);
 }
 
+/* In Taylor recurrences a division costs what a product costs. Where y is fast, 1/(1 + x^2) recovered by products from the
+ * reciprocal of both denominators would have its roundings. */
+static void recurrences_divide_by_each_denominator(void **unused)
+{
+    static const char text[] = "model two\nstate x\nstate y\neq x = y/(1 + x^2)\neq y = 1e12*x/(2 + y^2)\n";
+    (void)unused;
+    ttc_field *field = NULL;
+    ttc_diagnostics *diagnostics = ttc_diagnostics_create();
+    ttc_model *model = ttc_model_parse(text, sizeof text - 1, "two.tt", diagnostics);
+    assert_non_null(model);
+    assert_int_equal(ttc_field_create(&field, model, NULL, NULL, NULL), TTC_FIELD_OK);
+    ttc_kernels *kernels = ttc_kernels_create(field, TTC_EFFORT_QUICK);
+    assert_non_null(kernels);
+    const ttc_count step = ttc_program_count(kernels->kernels[TTC_KERNEL_RHS].optimized), jet = ttc_program_count(kernels->jet);
+    assert_int_equal(step.divide, 1);
+    assert_int_equal(jet.divide, 2);
+    assert_true(jet.multiply + jet.divide < step.multiply + step.fma + step.divide);
+    ttc_kernels_destroy(kernels);
+    ttc_model_destroy(model);
+    ttc_diagnostics_destroy(diagnostics);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = { cmocka_unit_test(latency_is_that_of_the_longest_chain),
-                                        cmocka_unit_test(no_division_of_the_reduced_field_waits_for_its_root) };
+                                        cmocka_unit_test(no_division_of_the_reduced_field_waits_for_its_root),
+                                        cmocka_unit_test(recurrences_divide_by_each_denominator) };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
