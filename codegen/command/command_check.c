@@ -5,7 +5,7 @@
 
 static json_t *describe(const char *path, const ttc_model *model, const ttc_diagnostics *diagnostics)
 {
-    json_t *result = json_pack("{s:s, s:b}", "file", path, "ok", model != NULL);
+    json_t *result = json_pack("{s:o, s:b}", "file", ttc_command_string(path), "ok", model != NULL);
     if (model != NULL)
         json_object_update_new(result, json_pack("{s:s, s:s, s:I, s:I, s:I, s:I, s:I, s:I}", "model", model->name, "sha256",
                                                  model->sha256, "params", (json_int_t)model->param_count, "states",

@@ -73,10 +73,10 @@ static json_t *report_json(const ttc_proof_report *report)
 {
     json_t *claims = json_array();
     for (size_t i = 0; i < report->proof_count; i++) json_array_append_new(claims, proof_json(&report->proofs[i]));
-    return json_pack("{s:s, s:s, s:s, s:o, s:{s:I, s:I, s:I, s:I}}", "model", report->model, "file", report->file, "hash",
-                     report->sha256, "claims", claims, "totals", "claims", (json_int_t)report->proof_count, "proved",
-                     (json_int_t)report->proved, "refuted", (json_int_t)report->refuted, "not settled",
-                     (json_int_t)report->unsettled);
+    return json_pack("{s:s, s:o, s:s, s:o, s:{s:I, s:I, s:I, s:I}}", "model", report->model, "file",
+                     ttc_command_string(report->file), "hash", report->sha256, "claims", claims, "totals", "claims",
+                     (json_int_t)report->proof_count, "proved", (json_int_t)report->proved, "refuted",
+                     (json_int_t)report->refuted, "not settled", (json_int_t)report->unsettled);
 }
 
 static void complain(const ttc_proof_report *report)

@@ -128,4 +128,11 @@ printf '%s\n' 'model pushed' 'param k' 'state x' 'state u' 'let N = (1 + k*x^2)/
     'integral E = (x^2 + u^2)/2' > pushed.tt
 expect 1 '' ttc prove pushed.tt
 grep -qF 'd(E)/dt = -u^2*N' out || fail "the rate of E is said as: $(grep 'd(E)' out)"
+
+# JSON has no byte that is not UTF-8; a file whose name has one is told all the same.
+printf 'model named\nstate x\neq x = x\npositive e : 1 + x^2\n' > $'named\xff.tt'
+for command in check prove discover; do
+    ttc $command --json $'named\xff.tt' 2> err | jq -e '[.] | flatten | .[0].file == "named?.tt"' > /dev/null ||
+        fail "$command --json loses a table whose name is not UTF-8"
+done
 exit $status
