@@ -16,6 +16,10 @@ printf 'model wide\nstate x\neq x =\n    + x\n    - 1e500*x^2\n' > wide.tt
 expect 3 '^wide.tt:5:5: error: a number is beyond double precision' ttc generate --out folder wide.tt
 printf 'model tiny\nparam k\nstate x\nlet h = 1e-400*k + x\neq x = h\n' > tiny.tt
 expect 3 '^tiny.tt:4:5: error: a number is beyond double precision' ttc generate --out folder tiny.tt
+# Of a number near 1 neither numerator nor denominator matters.
+printf 'model near\nparam k\nstate x\neq x = ((10^30 + 1)/(10^30 + 3))^12*k*x\n' > near.tt
+expect 0 '' ttc generate --out near near.tt
+grep -q 'double t0 = 0x1p+0\*params\[0\]' near/near/general.c || fail "a number near 1 is written otherwise"
 printf 'model twice\nparam k\nstate x\neq x = k*x\nvariant general : k = 1\n' > twice.tt
 expect 3 "^twice.tt:5:9: error: 'twice/general.c' would be written twice" ttc generate --out folder twice.tt
 printf 'model ends\nstate x in (inf, 0)\nstate y in (0, 2*inf)\nstate z in (0, oo)\neq x = x\neq y = y\neq z = z\n' > ends.tt
