@@ -115,7 +115,7 @@ enum { COMMAND_COUNT = sizeof commands / sizeof *commands };
 
 static const char exit_text[] =
     "\vExit status: 0 done; 1 a claim is refuted, a mutant survives, or kernels that generate should write rest on a claim that is "
-    "not proved; 2 the command line is wrong; 3 a table is wrong, or a claim is not settled; 4 memory is out; "
+    "not proved; 2 the command line is wrong; 3 a table is wrong, or a claim is not settled; 4 memory is out, or processes are; "
     "5 a file cannot be read or written, or the program qepcad is missing; 70 a point contradicts a verdict, which is an error of "
     "this program.";
 

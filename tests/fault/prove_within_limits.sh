@@ -39,3 +39,6 @@ shut() { # the program and the folder may lie in /tmp
 if unshare --mount true 2> /dev/null; then
     shut > "$scratch/out" 2>&1 || { echo "where /tmp is full:"; cat "$scratch/out"; exit 1; }
 else echo "skipped: no /tmp of its own may be mounted"; fi
+# Where no process can be made, the reason is told.
+(ulimit -n 5; exec ttc prove "$scratch/hill.tt") > "$scratch/out" 2>&1
+[ $? -eq 4 ] && grep -q 'Too many open files' "$scratch/out" || { echo "few descriptors:"; cat "$scratch/out"; exit 1; }
