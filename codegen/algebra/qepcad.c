@@ -1,3 +1,4 @@
+#define _GNU_SOURCE /* memfd_create */
 #include "algebra/qepcad.h"
 
 #include <errno.h>
@@ -6,6 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -192,11 +194,20 @@ static bool says_false(FILE *answer)
     return none && !doubtful;
 }
 
+/* A file in memory, which no full or closed folder of temporary files can refuse; NULL: memory is out. */
+static FILE *open_file(const char *name)
+{
+    const int descriptor = memfd_create(name, MFD_CLOEXEC);
+    FILE *file = descriptor >= 0 ? fdopen(descriptor, "w+") : NULL;
+    if (file == NULL && descriptor >= 0) close(descriptor);
+    return file;
+}
+
 static bool finds_none(Z3_context z3, const ttc_ring *ring, const Z3_ast *conditions, size_t count, bool by_roots,
                        unsigned seconds)
 {
     occurrence *order = calloc(ring->variable_count + 1, sizeof *order);
-    FILE *question = tmpfile(), *answer = tmpfile();
+    FILE *question = open_file("question"), *answer = open_file("answer");
     bool none = false;
     if (order != NULL && question != NULL && answer != NULL) {
         size_t used = 0;

@@ -201,10 +201,25 @@ int ttc_output_write(const ttc_output *output, const char *folder, const char **
     return error;
 }
 
-bool ttc_output_standard(void)
+static struct {
+    const char *program;
+    int status;
+} unwritten;
+
+static void close_standard_output(void)
+{
+    const bool failed = ferror(stdout) != 0;
+    if (fclose(stdout) == 0 && !failed) return;
+    fprintf(stderr, "%s: cannot write to standard output: %s\n", unwritten.program, strerror(errno));
+    _exit(unwritten.status);
+}
+
+bool ttc_output_standard(const char *program, int status)
 {
     for (int descriptor = STDIN_FILENO; descriptor <= STDERR_FILENO; descriptor++)
         if (fcntl(descriptor, F_GETFD) < 0
             && open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY) != descriptor) return false;
-    return true;
+    unwritten.program = program;
+    unwritten.status = status;
+    return atexit(close_standard_output) == 0;
 }

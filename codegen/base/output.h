@@ -28,7 +28,9 @@ ttc_text *ttc_output_add(ttc_output *output, const char *path);
 int ttc_output_write(const ttc_output *output, const char *folder, const char **where, bool *restored);
 
 /* Open /dev/null in place of standard input, output and error where these are closed, so that no other file takes their
- * descriptors; writing to them still fails. Call this before any file is opened. Returns false on failure. */
-bool ttc_output_standard(void);
+ * descriptors; writing to them still fails. When the program ends, also after --help, where argp ends it, what standard output did
+ * not take is reported in its name, and the exit status is this one. Call this once, before any file is opened. Returns false on
+ * failure. */
+bool ttc_output_standard(const char *program, int status);
 
 #endif

@@ -3,6 +3,7 @@
 
 #include "command/command_guard.h"
 
+#include <errno.h>
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
@@ -124,6 +125,9 @@ ttc_proof_report *ttc_command_prove_guarded(const ttc_model *model, const ttc_op
 {
     const int seconds = options->effort == TTC_EFFORT_FULL ? TTC_GUARD_SECONDS_FULL : TTC_GUARD_SECONDS;
     ttc_proof_report *report = ttc_prove_guarded(model, seconds, ttc_resolve_beside, NULL);
-    if (report == NULL) tell_no_memory(status);
+    if (report == NULL) {
+        fprintf(stderr, "ttc: no process can be made that proves claims: %s\n", strerror(errno));
+        ttc_command_raise(status, TTC_EXIT_MEMORY);
+    }
     return report;
 }

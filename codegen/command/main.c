@@ -115,7 +115,7 @@ enum { COMMAND_COUNT = sizeof commands / sizeof *commands };
 
 static const char exit_text[] =
     "\vExit status: 0 done; 1 a claim is refuted, a mutant survives, or kernels that generate should write rest on a claim that is "
-    "not proved; 2 the command line is wrong; 3 a table is wrong, or a claim is not settled; 4 memory is out; "
+    "not proved; 2 the command line is wrong; 3 a table is wrong, or a claim is not settled; 4 memory is out, or processes are; "
     "5 a file cannot be read or written, or the program qepcad is missing; 70 a point contradicts a verdict, which is an error of "
     "this program.";
 
@@ -235,15 +235,6 @@ static void print_help(FILE *stream)
     print_wrapped(stream, exit_text + 1);
 }
 
-/* Flush stdout, so that a full disk is noticed. Returns `status`, or TTC_EXIT_IO on failure. */
-static int flushed(int status)
-{
-    const bool failed = ferror(stdout) != 0;
-    if (fclose(stdout) == 0 && !failed) return status;
-    fprintf(stderr, "ttc: cannot write to standard output: %s\n", strerror(errno));
-    return TTC_EXIT_IO;
-}
-
 static int run_command(const command *chosen, int argc, char **argv)
 {
     char name[64];
@@ -271,7 +262,7 @@ static int run_command(const command *chosen, int argc, char **argv)
         status = TTC_EXIT_IO;
         goto done;
     }
-    status = flushed(chosen->run(&options));
+    status = chosen->run(&options);
 done:
     free(options.files);
     free(help);
@@ -288,7 +279,7 @@ static void end_without_memory(void)
 
 int main(int argc, char **argv)
 {
-    if (!ttc_output_standard()) return TTC_EXIT_IO;
+    if (!ttc_output_standard("ttc", TTC_EXIT_IO)) return TTC_EXIT_IO;
     signal(SIGXFSZ, SIG_IGN); /* writing beyond the limit then fails, and is reported */
     ttc_exhaustion_handle(end_without_memory);
     if (argc > 2 && strcmp(argv[1], "help") == 0) {
@@ -298,11 +289,11 @@ int main(int argc, char **argv)
     const char *word = argc > 1 ? argv[1] : "";
     if (strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0 || strcmp(word, "-?") == 0 || strcmp(word, "help") == 0) {
         print_help(stdout);
-        return flushed(TTC_EXIT_DONE);
+        return TTC_EXIT_DONE;
     }
     if (strcmp(word, "--version") == 0 || strcmp(word, "-V") == 0) {
         puts("ttc " JLT_VERSION);
-        return flushed(TTC_EXIT_DONE);
+        return TTC_EXIT_DONE;
     }
     for (size_t i = 0; i < COMMAND_COUNT; i++)
         if (strcmp(commands[i].name, word) == 0) return run_command(commands + i, argc, argv);

@@ -149,7 +149,7 @@ static void check_equations(ttc_parser *parser)
         if (has_equation && model->lift.file != NULL)
             ttc_parse_error(parser, model->equations[i].place, "an equation for '%s' in a table of coordinates, whose points are "
                             "lifted (expected 'lift', or equations, not both)", state->name);
-        if (!has_equation && model->lift.file == NULL)
+        if (!has_equation && model->lift.place.line == 0)
             ttc_parse_error(parser, state->place, "the state '%s' has no equation (expected 'eq %s = ...')", state->name,
                             state->name);
     }
@@ -161,7 +161,7 @@ static void check_coordinates(ttc_parser *parser)
     const ttc_model *model = parser->model;
     const ttc_lift *lift = &model->lift;
     if (lift->file == NULL) {
-        if (model->start_count > 0 || model->turn != TTC_NONE)
+        if (lift->place.line == 0 && (model->start_count > 0 || model->turn != TTC_NONE))
             ttc_parse_error(parser, model->start_count > 0 ? model->starts->place : (ttc_place){ 1, 1 },
                             "'start' and 'turns' belong to a table of coordinates (expected 'lift into FILE.tt with ...')");
         return;

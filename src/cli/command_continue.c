@@ -93,7 +93,8 @@ typedef struct {
     FILE *file, *points;  /* the table; the picture's data, NULL: there is no picture */
     const jlt_chart *chart;
     unsigned shown[2];    /* on the picture's axes: 0, the value that runs; k > 0, coordinate k - 1 */
-    size_t rows, branch;  /* rows written; branch of the last one */
+    size_t rows, branch;  /* rows written; branch of the last one, */
+    double last[4];       /* and its row in the picture */
     jlt_extent extent[2]; /* of the picture */
     bool is_watched, is_told; /* the branch has had a point with all multipliers clear of the unit circle; a bifurcation after it */
     unsigned outside;         /* at the last such point, multipliers outside the circle, */
@@ -164,11 +165,13 @@ static jlt_status take(void *context, size_t branch, const jlt_continuation_poin
     write_point(self, branch, point);
     if (self->points != NULL) {
         const unsigned line = stability(&point->orbit);
-        double row[4] = { [2] = (double)point->kind, line };
+        double row[4] = { [2] = (double)point->kind, line }, period[2];
         for (unsigned k = 0; k < 2; k++) row[k] = self->shown[k] == 0 ? point->value : point->orbit.points[self->shown[k] - 1];
+        for (unsigned k = 0; k < 2; k++) period[k] = self->shown[k] == 0 ? 0 : self->chart->period[self->shown[k] - 1];
         for (unsigned k = 0; k < 2; k++) jlt_extent_add(&self->extent[k], row[k]);
         if (branch != self->branch) fputc('\n', self->points);
-        jlt_look_row(self->points, row, 4);
+        jlt_look_line(self->points, self->rows == 0 || branch != self->branch ? row : self->last, row, 4, period);
+        memcpy(self->last, row, sizeof row);
         self->kinds |= 1u << point->kind;
         self->lines |= point->kind == JLT_BIFURCATION_NONE ? 1u << line : 0;
     }

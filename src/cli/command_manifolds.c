@@ -191,8 +191,9 @@ static jlt_exit draw(const options *o, const jlt_system *system, const jlt_separ
         fprintf(stream, "$%s << END\n", halves[half]);
         for (int k = 2 * half; k < 2 * half + 2; k++) {
             for (size_t i = 0; i < p->curve[k].count; i++) {
-                for (unsigned c = 0; c < 2; c++) jlt_extent_add(&extent[c], p->curve[k].points[2 * i + c]);
-                jlt_look_row(stream, p->curve[k].points + 2 * i, 2);
+                const double *to = p->curve[k].points + 2 * i;
+                for (unsigned c = 0; c < 2; c++) jlt_extent_add(&extent[c], to[c]);
+                jlt_look_line(stream, i == 0 ? to : to - 2, to, 2, p->chart->period);
             }
             fputc('\n', stream);
         }

@@ -6,7 +6,6 @@
 #include "cli/shelf.h"
 
 #include <argp.h>
-#include <errno.h>
 #include <pthread.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -15,17 +14,6 @@
 #include <unistd.h>
 
 static const size_t stack_usual = 8 << 20; /* what Linux allows by default; arrays of the widest fields take half of it */
-
-/* Runs at exit: report a failure to write buffered standard output, also after --help, where argp ends the program. */
-static void close_output(void)
-{
-    const bool failed = ferror(stdout) != 0;
-
-    if (fclose(stdout) != 0 || failed) {
-        fprintf(stderr, "jellett: cannot write to standard output: %s\n", strerror(errno));
-        _exit(JLT_EXIT_IO);
-    }
-}
 
 static void end_without_memory(void)
 {
@@ -63,7 +51,7 @@ static void widen_stacks_of_threads(void)
 
 jlt_exit jlt_program_begin(void)
 {
-    if (!ttc_output_standard()) return JLT_EXIT_IO;
+    if (!ttc_output_standard("jellett", JLT_EXIT_IO)) return JLT_EXIT_IO;
     widen_stack();
     widen_stacks_of_threads();
     jlt_interrupt_begin();
@@ -71,7 +59,7 @@ jlt_exit jlt_program_begin(void)
     argp_err_exit_status = JLT_EXIT_USAGE;
     /* The column of descriptions is wide enough for --start=STATE=VALUE,...; argp's note on short options says nothing here. */
     setenv("ARGP_HELP_FMT", "opt-doc-col=30,no-dup-args-note", 0);
-    return atexit(close_output) == 0 ? JLT_EXIT_DONE : JLT_EXIT_NUMERICAL;
+    return JLT_EXIT_DONE;
 }
 
 jlt_exit jlt_program_call(const jlt_command *command, int argc, char **argv)

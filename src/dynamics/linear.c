@@ -1,8 +1,10 @@
 #include "dynamics/linear.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
+#include "core/guard.h"
 #include "ext/eigen.h"
 
 enum { N = JLT_LINEAR_DIM_MAX };
@@ -25,7 +27,10 @@ double jlt_linear_length(const double *v, size_t count)
     double sum = 0;
 
     for (size_t i = 0; i < count; i++) sum += v[i] * v[i];
-    return sqrt(sum);
+    if (sum >= DBL_MIN && sum <= DBL_MAX) return sqrt(sum);
+    sum = 0; /* squares over- or underflow */
+    for (size_t i = 0; i < count; i++) sum = hypot(sum, v[i]);
+    return sum;
 }
 
 /* a d - b c. Source: C.-P. Jeannerod, N. Louvet, J.-M. Muller, Math. Comp. 82 (2013). */
@@ -61,29 +66,34 @@ double jlt_linear_determinant(const double *a, unsigned dim)
     return determinant;
 }
 
-/* mu = (a + d)/2 +- sqrt((a - d)^2/4 + b c); the larger root comes without cancellation, the smaller from the product. */
-static void eigenvalues_of_two(double *re, double *im, const double *a)
+/* mu = (a + d)/2 +- sqrt((a - d)^2/4 + b c); the larger root comes without cancellation, the smaller from the product. Entries are
+ * divided by a power of two above the largest, lest products over- or underflow. */
+static jlt_status eigenvalues_of_two(double *re, double *im, const double *matrix)
 {
+    double a[4];
+    int exponent;
+
+    if (!jlt_guard_finite(matrix, 4)) return JLT_ERR_NONFINITE;
+    frexp(fmax(fmax(fabs(matrix[0]), fabs(matrix[1])), fmax(fabs(matrix[2]), fabs(matrix[3]))), &exponent);
+    for (int i = 0; i < 4; i++) a[i] = ldexp(matrix[i], -exponent);
     const double half = (a[0] + a[3]) / 2, gap = (a[0] - a[3]) / 2;
     const double discriminant = fma(gap, gap, a[1] * a[2]);
-
+    im[0] = im[1] = 0;
     if (discriminant < 0) {
         re[0] = re[1] = half;
         im[0] = sqrt(-discriminant);
         im[1] = -im[0];
-        return;
+    } else {
+        re[0] = half + (half < 0 ? -1 : 1) * sqrt(discriminant);
+        re[1] = re[0] == 0 ? 0 : jlt_linear_determinant(a, 2) / re[0];
     }
-    im[0] = im[1] = 0;
-    re[0] = half + (half < 0 ? -1 : 1) * sqrt(discriminant);
-    re[1] = re[0] == 0 ? 0 : jlt_linear_determinant(a, 2) / re[0];
+    for (int i = 0; i < 2; i++) re[i] = ldexp(re[i], exponent), im[i] = ldexp(im[i], exponent);
+    return jlt_guard_finite(re, 2) && jlt_guard_finite(im, 2) ? JLT_OK : JLT_ERR_NONFINITE;
 }
 
 jlt_status jlt_linear_eigenvalues(double *re, double *im, const double *a, unsigned dim)
 {
-    if (dim == 2) {
-        eigenvalues_of_two(re, im, a);
-        return JLT_OK;
-    }
+    if (dim == 2) return eigenvalues_of_two(re, im, a);
     JLT_PASS(jlt_eigen_values(re, im, a, dim));
     for (unsigned i = 0; i < dim; i++)
         for (unsigned j = i; j > 0 && hypot(re[j], im[j]) > hypot(re[j - 1], im[j - 1]); j--) {

@@ -101,12 +101,30 @@ static void attribute(jlt_ball_spectrum *s, const jlt_ball_problem *p)
     _arb_vec_clear(gradients, (slong)p->table->integral_count * p->n);
 }
 
-/* A lower bound on the dimension of the null space of A: the number of zeros that integrals force; and if a reversor fixes the
- * point, | fixed - (n - fixed) | for its `fixed` states of sign +1, since A maps these to the others, and the others to these. */
+/* Give this row of A a column of its own in which it is not zero, by which rows before it may get another. owner: shape (n,), -1 or
+ * the row that has the column. Returns false if there is none. */
+static bool place_row(const jlt_ball_problem *p, slong row, slong *owner, bool *seen)
+{
+    for (slong j = 0; j < p->n; j++) {
+        if (seen[j] || arb_is_zero(arb_mat_entry(p->a, row, j))) continue;
+        seen[j] = true;
+        if (owner[j] >= 0 && !place_row(p, owner[j], owner, seen)) continue;
+        owner[j] = row;
+        return true;
+    }
+    return false;
+}
+
+/* A lower bound on the dimension of the null space of A: the number of zeros that integrals force; the number of rows that get no
+ * column of their own, since all products of the determinants of more rows are zero; and if a reversor fixes the point, | fixed -
+ * (n - fixed) | for its `fixed` states of sign +1, since A maps these to the others, and the others to these. */
 static slong null_vectors(const jlt_ball_spectrum *s, const jlt_ball_problem *p)
 {
-    slong most = (slong)s->attributed;
+    slong most = (slong)s->attributed, owner[JLT_BALL_SIZE_MAX], without = 0;
 
+    for (slong i = 0; i < p->n; i++) owner[i] = -1;
+    for (slong i = 0; i < p->n; i++) without += !place_row(p, i, owner, (bool[JLT_BALL_SIZE_MAX]){ false });
+    if (without > most) most = without;
     for (size_t k = 0; k < p->question->reversor_count; k++) {
         slong fixed = 0;
         if (!reversed_by(p, p->question->reversors[k])) continue;
@@ -166,8 +184,8 @@ static bool deflate(jlt_ball_spectrum *s, jlt_ball_problem *p)
     }
     arb_poly_shift_right(p->rest, p->charpoly, (slong)s->zeros);
     s->counted = sure;
-    if (exact == NULL) sure = sure && judge_zero(s, p, forced);
     p->proved = p->proved && sure;
+    p->judged = exact != NULL || (sure && judge_zero(s, p, forced));
     return sure || p->last;
 }
 
@@ -185,7 +203,7 @@ static jlt_status attempt(jlt_ball_spectrum *s, bool *finished, jlt_ball_problem
     if (!deflate(s, p)) return JLT_ERR_NO_CONVERGENCE;
     s->rooted = jlt_ball_problem_roots(s, p);
     if (!s->rooted && !(s->defective && p->last)) return JLT_ERR_NO_CONVERGENCE;
-    s->proved = p->proved && (s->growing || s->defective || (s->rooted && p->settled));
+    s->proved = p->proved && (s->growing || (p->judged && (s->defective || (s->rooted && p->settled))));
     if (!jlt_ball_problem_round(s, &sure, p)) return JLT_ERR_NONFINITE;
     if (s->rooted && decimals) s->texts = jlt_ball_texts_create(&sure, p);
     if (s->rooted && decimals && s->texts == NULL) return JLT_ERR_NOMEM;

@@ -57,8 +57,9 @@ typedef struct {
 /** Compute the spectrum at an equilibrium of the model, in its own time.
  *  The precision rises until every double and every text is the nearest to its exact value, and the flags are proved. At the last
  *  precision, what is not known to differ from zero is taken as zero, and is not `proved`.
- *  That a number is zero is proved by exact arithmetic; that an eigenvalue is zero, also by an integral; that a real part is zero,
- *  also by a reversor that fixes the equilibrium, since the characteristic polynomial is then even or odd.
+ *  That a number is zero is proved by exact arithmetic; that an eigenvalue is zero, also by an integral, or by where the matrix
+ *  is zero; that a real part is zero, also by a reversor that fixes the equilibrium, since the characteristic polynomial is then
+ *  even or odd.
  *  Out: *spectrum, untouched on failure.
  *  Errors: ARG (more than JLT_BALL_SIZE_MAX states, a malformed fraction, too many digits); UNSUPPORTED (no such table); EMPTY (no
  *  equilibrium within reach); NO_CONVERGENCE (the highest precision, 6144 bits or eight times what the digits need, does not

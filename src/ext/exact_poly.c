@@ -144,7 +144,7 @@ bool jlt_exact_poly_is_even(const jlt_exact_poly *p)
 {
     for (size_t i = 1; i < p->length; i += 2)
         if (!jlt_surd_is_zero(&p->coefficients[i])) return false;
-    return p->length % 2 == 1;
+    return true;
 }
 
 void jlt_exact_poly_enclose(arb_poly_t out, const jlt_exact_poly *p, const jlt_surd_field *field, slong precision)

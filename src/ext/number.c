@@ -120,7 +120,8 @@ static jlt_status read_multiple_of_pi(fmpq_t out, const char *text, size_t lengt
         if (good) st = round_nearest(&factor, out);
     }
     if (good && after > 0) {
-        good = at[2] == '/' && read_plain(out, at + 3, after - 1) && !fmpq_is_zero(out);
+        good = after > 1 && at[2] == '/' && at[3] != '+' && at[3] != '-' && memchr(at + 3, '/', after - 1) == NULL
+            && read_plain(out, at + 3, after - 1) && !fmpq_is_zero(out);
         if (good) below = round_nearest(&divisor, out);
     }
     if (!good) return JLT_ERR_ARG;

@@ -13,8 +13,8 @@
 /* The longest text, in bytes, and the largest decimal exponent that are accepted. */
 enum { JLT_NUMBER_LENGTH_MAX = 1024, JLT_NUMBER_EXPONENT_MAX = 4096 };
 
-/** Read a number: NUMBER = [+-]DECIMAL[/DECIMAL] with DECIMAL = DIGITS[.DIGITS][(e|E)[+-]DIGITS], or [+-]pi or NUMBER*pi,
- *  optionally followed by /NUMBER.
+/** Read a number: NUMBER = [+-]DECIMAL[/DECIMAL] with DECIMAL = DIGITS[.DIGITS][(e|E)[+-]DIGITS], where the digits on one side of
+ *  the point may be missing; or [+-]pi or NUMBER*pi, optionally followed by /DECIMAL.
  *  Out: *value, rounded as said above, untouched on failure.
  *  In:  text, `length` bytes, all of which must belong to the number.
  *  Errors: ARG (not a number; zero denominator; longer than the limits; "nan" and "inf" are no numbers),

@@ -31,9 +31,9 @@ void jlt_units_count(double *out, const double *in, const jlt_quantity *of, unsi
 void jlt_units_restore(double *out, const double *in, const jlt_quantity *of, unsigned count, const jlt_units *units);
 
 /** Set the units of mass and length. The unit of mass makes the first parameter in kg that the table declares positive lie in [1,
- *  2), unless that parameter is more than 64 times the largest state in kg, since it may then have nothing to do with the extent of
- *  the motion: then, or if there is none, that state lies in [1, 2). It is kg if there is neither. The unit of length is set
- *  likewise from quantities in m. params, of: shape (count,); x, states: shape (n,), n may be 0; in the table's units. */
+ *  2), unless its power of two is more than 64 times that of the largest state in kg, since it may then have nothing to do with
+ *  the extent of the motion: then, or if there is none, that state lies in [1, 2). It is kg if there is neither. The unit of length
+ *  is set likewise from quantities in m. params, of: shape (count,); x, states: shape (n,), n may be 0; in the table's units. */
 void jlt_units_of_sizes(jlt_units *units, const double *params, const jlt_quantity *of, unsigned count, const double *x,
                         const jlt_quantity *states, unsigned n);
 

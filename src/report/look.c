@@ -306,3 +306,24 @@ void jlt_look_row(FILE *stream, const double *values, size_t count)
         fputc(i + 1 < count ? ' ' : '\n', stream);
     }
 }
+
+void jlt_look_line(FILE *stream, const double *from, const double *to, size_t count, const double *period)
+{
+    double before[4], beyond[4]; /* from and to, by the other's side */
+    bool turns = false;
+
+    memcpy(before, from, count * sizeof *from);
+    memcpy(beyond, to, count * sizeof *to);
+    for (unsigned k = 0; k < 2; k++) {
+        const double turn = period[k] == 0 ? 0 : period[k] * round((to[k] - from[k]) / period[k]);
+        before[k] += turn;
+        beyond[k] -= turn;
+        turns |= turn != 0;
+    }
+    if (turns) {
+        jlt_look_row(stream, beyond, count);
+        fputc('\n', stream);
+        jlt_look_row(stream, before, count);
+    }
+    jlt_look_row(stream, to, count);
+}

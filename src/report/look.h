@@ -91,4 +91,9 @@ void jlt_look_steps(FILE *stream, const jlt_look *self, unsigned count);
 /** Write a line of data, values (count,), each with the fewest digits that read back bit for bit, with blanks between them. */
 void jlt_look_row(FILE *stream, const double *values, size_t count);
 
+/** Write `to`, shape (count,), as the next point of the line that is at `from`; x and y are the first two values. Where the shorter
+ *  way leads over the end of a period, the line leaves the picture on one side and comes back on the other. period: shape (2,),
+ *  those of angles, else 0. count: at most 4. */
+void jlt_look_line(FILE *stream, const double *from, const double *to, size_t count, const double *period);
+
 #endif

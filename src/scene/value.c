@@ -245,8 +245,8 @@ static jlt_status append_start(const jlt_value_reader *r, const config_setting_t
         meet(&known, surface.section->starts[i].name);
     }
     if (sought.found) return append(r, at, v, word);
-    return jlt_value_complain(r, jlt_value_line(at), "the section has no start '%s' (it has %s)", word,
-                              text[0] != '\0' ? text : "none");
+    return jlt_value_complain(r, jlt_value_line(at), "the section has no start '%s' (write { NAME = VALUE; ... }%s%s)", word,
+                              text[0] != '\0' ? ", or one of " : "", text);
 }
 
 jlt_status jlt_value_read(const jlt_value_reader *r, const config_setting_t *at, jlt_value *v, const jlt_key *key)

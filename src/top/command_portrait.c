@@ -230,7 +230,7 @@ static jlt_portrait_fate fate_of(const jlt_portrait_request *r, const jlt_course
     return JLT_PORTRAIT_WANDERING;
 }
 
-/* Follow one orbit in one direction of time. The plotted line breaks where psi jumps, or v_slip changes sign. */
+/* Follow one orbit in one direction of time. The plotted line breaks where v_slip changes sign. */
 static jlt_status follow(jlt_portrait_request *r, FILE *file, const double *start, int direction, size_t number)
 {
     const jlt_question question = { .model = r->model, .params = r->params, .start = start };
@@ -247,10 +247,11 @@ static jlt_status follow(jlt_portrait_request *r, FILE *file, const double *star
         JLT_PASS(jlt_course_to(course, direction * r->until * i / SAMPLES, &row));
         if (row.end == JLT_END_INTERRUPT) break;
         const point now = point_of(r, row.x);
-        if (r->session.common.points != NULL && (fabs(now.psi - last.psi) > pi || now.v_slip * last.v_slip < 0))
-            fputs("\n", r->session.common.points);
-        if (r->session.common.points != NULL)
-            jlt_look_row(r->session.common.points, (const double[]){ now.psi, now.gamma3, now.v_slip }, 3);
+        if (r->session.common.points != NULL) {
+            if (now.v_slip * last.v_slip < 0) fputs("\n", r->session.common.points);
+            jlt_look_line(r->session.common.points, (const double[]){ last.psi, last.gamma3, last.v_slip },
+                          (const double[]){ now.psi, now.gamma3, now.v_slip }, 3, (const double[]){ 2 * pi, 0 });
+        }
         if (file != NULL) {
             const double values[] = { row.t, now.gamma3, now.psi, now.v_slip, row.x[JLT_TOP_V_NU], row.x[JLT_TOP_OMEGA_TAU],
                                       row.x[JLT_TOP_OMEGA_N], row.x[JLT_TOP_OMEGA3] };

@@ -28,3 +28,17 @@ grep -Eq 'dense\.tt:[0-9]+:[0-9]+: error: the charpoly claim .* passes the limit
     { echo "the limit is not named with its place:"; cat "$scratch/err"; exit 1; }
 [ "$(grep -c '"status": "proved"' "$scratch/out")" -eq 2 ] ||
     { echo "claims beside it are not proved:"; cat "$scratch/out"; exit 1; }
+
+# A claim that needs QEPCAD is proved where no file in /tmp can be made.
+printf '%s\n' 'model hill' 'state x' 'state y' 'eq x = -x' 'eq y = -y' \
+    'positive above : x^4*y^2 + x^2*y^4 - 3*x^2*y^2 + 1 + 1/100' > "$scratch/hill.tt"
+shut() { # the program and the folder may lie in /tmp
+    unshare --mount bash -c 'mount -t tmpfs -o nr_inodes=1 none /tmp && cd /dev/fd/9 && exec /dev/fd/8 prove hill.tt' \
+        8< "$(command -v ttc)" 9< "$scratch"
+}
+if unshare --mount true 2> /dev/null; then
+    shut > "$scratch/out" 2>&1 || { echo "where /tmp is full:"; cat "$scratch/out"; exit 1; }
+else echo "skipped: no /tmp of its own may be mounted"; fi
+# Where no process can be made, the reason is told.
+(ulimit -n 5; exec ttc prove "$scratch/hill.tt") > "$scratch/out" 2>&1
+[ $? -eq 4 ] && grep -q 'Too many open files' "$scratch/out" || { echo "few descriptors:"; cat "$scratch/out"; exit 1; }

@@ -202,4 +202,9 @@ printf '%s\n' 'model winding' 'state q' 'state z' 'state y' 'state f' 'eq q = 1'
 winding=(--level I=4 --solve y=1 --grid q=1.5:1.9:2,z=0.1:0.2:2 --cells q=-3:3:40,z=-2:2:40 --settle 0 --returns 4)
 expect 0 '^4,4,4,4,' jellett separation ./winding.tt --section f=0 "${winding[@]}"
 expect 3 'needs a reversor' jellett separation ./winding.tt --section f=pi "${winding[@]}"
+# An inverted pendulum so stiff that squares in DP pass the range of doubles: multipliers exp(120 pi) = 5.31083074806e163 and its
+# inverse (mpmath), a saddle.
+printf '%s\n' 'model stiff' 'state phi' 'state q' 'state p' 'angle c s = cos(q) sin(q)' 'eq phi = 1' 'eq q = p' 'eq p = 3600*s' \
+    'periodic phi = 2*pi' 'periodic q = 2*pi' > stiff.tt
+expect 0 '^1,0,0,6.28.*,5.310830748.*e.163,0,1.882944585.*e-164,0,,saddle' jellett orbits ./stiff.tt --section phi=0 --start q=0,p=0
 exit $status

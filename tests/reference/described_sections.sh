@@ -220,5 +220,6 @@ echo 'compute = ( { what = "section"; start = "saddle"; returns = 1; } );' > sta
 expect 0 '' jellett run start.scene
 grep -v '^#' out | cmp -s - saddle || fail "a start by its name in a scene: $(cat out err)"
 sed -i 's/saddle/saddles/' start.scene
-expect_text 3 "start.scene:1: error: the section has no start 'saddles' (it has regular, chaotic, saddle)" jellett run start.scene
+expect_text 3 "start.scene:1: error: the section has no start 'saddles' (write { NAME = VALUE; ... }, or one of regular, chaotic, \
+saddle)" jellett run start.scene
 exit $status

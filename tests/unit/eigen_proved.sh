@@ -227,4 +227,27 @@ says ' lambda^1 3 formula 3' doubted.tt --at x=0,y=0
 printf '%s\n' 'model bent' 'state x' 'root r = sqrt(x^2)' 'eq x = -r' > bent.tt
 jellett eigen bent.tt --at x=0 > out 2> err && fail "a Jacobian at the bend of |x|: $(cat out)"
 grep -q 'the field or its Jacobian divides here by what is 0' err || fail "at the bend of |x|: $(tail -1 err)"
+
+# A disc that rolls upright, th = pi/2, at the rate w: eigenvalues 0, 0, +-sqrt(4/5 - 12/5 w^2) (by hand). No exact number is at
+# hand there; that zero is semisimple follows from where the matrix is zero.
+cat > disc.tt << 'TABLE'
+model disc
+state th in (0, 3)
+state p
+state v
+state w
+angle c s = cos(th) sin(th)
+eq th = p
+eq p = v^2*c/s/5 + 6/5*v*w - 4/5*c
+eq v = -2*w*p - v*p*c/s
+eq w = -2/3*v*p
+TABLE
+says 'verdict centre' disc.tt --at th=pi/2,p=0,v=0,w=1
+says ' 0 +1.2649110640673518i error < 3.2e-17, condition 1.54' disc.tt --at th=pi/2,p=0,v=0,w=1
+says 'verdict unstable' disc.tt --at th=pi/2,p=0,v=0,w=0.3
+# A positive eigenvalue needs no word on the kind of zero: +-2 cos(1), 0, 0, where one zero is by the integral, one by the reversor.
+printf '%s\n' 'model twins' 'param a' 'default a = 1' 'angle c s = cos(a) sin(a)' 'state x' 'state X' 'state y' 'state Y' \
+    'eq x = c*(y + Y)' 'eq X = c*(y + Y)' 'eq y = c*(x + X)' 'eq Y = c*(x + X)' 'integral D = x - X' 'reversor y -> -y, Y -> -Y' \
+    > twins.tt
+says 'verdict unstable' twins.tt --at x=0,X=0,y=0,Y=0
 exit $status

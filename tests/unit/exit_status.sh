@@ -60,6 +60,7 @@ done
 for command in prove cost show discover; do
     expect 5 into_full ttc $command "$scratch/good.tt"
     grep -q "No space left on device" "$scratch/err" || fail "ttc $command to a full device: $(cat "$scratch/err")"
+    expect 5 into_full ttc $command --help
 done
 expect 5 into_full ttc prove --json "$scratch/good.tt"
 expect 1 ttc prove "$scratch/refuted.tt"

@@ -23,4 +23,19 @@ grep '^set yrange' p.gp | tr '[:]' '   ' | awk '{ exit !($3 < -0.648 && $4 > -0.
 # Orbits that are followed backwards are said to be: they come to other sets.
 jellett section --start eta=0.1,gamma3=-0.6 --returns 5 --backward --plot p.svg --keep p.gp -o rows.csv 2> log
 grep -q "up to 5 returns backwards'" p.gp || fail "backwards: $(grep title p.gp)"
+# Lines on the cylinder go around it: no step of them is longer than half a period. The orbit follows theta = a over the end of the
+# period; the separatrices of the pendulum are those of a forcing of size 0.
+printf '%s\n' 'model follower' 'param a' 'state phi' 'state theta' 'state v' 'angle c s = cos(theta - a) sin(theta - a)' \
+    'eq phi = 1' 'eq theta = -s' 'eq v = -v' 'periodic phi = 2*pi' 'periodic theta = 2*pi' > follower.tt
+printf '%s\n' 'model pendulum' 'state phi' 'state theta' 'state v' 'angle c s = cos(theta) sin(theta)' \
+    'eq phi = 1' 'eq theta = v' 'eq v = -s' 'periodic phi = 2*pi' 'periodic theta = 2*pi' > pendulum.tt
+for command in "continue ./follower.tt --set a=3 --along a=3:3.3 --axes a,theta --start theta=3,v=0" \
+    "manifolds ./pendulum.tt --start theta=3.14,v=0 --length 8"; do
+    # shellcheck disable=SC2086
+    jellett $command --section phi=0 --plot p.svg --keep p.gp -o rows.csv 2> log || fail "$command: $(cat log)"
+    awk -v k=$([[ $command == continue* ]] && echo 2 || echo 1) '/<< END$/ { data = 1; next } /^END$/ { data = 0 }
+        !data || NF < 2 { last = ""; next }
+        { if (last != "" && ($k - last)^2 > 9) bad = 1; last = $k; ends += $k^2 > 3.1415^2 }
+        END { exit bad || ends < 2 }' <(sed '/^.CROSSINGS/,/^END/d' p.gp) || fail "a line leads across the picture: $command"
+done
 exit $status

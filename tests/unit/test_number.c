@@ -79,7 +79,8 @@ static void what_is_no_finite_normal_number_is_refused(void **unused)
     static const char *const wrong[] = { "",     "-",     "+",     ".",     "e5",   "1e",    "1e+",  "nan",   "inf",     "-inf",
                                          "1/0",  "1/",    "/2",    "1//2",  "1/2/3", "1 ",   " 1",   "0x1p3", "1,5",     "--1",
                                          "1/-2", "1e99999", "1.2.3", "1f",  "٣",    "2pi",   "pi2",  "pip",   "*pi",     "/pi",
-                                         "pi/",  "pi/0",  "++pi",  "2*-pi", "p",    "1e309*pip", "1e309*pi/0" };
+                                         "pi/",  "pi/0",  "++pi",  "2*-pi", "p",    "1e309*pip", "1e309*pi/0",
+                                         "pi/2/2", "2*pi/3/5", "pi/-2", "pi/+2" };
     static const char *const outside[] = { "1e309", "-1e309", "1e-308", "1e-400", "1e308/1e-308", "1e4000", "1e-4000",
                                            "1e308*pi", "1e309*pi", "1e-308*pi/1e9", "pi/1e309", "1e-309*pi" };
     double value = 42.0;
