@@ -114,15 +114,17 @@ static void add_row(jlt_transfer *out, merger *m, size_t coarse, double parts)
     for (size_t p = m->first[coarse]; p < m->first[coarse + 1]; p++) whole += m->fine->share[m->part[p]];
     m->touched_count = 0;
     for (size_t p = m->first[coarse]; p < m->first[coarse + 1]; p++)
-        add_part(out, m, coarse, m->part[p], m->fine->share[m->part[p]] / whole, &back);
+        add_part(out, m, coarse, m->part[p], m->fine->share[m->part[p]], &back);
     out->share[coarse] = whole / parts;
+    if (whole == 0) whole = out->lost[coarse * out->losses] = 1;
     out->time[coarse] = back > 0 ? out->time[coarse] / back : NAN;
     qsort(m->touched, m->touched_count, sizeof *m->touched, ascending);
     for (size_t k = 0; k < m->touched_count; k++) {
         out->to[at] = m->touched[k];
-        out->weight[at++] = m->sum[m->touched[k]];
+        out->weight[at++] = m->sum[m->touched[k]] / whole;
         m->sum[m->touched[k]] = 0;
     }
+    for (unsigned k = 0; k < out->losses; k++) out->lost[coarse * out->losses + k] /= whole;
     out->row[coarse + 1] = at;
 }
 

@@ -143,8 +143,8 @@ static void disturb(const builder *b, double *q, double noise, jlt_random *rando
     if (b->map->holds(b->map->context, moved)) memcpy(q, moved, b->boxes->dim * sizeof *q);
 }
 
-/* Append a row: `count` images, whose boxes are in b->targets, each with the weight 1/whole. */
-static jlt_status add_row(builder *b, rows *r, size_t place, size_t count, size_t whole)
+/* Append a row: `count` images, whose boxes are in b->targets. */
+static jlt_status add_row(builder *b, rows *r, size_t place, size_t count)
 {
     if (r->entries + count > r->room) {
         const size_t room = r->room + r->room / 2 + b->samples + 1024;
@@ -156,7 +156,7 @@ static jlt_status add_row(builder *b, rows *r, size_t place, size_t count, size_
         size_t same = i;
         while (same < count && b->targets[same] == b->targets[i]) same++;
         r->to[r->entries] = b->targets[i];
-        r->weight[r->entries++] = (double)(same - i) / (double)whole;
+        r->weight[r->entries++] = (double)(same - i);
         i = same;
     }
     r->row[place + 1] = r->entries;
@@ -164,7 +164,7 @@ static jlt_status add_row(builder *b, rows *r, size_t place, size_t count, size_
 }
 
 /* Append the row of a box for one noise, from its points first .. first + points - 1 of the block. */
-static jlt_status take_noise(builder *b, size_t index, size_t place, size_t first, size_t points, size_t whole)
+static jlt_status take_noise(builder *b, size_t index, size_t place, size_t first, size_t points)
 {
     const double noise = b->options->noise[index];
     const unsigned dim = b->boxes->dim, losses = b->map->losses;
@@ -176,23 +176,22 @@ static jlt_status take_noise(builder *b, size_t index, size_t place, size_t firs
 
     jlt_random_seed(&random, (b->options->seed + 1) * 0xd1342543de82ef95u + b->box[place]);
     memset(lost, 0, losses * sizeof *lost);
-    if (whole == 0) lost[0] = 1;
     for (size_t i = first; st == JLT_OK && i < first + points; i++) {
         if (b->loss[i] >= losses) continue;
         if (b->loss[i] > 0) {
-            lost[b->loss[i]] += 1 / (double)whole;
+            lost[b->loss[i]]++;
             continue;
         }
         memcpy(q, b->image + i * dim, dim * sizeof *q);
         if (noise > 0) disturb(b, q, noise, &random);
         if (!jlt_boxes_find(b->boxes, &box, q)) {
-            lost[0] += 1 / (double)whole;
+            lost[0]++;
             continue;
         }
         b->targets[count++] = (uint32_t)box;
         if (b->kept[box] == JLT_TRANSFER_NONE) st = remember(b, box, q);
     }
-    return st == JLT_OK ? add_row(b, r, place, count, whole) : st;
+    return st == JLT_OK ? add_row(b, r, place, count) : st;
 }
 
 /* Record share, time, density and rows of a box from its mapped points. */
@@ -213,7 +212,7 @@ static jlt_status take_box(builder *b, size_t place, size_t first, size_t points
     b->share[place] = place < b->stratified ? (double)whole / (double)b->samples : 0.5 / (double)b->samples;
     b->time[place] = back > 0 ? time / (double)back : NAN;
     b->known[place] = whole > 0 ? known / (double)whole * b->share[place] : 0;
-    for (size_t k = 0; st == JLT_OK && k < b->options->noise_count; k++) st = take_noise(b, k, place, first, points, whole);
+    for (size_t k = 0; st == JLT_OK && k < b->options->noise_count; k++) st = take_noise(b, k, place, first, points);
     return st;
 }
 
@@ -264,24 +263,31 @@ static jlt_status add_boxes(builder *b)
 }
 
 /* Convert a row from numbers of boxes to indices among kept ones, in ascending order. Images in boxes that are not kept in the end
- * are counted as lost. */
+ * are counted as lost. Counts of points become shares only here, so that all of them is 1 exactly. A box without points is lost. */
 static void settle_row(rows *r, const builder *b, size_t place, size_t *end)
 {
     const size_t from = r->row[place], to = r->row[place + 1], begin = *end;
+    const unsigned losses = b->map->losses;
+    double *lost = r->lost + place * losses, whole = 0;
 
     for (size_t e = from; e < to; e++) {
         const uint32_t kept = b->kept[r->to[e]];
         const double weight = r->weight[e];
         size_t at = *end;
         if (kept == JLT_TRANSFER_NONE) {
-            r->lost[place * b->map->losses] += weight;
+            lost[0] += weight;
             continue;
         }
         for (; at > begin && r->to[at - 1] > kept; at--) r->to[at] = r->to[at - 1], r->weight[at] = r->weight[at - 1];
         r->to[at] = kept;
         r->weight[at] = weight;
+        whole += weight;
         ++*end;
     }
+    for (unsigned k = 0; k < losses; k++) whole += lost[k];
+    if (whole == 0) whole = lost[0] = 1;
+    for (unsigned k = 0; k < losses; k++) lost[k] /= whole;
+    for (size_t e = begin; e < *end; e++) r->weight[e] /= whole;
 }
 
 static void *copy_of(const void *from, size_t count, size_t size)

@@ -57,13 +57,13 @@ struct jlt_map_batch {
 
 bool jlt_map_batch_in_lanes(const jlt_map_batch *self) { return self->map.kernels != NULL; }
 
-/* Whether lanes can follow the flow: the section's state is no angle, t_max is not set, states and conditions are few enough. */
+/* Whether lanes can follow the flow: t_max is not set, states and conditions are few enough. */
 static bool serves(const jlt_flow *flow)
 {
     const jlt_chart *chart = flow->chart;
     const jlt_batch_map map = { .dim = chart->states, .tangents = chart->dim };
 
-    if (chart->turn != 0 || flow->t_max != 0 || flow->field->domain.conditions > JLT_BATCH_CONDITIONS_MAX) return false;
+    if (flow->t_max != 0 || flow->field->domain.conditions > JLT_BATCH_CONDITIONS_MAX) return false;
     return chart->states <= JLT_BATCH_STATES_MAX && jlt_batch_columns(&map) <= JLT_BATCH_COLUMNS_MAX;
 }
 
@@ -110,10 +110,10 @@ jlt_status jlt_map_batch_create(jlt_map_batch **out, const jlt_flow *flow, const
         .kernels = kernels != NULL && serves(flow) ? kernels : NULL,
         .dim = flow->chart->states,
         .tangents = flow->chart->dim,
-        .column = flow->chart->column,
+        .column = flow->chart->column, .turn = flow->chart->turn,
         .direction = (int)flow->direction,
         .root = flow->field->root,
-        .kept = flow->field->kept.words[0],
+        .kept = flow->field->kept.words[0], .angles = flow->field->angles.words[0],
         .root_floor = root_floor,
         .domain = jlt_field_watches(flow->field) ? &flow->field->domain : NULL,
         .method = method,

@@ -3,8 +3,8 @@
  *
  *  A lane ends early near a pole, when its orbit has all but come to rest, or when steps prove to err by more than the tolerance.
  *  The flow's own method then follows that orbit alone, so that its fate is the one that a jlt_map finds; it follows all orbits
- *  where lanes do not serve: if the section's state is an angle, if flow.t_max is set, or with many states. Points of several
- *  flows, such as those of one model under different parameters, go side by side: jlt_map_batch_add. */
+ *  where lanes do not serve: if flow.t_max is set, or with many states. Points of several flows, such as those of one model under
+ *  different parameters, go side by side: jlt_map_batch_add. */
 #ifndef JLT_DYNAMICS_MAP_BATCH_H
 #define JLT_DYNAMICS_MAP_BATCH_H
 

@@ -72,11 +72,11 @@ jlt_status jlt_section_batch_create(jlt_section_batch **out, const jlt_flow *flo
     self->slow = jlt_rest_slow(tolerance);
     self->map = (jlt_batch_map){
         .kernels = jlt_section_flows_obstacle(flow, kernels) == NULL ? kernels : NULL, .dim = flow->chart->states, .clock = true,
-        .column = flow->chart->column, .direction = (int)flow->direction, .backwards = options->backwards,
-        .root = flow->field->root, .kept = flow->field->kept.words[0], .root_floor = root_floor,
-        .root_rest = jlt_batch_rest(tolerance), .root_least = root_least,
-        .domain = jlt_field_watches(flow->field) ? &flow->field->domain : NULL, .tolerance = tolerance,
-        .max_steps = flow->max_steps != 0 && flow->max_steps < steps_max ? flow->max_steps : steps_max, .threads = options->threads,
+        .column = flow->chart->column, .turn = flow->chart->turn, .direction = (int)flow->direction,
+        .backwards = options->backwards, .root = flow->field->root, .root_floor = root_floor, .root_least = root_least,
+        .root_rest = jlt_batch_rest(tolerance), .kept = flow->field->kept.words[0], .angles = flow->field->angles.words[0],
+        .domain = jlt_field_watches(flow->field) ? &flow->field->domain : NULL, .tolerance = tolerance, .threads = options->threads,
+        .max_steps = flow->max_steps != 0 && flow->max_steps < steps_max ? flow->max_steps : steps_max,
         .project = options->project != NULL ? options->project->descriptor : NULL, .interrupt = flow->interrupt,
     };
     self->watch = (jlt_batch_watch){ .count = jlt_observed_conditions(flow->observed), .seeks_least = flow->seeks_least,

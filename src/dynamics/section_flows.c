@@ -63,7 +63,6 @@ const char *jlt_section_flows_obstacle(const jlt_flow *flow, const jlt_kernel_ba
 
     if (kernels == NULL) return "there are no kernels on vectors";
     if (flow->chart->states > JLT_BATCH_STATES_MAX) return "there are more states than lanes take";
-    if (flow->chart->turn != 0) return "the section's state is an angle";
     if (flow->t_max != 0) return "returns have an end in time";
     if (conditions > JLT_BATCH_CONDITIONS_MAX || flow->field->domain.conditions > JLT_BATCH_CONDITIONS_MAX)
         return "there are more conditions than lanes watch";
@@ -89,6 +88,7 @@ bool jlt_section_flows_fit(const jlt_flow *first, const jlt_flow *flow)
     g = flow->field;
     return a->dim == b->dim && a->states == b->states && a->column == b->column && a->turn == b->turn && f->call == g->call
            && f->dim == g->dim && f->root == g->root && memcmp(&f->kept, &g->kept, sizeof f->kept) == 0
+           && memcmp(&f->angles, &g->angles, sizeof f->angles) == 0
            && jlt_field_watches(f) == jlt_field_watches(g)
            && f->domain.conditions == g->domain.conditions && f->domain.intervals == g->domain.intervals
            && first->method == flow->method && first->tolerance == flow->tolerance && first->direction == flow->direction

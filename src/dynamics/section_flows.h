@@ -42,7 +42,7 @@ JLT_CHECKED jlt_status jlt_section_flows_add(jlt_section_flows *self, const jlt_
  *  motion. True for NULL, and for a field of one's own, of which no kernels are known. */
 bool jlt_section_flows_owns(const jlt_flow *flow, const jlt_kernel_batch *kernels);
 
-/** Returns why orbits of this flow cannot go in lanes, a clause such as "the section's state is an angle"; NULL: they can. */
+/** Returns why orbits of this flow cannot go in lanes, a clause such as "returns have an end in time"; NULL: they can. */
 const char *jlt_section_flows_obstacle(const jlt_flow *flow, const jlt_kernel_batch *kernels);
 
 /** Kernels with `valid_values` for its conditions, of the instruction set of these kernels; NULL: there are none. */

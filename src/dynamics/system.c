@@ -197,6 +197,8 @@ jlt_status jlt_system_angles(jlt_system *self, const double *periods, unsigned *
                 return JLT_ERR_DOMAIN;
     }
     jlt_chart_set_periods(&self->chart.plane, periods);
+    for (unsigned i = 0; i < n; i++)
+        if (periods[i] != 0) jlt_state_set_add(&self->field.angles, i);
     return JLT_OK;
 }
 

@@ -66,12 +66,15 @@ typedef struct {
     unsigned tangents;               /* tangent vectors carried by the variational equations, column by column after the states, and
                                         after them the integral of the divergence and, asked for or not, the clock; 0: none */
     unsigned column;                 /* the section is x[column] = level */
+    double turn;                     /* that state is an angle of this period: level + k turn are the section as well, and rows and
+                                        ends have it within half a turn of the level; 0: no angle */
     int direction;                   /* of crossings as time grows, +1: upwards; -1: downwards; 0: both */
     bool backwards;                  /* orbits are followed back in time */
     int root;                        /* index of the lifted root, whose error is controlled relative to itself. Set -1 for none: a
                                         zeroed structure makes x[0] the root */
     uint64_t kept;                   /* bit i: state i is kept, as of jlt_field: its error is compared with at most
                                         JLT_BATCH_SPREAD times itself, however small it is */
+    uint64_t angles;                 /* bit i: state i is an angle, as of jlt_field: no other state's error is relative to it */
     double root_floor;               /* end near a pole when root <= this and every |x_i'| <= root_rest max(size, |x_i|) */
     double root_rest;                /* 0: rates are not tested; otherwise a root <= root_floor also ends the lane once max_steps
                                         are spent, and a root <= 1e-100 at once */
@@ -81,7 +84,8 @@ typedef struct {
                                         JLT_BATCH_CONDITIONS_MAX conditions; NULL: not watched */
     const struct jlt_batch_method *method; /* one of jlt_batch_method_at; NULL: the usual one for the tolerance */
     double tolerance;                /* of the local error, in (0, 1): the root mean square over states, the clock added. A state's
-                                        error is relative to max(size, largest |x_j| but for the root), or JLT_BATCH_SPREAD times
+                                        error is relative to max(size, largest |x_j| but for root and angles), or
+                                        JLT_BATCH_SPREAD times
                                         max(size, |x_i|) if that is less, size being jlt_field_size of the orbit's start; the
                                         clock's to the former over the size; the root's to the root */
     size_t max_steps;                /* of one return, accepted and rejected; one at a bend of the rates, and the few after it,

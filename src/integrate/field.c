@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "kernel/batch_isa.h"
+#include "kernel/descriptor.h"
 
 bool jlt_field_watches(const jlt_field *field)
 {
@@ -104,6 +105,12 @@ static void find_kept(jlt_field *field)
             jlt_state_set_add(&field->kept, i);
 }
 
+static void find_angles(jlt_field *field, const jlt_descriptor *descriptor)
+{
+    for (unsigned i = 0; i < field->dim; i++)
+        if (jlt_descriptor_proves(descriptor, "periodic", descriptor->states[i].name)) jlt_state_set_add(&field->angles, i);
+}
+
 jlt_status jlt_field_of(jlt_field *out, const jlt_instance *instance)
 {
     if (out == NULL || instance == NULL) return JLT_ERR_ARG;
@@ -131,5 +138,6 @@ jlt_status jlt_field_of(jlt_field *out, const jlt_instance *instance)
         .sized = descriptor->state_count,
     };
     find_kept(out);
+    find_angles(out, descriptor);
     return JLT_OK;
 }

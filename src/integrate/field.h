@@ -46,6 +46,7 @@ typedef struct {
                                       whose errors are relative */
     jlt_state_set kept;            /* those whose interval ends at 0 and that never come there, as their rates go to 0 with
                                       them; their errors are relative */
+    jlt_state_set angles;          /* those that may grow by turns: in lanes other states' errors are not relative to them */
     unsigned sized;                /* leading states for which a scale of 1 means jlt_field_size of an orbit's start; 0: none */
 } jlt_field;
 
@@ -99,9 +100,10 @@ unsigned jlt_field_unbounded(const jlt_field *field, const double *x, double t);
 
 /** Make the field of a generated kernel, in the units of its instance, which must live as long as the field. It watches the
  *  conditions of the table's domain and the intervals of its states; the latter not in a time that lifts roots to states, where it
- *  need not. All states are sized; which ones are kept is judged by rates at two points inside the intervals. The last state is
- *  taken for the root that vanishes at a pole when the kernel has a time of its own and that state is bounded below by 0. Errors:
- *  ARG, NULL; UNSUPPORTED, the descriptor has no right-hand side, or more than JLT_FIELD_DIM_MAX states. */
+ *  need not. All states are sized; those are angles whose period the table proves; which ones are kept is judged by rates at two
+ *  points inside the intervals. The last state is taken for the root that vanishes at a pole when the kernel has a time of its own
+ *  and that state is bounded below by 0. Errors: ARG, NULL; UNSUPPORTED, the descriptor has no right-hand side, or more than
+ *  JLT_FIELD_DIM_MAX states. */
 JLT_CHECKED jlt_status jlt_field_of(jlt_field *out, const jlt_instance *instance);
 
 #endif

@@ -1,6 +1,8 @@
 /* Ulam's operator on maps whose densities, eigenvalues and escape rates are known in closed form. */
 #include "transfer_line.h"
 
+#include <float.h>
+
 /* The sum of a row and its losses is 1, whatever the map. */
 static void check_rows(const jlt_transfer *t)
 {
@@ -269,6 +271,25 @@ static void coarsening_keeps_masses(void **unused)
     jlt_transfer_destroy(t);
 }
 
+/* Of ten points in a box, 3 are lost and 7 have images outside. Each share is a quotient of counts, rounded once; boxes made
+ * from three lose the same, but for three roundings. */
+static double out_or_lost(double x) { return fmod(960 * x, 10) < 3 ? NAN : 5; }
+static void shares_are_rounded_once(void **unused)
+{
+    const line l = { .image = out_or_lost };
+    jlt_transfer *t = make(&l, 96, 10, 0), *coarse;
+
+    (void)unused;
+    assert_ok(jlt_transfer_coarsen(&coarse, t, 3));
+    for (size_t i = 0; i < 96; i++) {
+        assert_near(t->lost[2 * i], 0.7, 0);
+        assert_near(t->lost[2 * i + 1], 0.3, 0);
+    }
+    for (size_t i = 0; i < 64; i++) assert_near(coarse->lost[i], i % 2 == 0 ? 0.7 : 0.3, DBL_EPSILON);
+    jlt_transfer_destroy(coarse);
+    jlt_transfer_destroy(t);
+}
+
 /* Points of a box are found in it, angles beyond their period too; neighbours of a box at the end of a whole angle lie at both. */
 static void boxes_know_their_points_and_neighbours(void **unused)
 {
@@ -318,6 +339,7 @@ int main(void)
         cmocka_unit_test(boxes_that_only_images_meet_are_kept),
         cmocka_unit_test(noise_moves_images_within_the_space),
         cmocka_unit_test(coarsening_keeps_masses),
+        cmocka_unit_test(shares_are_rounded_once),
         cmocka_unit_test(boxes_know_their_points_and_neighbours),
     };
 
