@@ -186,4 +186,23 @@ printf '%s\n' 'model half' 'state y in (0, inf)' 'state z in (-inf, 2)' 'state w
 expect 3 '^jellett: --start: y must lie above 0$' jellett simulate ./half.tt --start y=-1,z=0,w=0 --times 1
 expect 3 '^jellett: y=1,z=3: z must lie below 2$' jellett section ./half.tt --section w=0 --start y=1,z=3 --returns 1
 expect 3 '^jellett: --section: y must lie above 0$' jellett section ./half.tt --section y=0 --start z=1,w=0 --returns 1
+# An epidemic that begins with a few of very many is no equilibrium, and is over where as few are left: S = exp(-2 (1 - S)). Its
+# times, and the period of the orbit of Lotka and Volterra through x = 1e-100, are those of DOP853 in the logarithms.
+printf '%s\n' 'model epidemic' 'state S in (0, inf)' 'state I in (0, inf)' 'eq S = -S*I/2' 'eq I = S*I/2 - I/4' > epidemic.tt
+is_over() { # TIME S TIME_COLUMN S_COLUMN
+    awk -F, -v T="$1" -v S="$2" -v t="$3" -v s="$4" \
+        '/alive/ && $t > 0 { n++; bad += ($t/T - 1)^2 > 1e-17 || ($s/S - 1)^2 > 1e-20 } END { exit !n || bad }' out ||
+        fail "epidemic: $(tail -1 out)"
+}
+for case in 1e-10,240.959838 1e-13,315.13717304 1e-20,488.21762129; do
+    for how in "section --start S=1" "section --start S=1 --method taylor" "section --grid S=1:1:1 --check"; do
+        expect 0 '^0,1,' jellett $how ./epidemic.tt --section I=${case%,*} --direction down --returns 1
+        is_over "${case#*,}" 0.2031878699799798 3 4
+    done
+    expect 0 '1 alive, 0 equilibrium' jellett fates ./epidemic.tt --section I=${case%,*} --direction down --returns 1 --start S=1
+done
+for how in "" "--method gauss"; do
+    expect 0 '^0,2,' jellett section lotka_volterra --section y=1/2 --direction both --start x=1e-100 --returns 2 $how
+    grep '^0,2,' out > row && mv row out && is_over 360.49833325 1e-100 3 4
+done
 exit $status
