@@ -12,10 +12,10 @@ double jlt_rest_slow(double tolerance)
     return jlt_larger(JLT_REST_STILL, jlt_smaller(1e3 * tolerance, 1e-6));
 }
 
-/* Whether state i grows, and is known however small it is: one that is kept, and that something is left of. */
+/* Whether state i grows, and is known however small it is: one that is kept. */
 static bool grows(const jlt_field *field, unsigned i, double f, double x, double direction)
 {
-    return jlt_field_keeps(field, i) && fabs(x) >= JLT_STEPPER_SCALE_LEAST && (f * direction > 0) == (x > 0);
+    return jlt_field_keeps(field, i) && x != 0 && (f * direction > 0) == (x > 0);
 }
 
 static bool slower(const jlt_field *field, const double *f, const double *x, double size, double speed, double direction)
