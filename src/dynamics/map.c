@@ -52,6 +52,7 @@ static int watch(void *context, jlt_orbit *orbit)
     if (jlt_jump_is_behind(&self->jump, stepper, &self->varied)) return 1;
     if (self->keeps && jlt_passage_keep(orbit, &self->varied) != JLT_OK) return 1;
     if (stepper->steps % SLOW_STEPS != 0) return 0;
+    if (jlt_rest_is_ahead(stepper, self->flow.chart->column, self->flow.chart->level)) return 0;
     const bool was_slow = self->is_slow;
     self->is_slow = jlt_rest_is_slower(self->flow.field, stepper->x, stepper->size, jlt_rest_slow(stepper->asked),
                                        stepper->direction)

@@ -105,6 +105,7 @@ static int watch(void *context, jlt_orbit *orbit)
     jlt_section_conditions_step(&self->watched, orbit);
     self->settled = jlt_settling_step(&self->settling, distance_in_errors(self, stepper),
                                       fabs(jlt_epoch_time(&self->began, jlt_stepper_time(stepper))));
+    if (jlt_rest_is_ahead(stepper, self->events->column, self->events->level)) return self->settled;
     return self->settled || jlt_rest_watch_step(&self->rest, stepper, self->limit);
 }
 

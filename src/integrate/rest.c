@@ -42,12 +42,22 @@ bool jlt_rest_is_still(const jlt_field *field, const double *x, double direction
     return jlt_rest_is_slower(field, x, size, JLT_REST_STILL, direction) && jlt_approach_is_near(field, x, size, JLT_REST_STILL);
 }
 
+static double pace(const jlt_stepper *stepper)
+{
+    return stepper->columns > stepper->field->dim ? stepper->f[stepper->field->dim] : 1;
+}
+
 static bool stepper_slower(const jlt_stepper *stepper, double speed)
 {
-    const unsigned dim = stepper->field->dim;
-    const double pace = stepper->columns > dim ? stepper->f[dim] : 1;
+    return slower(stepper->field, stepper->f, stepper->x, stepper->size, speed * pace(stepper), stepper->direction);
+}
 
-    return slower(stepper->field, stepper->f, stepper->x, stepper->size, speed * pace, stepper->direction);
+bool jlt_rest_is_ahead(const jlt_stepper *stepper, unsigned column, double level)
+{
+    const double x = stepper->x[column], f = stepper->f[column];
+
+    if (level == 0 || !(fabs(x) > fabs(level)) || !jlt_field_keeps(stepper->field, column)) return false;
+    return (f * stepper->direction > 0) != (x > 0) && fabs(f) > JLT_REST_STILL * pace(stepper) * fabs(x);
 }
 
 /* Whether the orbit decays onto a known equilibrium; limit gets it. A root that goes to 0 leads to a pole, another kind of end. */

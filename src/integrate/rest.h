@@ -23,6 +23,9 @@ bool jlt_rest_is_slower(const jlt_field *field, const double *x, double size, do
  *  evaluation; a Jacobian and its eigenvalues where it is slow. */
 bool jlt_rest_is_still(const jlt_field *field, const double *x, double direction);
 
+/** Whether a kept state still falls towards this level of it, which it then crosses, however small both are: no rest before. */
+bool jlt_rest_is_ahead(const jlt_stepper *stepper, unsigned column, double level);
+
 /** Counts of an orbit's steps. The caller zeroes it at the start, and at every crossing of a section, since an orbit that comes to
  *  rest makes no more of them. */
 typedef struct {
