@@ -4,6 +4,7 @@
 #include "kernel/kernel.h"
 #include "kernel/region.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdbool.h>
 #include <string.h>
@@ -117,7 +118,7 @@ jlt_status jlt_density_tabulate(jlt_density_point *points, size_t count, const j
             from = side == 0 ? i - 1 : i + 1;
             JLT_PASS(jlt_quadrature_integrate(&integral, &error, slope, &l, points[from].at, points[i].at, 1e-15, 1e-13));
             points[i].density = points[from].density * exp(integral);
-            points[i].error = points[from].error + error;
+            points[i].error = points[from].error + error + (integral != 0 ? DBL_EPSILON : 0); /* of exp and the product */
             if (!(points[i].density > 0) || isinf(points[i].density)) return JLT_ERR_NONFINITE;
         }
     }

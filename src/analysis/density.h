@@ -27,7 +27,7 @@ JLT_CHECKED jlt_status jlt_density_defect(double *defect, const jlt_instance *in
 typedef struct {
     double at;         /* the state q */
     double density;    /* rho(q) / rho(q0), q0 the middle of the table */
-    double error;      /* estimate of the relative error of `density` from the quadratures */
+    double error;      /* estimate of the relative error of `density`, from the quadratures and from rounding */
 } jlt_density_point;
 
 /** Tabulate rho along q by quadrature, with the other states fixed at `x`.

@@ -52,8 +52,10 @@ static int watch(void *context, jlt_orbit *orbit)
     if (jlt_jump_is_behind(&self->jump, stepper, &self->varied)) return 1;
     if (self->keeps && jlt_passage_keep(orbit, &self->varied) != JLT_OK) return 1;
     if (stepper->steps % SLOW_STEPS != 0) return 0;
+    if (jlt_rest_is_ahead(stepper, self->flow.chart->column, self->flow.chart->level)) return 0;
     const bool was_slow = self->is_slow;
-    self->is_slow = jlt_rest_is_slower(self->flow.field, stepper->x, stepper->size, jlt_rest_slow(stepper->asked))
+    self->is_slow = jlt_rest_is_slower(self->flow.field, stepper->x, stepper->size, jlt_rest_slow(stepper->asked),
+                                       stepper->direction)
                     && jlt_approach_is_near(self->flow.field, stepper->x, stepper->size, surroundings);
     return was_slow && self->is_slow;
 }
@@ -171,7 +173,7 @@ static jlt_status advance(jlt_map *self, jlt_image *image, int time_direction)
     jlt_map_return arrival;
     jlt_outcome outcome;
 
-    JLT_PASS(jlt_map_return_start(start, &flux, &self->flow, image->q));
+    JLT_PASS(jlt_map_return_start(start, &flux, &self->flow, image->q, time_direction));
     JLT_PASS(follow(self, &outcome, start, time_direction));
     JLT_PASS(jlt_map_return_end(&arrival, image->q, slope, &self->flow, outcome.x, flux));
     const double size = arrival.size > 0 ? arrival.size : 1; /* a DP that is 0 in doubles has no defect */

@@ -285,7 +285,7 @@ static size_t lift(const worker *self, size_t first, size_t count, size_t number
     for (size_t i = first; i < first + count; i++) {
         double *start = self->starts + lanes * columns;
         if (out->status[i] != JLT_OK || !is_due(self, i, number)) continue;
-        out->status[i] = jlt_map_return_start(start, &self->flux[lanes], flow_of(self, i), out->q + i * d);
+        out->status[i] = jlt_map_return_start(start, &self->flux[lanes], flow_of(self, i), out->q + i * d, self->direction);
         if (out->status[i] != JLT_OK) continue;
         start[columns - 1] = 0;
         self->is_on_way[lanes] = self->is_doubted[lanes] = false;

@@ -6,7 +6,7 @@
 #include "dynamics/linear.h"
 #include "integrate/rest.h"
 
-jlt_status jlt_map_return_start(double *varied, double *flux, const jlt_flow *flow, const double *q)
+jlt_status jlt_map_return_start(double *varied, double *flux, const jlt_flow *flow, const double *q, int time_direction)
 {
     const jlt_chart *chart = flow->chart;
     const unsigned n = chart->states, d = chart->dim;
@@ -16,7 +16,7 @@ jlt_status jlt_map_return_start(double *varied, double *flux, const jlt_flow *fl
     for (unsigned k = 0; k < d; k++)
         for (unsigned i = 0; i < n; i++) varied[n * (1 + k) + i] = ldexp(tangent[i * d + k], chart->unit[k]);
     varied[n * (1 + d)] = 0;
-    if (jlt_rest_is_still(flow->field, varied)) return JLT_ERR_DOMAIN;
+    if (jlt_rest_is_still(flow->field, varied, time_direction)) return JLT_ERR_DOMAIN;
     flow->field->call(varied, flow->field->p, f);
     *flux = chart->flux(chart, varied, f);
     return JLT_OK;

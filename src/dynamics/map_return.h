@@ -8,7 +8,8 @@
 
 /** Make the varied state with which the orbit from q, shape (dim,), starts, and the density of flux there.
  *  Errors: as the chart's lift; DOMAIN, the state is at rest. */
-JLT_CHECKED jlt_status jlt_map_return_start(double *varied, double *flux, const jlt_flow *flow, const double *q);
+JLT_CHECKED jlt_status jlt_map_return_start(double *varied, double *flux, const jlt_flow *flow, const double *q,
+                                            int time_direction);
 
 typedef struct {
     double f[JLT_CHART_STATES_MAX]; /* the field at the return */

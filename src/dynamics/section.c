@@ -105,6 +105,7 @@ static int watch(void *context, jlt_orbit *orbit)
     jlt_section_conditions_step(&self->watched, orbit);
     self->settled = jlt_settling_step(&self->settling, distance_in_errors(self, stepper),
                                       fabs(jlt_epoch_time(&self->began, jlt_stepper_time(stepper))));
+    if (jlt_rest_is_ahead(stepper, self->events->column, self->events->level)) return self->settled;
     return self->settled || jlt_rest_watch_step(&self->rest, stepper, self->limit);
 }
 
@@ -222,7 +223,7 @@ static jlt_status begin(jlt_section *self, jlt_return *row, const double *x, int
     self->time_direction = time_direction;
     jlt_section_conditions_begin(&self->watched);
     arrive(self, 0, x);
-    if (jlt_rest_is_still(self->flow.field, x)) self->start_fate = JLT_FATE_EQUILIBRIUM;
+    if (jlt_rest_is_still(self->flow.field, x, time_direction)) self->start_fate = JLT_FATE_EQUILIBRIUM;
     if (self->event_count > self->crossings && self->watched.so_far.value <= 0) self->start_fate = JLT_FATE_INVALID;
     if (row == NULL) return JLT_OK;
     fill(row, self, 0, x, x[chart->column] == chart->level);
@@ -338,7 +339,8 @@ jlt_status jlt_section_next(jlt_section *self, jlt_return *row)
         self->accepted = self->flow.chart->turn != 0; /* self->x was turned back */
         self->rest = (jlt_rest_watch){ 0 };
         self->settling = (jlt_settling){ 0 };
-        self->rests = jlt_rest_is_slower(self->flow.field, self->x, stepper->size, jlt_rest_slow(stepper->asked))
+        self->rests = jlt_rest_is_slower(self->flow.field, self->x, stepper->size, jlt_rest_slow(stepper->asked),
+                                         stepper->direction)
                       && jlt_rest_ends(stepper, self->limit);
     } else {
         end_by(self, row, &outcome);

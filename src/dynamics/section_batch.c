@@ -28,8 +28,7 @@ struct jlt_section_batch {
     jlt_batch_map map; /* kernels NULL: no lanes */
     jlt_batch_watch watch;
     jlt_section_batch_options options;
-    unsigned threads;
-    unsigned columns;   /* of lanes: states, and t */
+    unsigned threads, columns; /* columns: of lanes, states, and t */
     unsigned width;     /* of a row */
     double slow;        /* an orbit slower than this is left to the flow's own method (integrate/rest.h) */
     jlt_status *lifted; /* (count,): status of each start's lift */
@@ -153,7 +152,8 @@ static int keep_row(void *context, size_t lane, size_t number, const double *x)
     double row[COLUMNS_MAX];
 
     (void)number;
-    at->is_slow |= jlt_rest_is_slower(field, x, jlt_field_size_at(field, self->starts + lane * self->columns), self->slow);
+    const double size = jlt_field_size_at(field, self->starts + lane * self->columns);
+    at->is_slow |= jlt_rest_is_slower(field, x, size, self->slow, self->options.backwards ? -1 : 1);
     if (at->is_slow) return 0;
     row_of(self, row, x);
     const jlt_status st = keep(self, lane, row);

@@ -31,7 +31,10 @@ double jlt_locate_slope(const jlt_event *event, const jlt_stepper *stepper, cons
 
 double jlt_locate_unit(const jlt_event *event, const jlt_stepper *stepper)
 {
-    return jlt_larger(fabs(event->level), jlt_stepper_unit(stepper, event->column));
+    const double level = fabs(event->level);
+
+    if (level > 0 && jlt_field_keeps(stepper->field, event->column)) return level;
+    return jlt_larger(level, jlt_stepper_unit(stepper, event->column));
 }
 
 jlt_status jlt_locate_state(const jlt_event *event, jlt_stepper *stepper, double theta, double *x, double *f, double *value,

@@ -12,34 +12,52 @@ double jlt_rest_slow(double tolerance)
     return jlt_larger(JLT_REST_STILL, jlt_smaller(1e3 * tolerance, 1e-6));
 }
 
-static bool slower(const double *f, const double *x, unsigned count, double size, double speed)
+/* Whether state i grows, and is known however small it is: one that is kept. */
+static bool grows(const jlt_field *field, unsigned i, double f, double x, double direction)
 {
-    for (unsigned i = 0; i < count; i++)
-        if (!(fabs(f[i]) < speed * jlt_larger(fabs(x[i]), size))) return false;
+    return jlt_field_keeps(field, i) && x != 0 && (f * direction > 0) == (x > 0);
+}
+
+static bool slower(const jlt_field *field, const double *f, const double *x, double size, double speed, double direction)
+{
+    for (unsigned i = 0; i < field->dim; i++) {
+        const double own = grows(field, i, f[i], x[i], direction) ? fabs(x[i]) : jlt_larger(fabs(x[i]), size);
+        if (!(fabs(f[i]) < speed * own)) return false;
+    }
     return true;
 }
 
-bool jlt_rest_is_slower(const jlt_field *field, const double *x, double size, double speed)
+bool jlt_rest_is_slower(const jlt_field *field, const double *x, double size, double speed, double direction)
 {
     double f[JLT_FIELD_DIM_MAX];
 
     field->call(x, field->p, f);
-    return slower(f, x, field->dim, size, speed * jlt_field_time_rate(field, x));
+    return slower(field, f, x, size, speed * jlt_field_time_rate(field, x), direction);
 }
 
-bool jlt_rest_is_still(const jlt_field *field, const double *x)
+bool jlt_rest_is_still(const jlt_field *field, const double *x, double direction)
 {
     const double size = jlt_field_size_at(field, x);
 
-    return jlt_rest_is_slower(field, x, size, JLT_REST_STILL) && jlt_approach_is_near(field, x, size, JLT_REST_STILL);
+    return jlt_rest_is_slower(field, x, size, JLT_REST_STILL, direction) && jlt_approach_is_near(field, x, size, JLT_REST_STILL);
+}
+
+static double pace(const jlt_stepper *stepper)
+{
+    return stepper->columns > stepper->field->dim ? stepper->f[stepper->field->dim] : 1;
 }
 
 static bool stepper_slower(const jlt_stepper *stepper, double speed)
 {
-    const unsigned dim = stepper->field->dim;
-    const double pace = stepper->columns > dim ? stepper->f[dim] : 1;
+    return slower(stepper->field, stepper->f, stepper->x, stepper->size, speed * pace(stepper), stepper->direction);
+}
 
-    return slower(stepper->f, stepper->x, dim, stepper->size, speed * pace);
+bool jlt_rest_is_ahead(const jlt_stepper *stepper, unsigned column, double level)
+{
+    const double x = stepper->x[column], f = stepper->f[column];
+
+    if (level == 0 || !(fabs(x) > fabs(level)) || !jlt_field_keeps(stepper->field, column)) return false;
+    return (f * stepper->direction > 0) != (x > 0) && fabs(f) > JLT_REST_STILL * pace(stepper) * fabs(x);
 }
 
 /* Whether the orbit decays onto a known equilibrium; limit gets it. A root that goes to 0 leads to a pole, another kind of end. */

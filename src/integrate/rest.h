@@ -2,7 +2,8 @@
  *
  *  Time never ends there, but what is left of the motion drowns in the errors of the method. Speeds are changes in a unit of
  *  physical time, relative to the state or the size of the orbit's start (jlt_field_size): near a pole everything slows down in
- *  tau, and that is no rest. */
+ *  tau, and that is no rest. Nor is it one where a state that the field keeps grows, as from 1e-20 an epidemic does: its speed is
+ *  relative to the state alone. `direction` is that of time, +1 or -1. */
 #ifndef JLT_INTEGRATE_REST_H
 #define JLT_INTEGRATE_REST_H
 
@@ -16,11 +17,14 @@
 double jlt_rest_slow(double tolerance);
 
 /** Whether the field at x, shape (dim,), is slower than `speed` on an orbit of this size. Cost: 1 evaluation. */
-bool jlt_rest_is_slower(const jlt_field *field, const double *x, double size, double speed);
+bool jlt_rest_is_slower(const jlt_field *field, const double *x, double size, double speed, double direction);
 
 /** Whether an orbit that starts at x is at rest: it is slower than JLT_REST_STILL, and as near to an equilibrium. Cost: 1
  *  evaluation; a Jacobian and its eigenvalues where it is slow. */
-bool jlt_rest_is_still(const jlt_field *field, const double *x);
+bool jlt_rest_is_still(const jlt_field *field, const double *x, double direction);
+
+/** Whether a kept state still falls towards this level of it, which it then crosses, however small both are: no rest before. */
+bool jlt_rest_is_ahead(const jlt_stepper *stepper, unsigned column, double level);
 
 /** Counts of an orbit's steps. The caller zeroes it at the start, and at every crossing of a section, since an orbit that comes to
  *  rest makes no more of them. */

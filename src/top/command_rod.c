@@ -280,9 +280,10 @@ static jlt_exit run(int argc, char **argv)
     JLT_PASS(jlt_common_save(common));
     if (jlt_session_interrupted(&r.session))
         fprintf(stderr, "jellett: interrupted; %zu whole rows are saved in %s\n", r.rows, common->table.path);
-    if (common->plot != NULL) JLT_PASS(draw(&r));
-    if (r.failed > 0) return JLT_EXIT_NUMERICAL;
-    return r.empty == r.all && r.axes[0].part == 0 ? JLT_EXIT_INPUT : JLT_EXIT_DONE; /* of a part, other parts may have rows */
+    const bool none = r.empty == r.all && r.axes[0].part == 0; /* of a part, other parts may have rows */
+    const jlt_exit rows = r.failed > 0 ? JLT_EXIT_NUMERICAL : none ? JLT_EXIT_INPUT : JLT_EXIT_DONE;
+    const jlt_exit drawn = common->plot != NULL ? draw(&r) : JLT_EXIT_DONE;
+    return drawn > rows ? drawn : rows; /* a picture of nothing is bad input only where nothing failed */
 }
 
 const jlt_command jlt_command_rod = {

@@ -186,4 +186,30 @@ printf '%s\n' 'model half' 'state y in (0, inf)' 'state z in (-inf, 2)' 'state w
 expect 3 '^jellett: --start: y must lie above 0$' jellett simulate ./half.tt --start y=-1,z=0,w=0 --times 1
 expect 3 '^jellett: y=1,z=3: z must lie below 2$' jellett section ./half.tt --section w=0 --start y=1,z=3 --returns 1
 expect 3 '^jellett: --section: y must lie above 0$' jellett section ./half.tt --section y=0 --start z=1,w=0 --returns 1
+# An epidemic that begins with a few of very many is no equilibrium, and is over where as few are left: S = exp(-2 (1 - S)). Its
+# times, the period of the orbit of Lotka and Volterra through x = 1e-100, and what is below are those of DOP853 in the logarithms.
+printf '%s\n' 'model epidemic' 'state S in (0, inf)' 'state I in (0, inf)' 'eq S = -S*I/2' 'eq I = S*I/2 - I/4' > epidemic.tt
+is_over() { # TIME S TIME_COLUMN S_COLUMN
+    awk -F, -v T="$1" -v S="$2" -v t="$3" -v s="$4" \
+        '/alive/ && $t > 0 { n++; bad += ($t/T - 1)^2 > 1e-17 || ($s/S - 1)^2 > 1e-20 } END { exit !n || bad }' out ||
+        fail "small states that grow: $(tail -1 out)"
+}
+for case in 1e-10,240.959838004 1e-13,315.137173036 1e-20,488.217621287 1e-100,2466.279887; do
+    for how in "--start S=1" "--grid S=1:1:1 --check" "--start S=1 --method "{taylor,dop853,rk8pd,msadams}; do
+        expect 0 '^0,1,' jellett section ./epidemic.tt --section I=${case%,*} --direction down --returns 1 $how
+        is_over "${case#*,}" 0.2031878699799798 3 4
+    done
+    expect 0 '1 alive, 0 equilibrium' jellett fates ./epidemic.tt --section I=${case%,*} --direction down --returns 1 --start S=1
+done
+for how in "" "--method gauss"; do
+    expect 0 '^0,2,' jellett section lotka_volterra --section y=1/2 --direction both --start x=1e-100 --returns 2 $how
+    grep '^0,2,' out > row && mv row out && is_over 360.49833325 1e-100 3 4
+done
+# Nor is the saddle an end where the cycle of May and Leonard passes it, on which the time between returns grows with every one.
+printf '%s\n' 'model cycle' 'state x in (0, inf)' 'state y in (0, inf)' 'state z in (0, inf)' 'eq x = x*(1 - x - 4*y/5 - 13*z/10)' \
+    'eq y = y*(1 - 13*x/10 - y - 4*z/5)' 'eq z = z*(1 - 4*x/5 - 13*y/10 - z)' > cycle.tt
+for how in "" "--start y=0.3,z=0.1"; do
+    expect 0 '^0,5,' jellett section ./cycle.tt --section x=1/2 --start y=0.4,z=0.1 $how --returns 5
+    grep '^0,5,' out > row && mv row out && is_over 3592.4600417 1.47951879577e-149 3 5
+done
 exit $status

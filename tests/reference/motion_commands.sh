@@ -103,6 +103,8 @@ jellett rod --start gamma3=0.2,v_nu=0.6,omega_tau=0.4,omega_n=1,omega3=0 --sweep
 [ $code -eq 4 ] && grep -q '^jellett: at v_nu=5e+199:' "$scratch/err" && grep -q '2 of 3 points failed' "$scratch/err" &&
     [ "$(grep -c '^0,0.25205,.*,3.76544[0-9]*,\|^[15]e+[0-9]*,,,,,,,$' "$scratch/rod.csv")" -eq 3 ] ||
     fail "rod of points that fail: $(cat "$scratch/err")"
+expect 4 'nothing that could be drawn' jellett rod --set g=1e300 --start gamma3=0.2,v_nu=0.6,omega_tau=0.4,omega_n=1,omega3=0 \
+    --sweep omega_n=1:2:2 --plot "$scratch/rod.svg"
 jellett rod --set I1=0.7,a3=0.3 --start gamma3=0.6,v_nu=0,omega_tau=0.4,omega_n=1.2,omega3=-27/20 --check -o "$scratch/rod.csv"
 awk -F, '/^[0-9]/ { exit !($10 <= 1e-12) }' "$scratch/rod.csv" || fail "an orbit with E1 = 0 does not return"
 # Turns beside both poles, where psi' varies a millionfold: within ten times the quadratures' 2e-14 of mpmath's, with 40 digits.

@@ -180,4 +180,9 @@ printf '%s\n' 'model two_densities' 'state th' 'state v' 'angle c s = cos(th) si
 expect 0 '^ +-2 +4[.]1212101112050' jellett measure ./two_densities.tt --points 5
 printf '%s\n' 'model two_densities' 'state x in (-inf, 2)' 'state v' 'eq x = v*(2 - x)' 'eq v = -3*v^2/2' > two_densities.tt
 expect 0 '^ +0[.]95 +14[.]529753549' jellett measure ./two_densities.tt --points 5
+# A density that hardly varies, 1/(1 + q^2/10^6): quadratures know it to 1e-19, the doubles printed no better than rounding.
+printf '%s\n' 'model gentle' 'state q in (-2, 5)' 'state p' 'eq q = p*(1 + q^2/1000000)' 'eq p = -q*(1 + q^2/1000000)' > gentle.tt
+expect 0 '^q,4[.]93,0[.]99997794563' jellett measure ./gentle.tt --csv
+awk -F, '/^q,/ { n++; d = $3*(1 + $2^2/1e6)/(1 + 1.5^2/1e6) - 1; bad += $2 != 1.5 && !($4 > 1e-16 && d^2 <= ($4 + 3e-16)^2) }
+    END { exit !(n == 41 && !bad) }' out || fail "errors below rounding: $(grep '^q,' out | head -2)"
 exit $status
