@@ -91,12 +91,22 @@ static jlt_status eigenvalues_of_two(double *re, double *im, const double *matri
     return jlt_guard_finite(re, 2) && jlt_guard_finite(im, 2) ? JLT_OK : JLT_ERR_NONFINITE;
 }
 
+/* Whether eigenvalue i comes before j. Moduli that are equal but for rounding, as on the unit circle, leave it to the real parts,
+ * so that the order does not change from one matrix to the next. */
+static bool comes_first(const double *re, const double *im, unsigned i, unsigned j)
+{
+    const double a = hypot(re[i], im[i]), b = hypot(re[j], im[j]), same = 1e-7 * fmax(a, b);
+
+    if (fabs(a - b) > same) return a > b;
+    return fabs(re[i] - re[j]) > same ? re[i] > re[j] : im[i] > im[j];
+}
+
 jlt_status jlt_linear_eigenvalues(double *re, double *im, const double *a, unsigned dim)
 {
     if (dim == 2) return eigenvalues_of_two(re, im, a);
     JLT_PASS(jlt_eigen_values(re, im, a, dim));
     for (unsigned i = 0; i < dim; i++)
-        for (unsigned j = i; j > 0 && hypot(re[j], im[j]) > hypot(re[j - 1], im[j - 1]); j--) {
+        for (unsigned j = i; j > 0 && comes_first(re, im, j, j - 1); j--) {
             const double held_re = re[j], held_im = im[j];
             re[j] = re[j - 1], im[j] = im[j - 1];
             re[j - 1] = held_re, im[j - 1] = held_im;

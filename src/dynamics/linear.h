@@ -18,7 +18,8 @@ double jlt_linear_length(const double *v, size_t count);
  *  good to 2 ulp. */
 double jlt_linear_determinant(const double *a, unsigned dim);
 
-/** Eigenvalues, largest modulus first, shape (dim,) each. dim = 2 in closed form, otherwise by LAPACK.
+/** Eigenvalues, shape (dim,) each: largest modulus first, and of equal ones, to 7 digits, the largest real part, then the largest
+ *  imaginary part. dim = 2 in closed form, otherwise by LAPACK.
  *  Errors: as jlt_eigen_values. */
 JLT_CHECKED jlt_status jlt_linear_eigenvalues(double *re, double *im, const double *a, unsigned dim);
 

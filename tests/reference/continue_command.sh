@@ -334,5 +334,9 @@ for range in E=2.1:2.3 "E=2.1:2.3 --decreasing" a3=0.45:0.53; do
     jellett continue --along $range 2> log | tail -1 | cut -d, -f2 > end
     grep -qx '2.3\|2.1\|0.53' end || fail "the end of $range: $(cat end)"
 done
+# A multiplier stays in its column, also where all are of modulus 1: there the energy's is the first.
+jellett continue restricted_three_body --section y=0 --set mu=0.01 --start x=0.4,vx=0,vy=0.9 --along mu=0.001:0.2 > rows.csv 2> log
+awk -F, '/^branch/ { for (i = 1; i <= NF; i++) at[$i] = i } /^[0-9]/ { n++; bad += $at["mu1_im"] != 0 || !($at["mu2_im"] > 0) ||
+    !($at["mu3_im"] < 0) } END { exit !(n > 5 && !bad) }' rows.csv || fail "multipliers change columns: $(cat rows.csv log)"
 [ $failures = 0 ] || exit 1
 echo "bifurcations are the same at all steps"
