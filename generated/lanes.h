@@ -85,24 +85,28 @@ static inline jlt_lanes jlt_lanes_root(jlt_lanes a)
 #endif
 }
 
-/* Functions of the C library. glibc has them for the wider vectors of x86-64, in libmvec, which -lm brings: to 4 units in the last
- * place, where those for one number err by less than 1, and up to twenty times as fast. Other vectors are computed lane by lane. */
+/* Functions of the C library, lane by lane, jlt_lanes_*_each, and of whole vectors. glibc has the latter for wide vectors of
+ * x86-64, in libmvec, which -lm brings: to 4 units in the last place, where those for one number err by less than 1, and up to
+ * twenty times as fast. */
+#define JLT_LANES_EACH(name, function)                                                                       \
+    static inline jlt_lanes jlt_lanes_##name##_each(jlt_lanes a)                                             \
+    {                                                                                                        \
+        for (int lane = 0; lane < JLT_LANES; lane++) a[lane] = function(a[lane]);                            \
+        return a;                                                                                            \
+    }
 #if defined(__GLIBC__) && JLT_LANES == 8 && defined(__AVX512F__)
-#define JLT_LANES_FUNCTION(name, function)                                                     \
-    __m512d _ZGVeN8v_##function(__m512d);                                                      \
+#define JLT_LANES_WHOLE(name, function)                                                                      \
+    __m512d _ZGVeN8v_##function(__m512d);                                                                    \
     static inline jlt_lanes jlt_lanes_##name(jlt_lanes a) { return (jlt_lanes)_ZGVeN8v_##function((__m512d)a); }
 #elif defined(__GLIBC__) && JLT_LANES == 4 && defined(__AVX2__)
-#define JLT_LANES_FUNCTION(name, function)                                                     \
-    __m256d _ZGVdN4v_##function(__m256d);                                                      \
+#define JLT_LANES_WHOLE(name, function)                                                                      \
+    __m256d _ZGVdN4v_##function(__m256d);                                                                    \
     static inline jlt_lanes jlt_lanes_##name(jlt_lanes a) { return (jlt_lanes)_ZGVdN4v_##function((__m256d)a); }
 #else
-#define JLT_LANES_FUNCTION(name, function)                                                     \
-    static inline jlt_lanes jlt_lanes_##name(jlt_lanes a)                                      \
-    {                                                                                          \
-        for (int lane = 0; lane < JLT_LANES; lane++) a[lane] = function(a[lane]);              \
-        return a;                                                                              \
-    }
+#define JLT_LANES_WHOLE(name, function)                                                                      \
+    static inline jlt_lanes jlt_lanes_##name(jlt_lanes a) { return jlt_lanes_##name##_each(a); }
 #endif
+#define JLT_LANES_FUNCTION(name, function) JLT_LANES_EACH(name, function) JLT_LANES_WHOLE(name, function)
 JLT_LANES_FUNCTION(cosine, cos)
 JLT_LANES_FUNCTION(sine, sin)
 JLT_LANES_FUNCTION(exp, exp)

@@ -156,10 +156,10 @@ static void add_number_product(jet *j, const ttc_instruction *i)
 static const char *number_function(const jet *j, ttc_op op)
 {
     static const char *const on_lanes[] = { [TTC_OP_ROOT] = "jlt_lanes_root",
-                                            [TTC_OP_COSINE] = "jlt_lanes_cosine",
-                                            [TTC_OP_SINE] = "jlt_lanes_sine",
-                                            [TTC_OP_EXP] = "jlt_lanes_exp",
-                                            [TTC_OP_LOG] = "jlt_lanes_log" };
+                                            [TTC_OP_COSINE] = "jlt_lanes_cosine_each",
+                                            [TTC_OP_SINE] = "jlt_lanes_sine_each",
+                                            [TTC_OP_EXP] = "jlt_lanes_exp_each",
+                                            [TTC_OP_LOG] = "jlt_lanes_log_each" };
 
     if (op == TTC_OP_NEGATE) return "-";
     return j->lanes ? on_lanes[op] : ttc_emit_function_name(op);

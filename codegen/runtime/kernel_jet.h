@@ -11,10 +11,10 @@
 #include "lanes.h"
 typedef jlt_lanes jlt_coefficient;
 #define JLT_JET_ROOT jlt_lanes_root
-#define JLT_JET_COSINE jlt_lanes_cosine
-#define JLT_JET_SINE jlt_lanes_sine
-#define JLT_JET_EXP jlt_lanes_exp
-#define JLT_JET_LOG jlt_lanes_log
+#define JLT_JET_COSINE jlt_lanes_cosine_each
+#define JLT_JET_SINE jlt_lanes_sine_each
+#define JLT_JET_EXP jlt_lanes_exp_each
+#define JLT_JET_LOG jlt_lanes_log_each
 #else
 typedef double jlt_coefficient;
 #define JLT_JET_ROOT sqrt
