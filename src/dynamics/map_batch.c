@@ -41,8 +41,8 @@ typedef struct {
     size_t *case_of; /* the point's flow */
     double *starts;  /* (BLOCK, columns) */
     double *flux;    /* at the starts */
-    bool *is_on_way; /* the lane has ended before its return; its start is replaced by the point where it ended */
-    bool *is_doubted; /* its derivative disagrees with flux and divergence, as where a rate jumps */
+    enum { AWAY, BACK, ON_WAY, DOUBTED } *is; /* ON_WAY: a lane has ended before its return; its start is replaced by either.
+                                               * DOUBTED: its steps err, or DP disagrees with flux and divergence, as at a jump */
 } worker;
 
 struct jlt_map_batch {
@@ -73,13 +73,10 @@ static jlt_status hire(worker *out, const jlt_map_batch *batch)
     out->point = calloc(BLOCK, sizeof *out->point);
     out->starts = calloc((size_t)BLOCK * batch->columns, sizeof *out->starts);
     out->flux = calloc(BLOCK, sizeof *out->flux);
-    out->is_on_way = calloc(BLOCK, sizeof *out->is_on_way);
-    out->is_doubted = calloc(BLOCK, sizeof *out->is_doubted);
+    out->is = calloc(BLOCK, sizeof *out->is);
     out->case_of = calloc(BLOCK, sizeof *out->case_of);
-    if (out->point == NULL || out->starts == NULL || out->flux == NULL || out->is_on_way == NULL || out->is_doubted == NULL
-        || out->case_of == NULL)
-        return JLT_ERR_NOMEM;
-    return jlt_map_create(&out->alone, batch->flows);
+    const bool failed = out->point == NULL || out->starts == NULL || out->flux == NULL || out->is == NULL || out->case_of == NULL;
+    return failed ? JLT_ERR_NOMEM : jlt_map_create(&out->alone, batch->flows);
 }
 
 static jlt_status append(jlt_map_batch *self, const jlt_flow *flow)
@@ -146,8 +143,7 @@ void jlt_map_batch_destroy(jlt_map_batch *self)
         free(w->point);
         free(w->starts);
         free(w->flux);
-        free(w->is_on_way);
-        free(w->is_doubted);
+        free(w->is);
         free(w->case_of);
     }
     free(self->workers);
@@ -190,10 +186,11 @@ static void add(const worker *self, size_t point, const jlt_map_batch_return *ma
     if (out->bound != NULL) out->bound[point] = bound;
 }
 
-/* Store the return of a lane whose varied orbit has come back after time t, in the flow's unit, unless it is doubted: where less
- * than half of the digits asked for agree, or a bound is wanted and the least one does not hold. */
-static void arrive(const worker *self, size_t lane, const double *varied, double t)
+/* Store the return of a lane, whose start is replaced by it, after time t in the flow's unit, unless it is doubted: where less than
+ * half of the digits asked for agree, or a bound is wanted and the least one does not hold. */
+static void arrive(const worker *self, size_t lane, double t)
 {
+    const double *varied = self->starts + lane * self->batch->columns;
     const jlt_map_images *out = self->out;
     const size_t point = self->point[lane];
     const jlt_flow *flow = flow_of(self, point);
@@ -208,8 +205,8 @@ static void arrive(const worker *self, size_t lane, const double *varied, double
     const double bound = out->bound == NULL ? INFINITY
                                             : jlt_map_return_bound(&arrival, &(jlt_map_return_steps){ tolerance, 1, 1, 0 }, flow,
                                                                    varied, slope);
-    self->is_doubted[lane] = fabs(defect) > fmin(sqrt(tolerance), bound);
-    if (self->is_doubted[lane]) return;
+    if (fabs(defect) > fmin(sqrt(tolerance), bound)) self->is[lane] = DOUBTED;
+    if (self->is[lane] == DOUBTED) return;
     memcpy(out->q + point * d, q, d * sizeof *q);
     jlt_map_return_restore(slope, flow->chart);
     add(self, point,
@@ -218,12 +215,14 @@ static void arrive(const worker *self, size_t lane, const double *varied, double
         arrival.determinant, defect, bound);
 }
 
+/* A return is stored once its lane has ended: until then its steps may prove to err. */
 static int keep_row(void *context, size_t lane, size_t number, const double *x)
 {
     const worker *self = context;
 
     (void)number;
-    arrive(self, lane, x, x[self->batch->columns - 1]);
+    memcpy(self->starts + lane * self->batch->columns, x, self->batch->columns * sizeof *x);
+    self->is[lane] = BACK;
     return 0;
 }
 
@@ -234,7 +233,7 @@ static int keep_end(void *context, size_t lane, jlt_lane_end end, size_t returns
     (void)returns;
     if (end == JLT_LANE_DONE) return 0;
     memcpy(self->starts + lane * self->batch->columns, x, self->batch->columns * sizeof *x);
-    self->is_on_way[lane] = true;
+    self->is[lane] = end == JLT_LANE_DOUBTED ? DOUBTED : ON_WAY;
     return 0;
 }
 
@@ -246,7 +245,7 @@ static void go_on(worker *self, size_t lane)
 
     if (st == JLT_OK) st = jlt_map_resume(self->alone, varied, &t, self->direction);
     self->out->status[self->point[lane]] = st;
-    if (st == JLT_OK) arrive(self, lane, varied, varied[self->batch->columns - 1] + t);
+    if (st == JLT_OK) arrive(self, lane, varied[self->batch->columns - 1] + t);
 }
 
 /* Make one return of a point alone, where lanes do not serve. */
@@ -256,7 +255,7 @@ static void go_alone(worker *self, size_t point)
     const unsigned d = flow_of(self, point)->chart->dim;
     jlt_image image;
 
-    if (out->status[point] == JLT_OK) out->status[point] = alone(self, point);
+    out->status[point] = alone(self, point);
     if (out->status[point] == JLT_OK)
         out->status[point] = jlt_map_apply(self->alone, &image, out->q + point * d, 1, self->direction);
     if (out->status[point] != JLT_OK) return;
@@ -288,7 +287,7 @@ static size_t lift(const worker *self, size_t first, size_t count, size_t number
         out->status[i] = jlt_map_return_start(start, &self->flux[lanes], flow_of(self, i), out->q + i * d, self->direction);
         if (out->status[i] != JLT_OK) continue;
         start[columns - 1] = 0;
-        self->is_on_way[lanes] = self->is_doubted[lanes] = false;
+        self->is[lanes] = AWAY;
         self->case_of[lanes] = flow_index(self, i);
         self->point[lanes++] = i;
         out->status[i] = JLT_ERR_NO_CONVERGENCE; /* until it has its return */
@@ -303,14 +302,15 @@ static jlt_status one_return(worker *self, size_t first, size_t count, size_t nu
     map.backwards = self->direction < 0;
     map.case_of = self->case_of;
     for (size_t i = first; map.kernels == NULL && i < first + count; i++)
-        if (is_due(self, i, number)) go_alone(self, i);
+        if (self->out->status[i] == JLT_OK && is_due(self, i, number)) go_alone(self, i);
     if (map.kernels == NULL) return JLT_OK;
     const size_t lanes = lift(self, first, count, number);
     if (lanes == 0) return JLT_OK;
     const jlt_status st = jlt_batch_section(&map, self->starts, lanes, 1, keep_row, keep_end, self, NULL);
     for (size_t lane = 0; st == JLT_OK && lane < lanes; lane++) {
-        if (self->is_on_way[lane]) go_on(self, lane);
-        if (self->is_doubted[lane]) go_alone(self, self->point[lane]);
+        if (self->is[lane] == BACK) arrive(self, lane, self->starts[(lane + 1) * self->batch->columns - 1]);
+        if (self->is[lane] == ON_WAY) go_on(self, lane);
+        if (self->is[lane] == DOUBTED) go_alone(self, self->point[lane]);
     }
     return st;
 }

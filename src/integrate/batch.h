@@ -84,10 +84,10 @@ typedef struct {
                                         JLT_BATCH_CONDITIONS_MAX conditions; NULL: not watched */
     const struct jlt_batch_method *method; /* one of jlt_batch_method_at; NULL: the usual one for the tolerance */
     double tolerance;                /* of the local error, in (0, 1): the root mean square over states, the clock added. A state's
-                                        error is relative to max(size, largest |x_j| but for root and angles), or
-                                        JLT_BATCH_SPREAD times
-                                        max(size, |x_i|) if that is less, size being jlt_field_size of the orbit's start; the
-                                        clock's to the former over the size; the root's to the root */
+                                        error is relative to M = max(size, largest |x_j| but for root and angles), or
+                                        JLT_BATCH_SPREAD times max(size, |x_i|) if that is less, size being jlt_field_size of the
+                                        orbit's start; an angle's to max(M, |x_i|); the clock's to M over the size; the root's to
+                                        the root */
     size_t max_steps;                /* of one return, accepted and rejected; one at a bend of the rates, and the few after it,
                                         count an eighth each */
     unsigned threads;                /* 0 and 1: the caller's alone */
