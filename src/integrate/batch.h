@@ -86,8 +86,8 @@ typedef struct {
     double tolerance;                /* of the local error, in (0, 1): the root mean square over states, the clock added. A state's
                                         error is relative to M = max(size, largest |x_j| but for root and angles), or
                                         JLT_BATCH_SPREAD times max(size, |x_i|) if that is less, size being jlt_field_size of the
-                                        orbit's start; an angle's to max(M, |x_i|); the clock's to M over the size; the root's to
-                                        the root */
+                                        orbit's start; an angle's to M, but it may be 64 roundings; the clock's to M over the
+                                        size; the root's to the root */
     size_t max_steps;                /* of one return, accepted and rejected; one at a bend of the rates, and the few after it,
                                         count an eighth each */
     unsigned threads;                /* 0 and 1: the caller's alone */
