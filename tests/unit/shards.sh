@@ -374,4 +374,10 @@ refused() { # SETTINGS COMMAND...: the study's rows are those of the command
 refused 'at = { gamma3 = 0.3; v_nu = 0.7; omega3 = 1.1; };' eigen --at gamma3=0.3,v_nu=0.7,omega3=1.1
 refused 'grid = "2x2"; returns = 1;' fates --grid 2x2 --returns 1
 expect 3 "'over' is of a study" jellett run locus.scene
+# A model's file may have any name.
+printf '%s\n' 'model line' 'param a' 'state x' 'eq x = a*x' > $'li\xffne.tt'
+printf '%b\n' 'model = "li\xffne.tt"; over = { a = (1, 2, 2); };' \
+    'compute = ( { what = "eigen"; sweep = { x = (0.0, 0.0, 1); }; } );' > line.scene
+expect 0 "" jellett sweep line.scene
+expect 0 "rows of: jellett eigen \$'li\\377ne.tt'" jellett merge line.shards
 exit $status
