@@ -390,4 +390,11 @@ printf '%b\n' 'model = "li\xffne.tt"; over = { a = (1, 2, 2); };' \
     'compute = ( { what = "eigen"; sweep = { x = (0.0, 0.0, 1); }; } );' > line.scene
 expect 0 "" jellett sweep line.scene
 expect 0 "rows of: jellett eigen \$'li\\377ne.tt'" jellett merge line.shards
+# The longest name of a database is one beside which SQLite has room for its own.
+long=$(printf 'a%.0s' {1..244})
+expect 0 "" jellett merge line.shards -o "$long.sqlite"
+python3 -c 'import sqlite3, sys
+assert len(list(sqlite3.connect(sys.argv[1]).execute("SELECT * FROM rows"))) == 2' "$long.sqlite" 2> err ||
+    fail "a database with a long name cannot be read"
+expect 5 "File name too long" jellett merge line.shards -o "a$long.sqlite"
 exit $status
