@@ -1,6 +1,7 @@
 #include "cli/merged.h"
 
 #include <errno.h>
+#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -39,6 +40,11 @@ static jlt_exit open_database(jlt_merged *self, const jlt_table_form *form, size
     if (st != JLT_OK) return jlt_command_no_memory();
     if (self->place.temporary == NULL)
         return jlt_command_fail(JLT_EXIT_IO, "cannot write '%s': SQLite goes to files alone", self->path);
+    const char *const slash = strrchr(self->place.target, '/'), *const name = slash != NULL ? slash + 1 : self->place.target;
+    if (strlen(name) + strlen("-wal") > NAME_MAX) { /* none who reads it could open the file beside it */
+        errno = ENAMETOOLONG;
+        return jlt_command_cannot_write(self->path);
+    }
     if (jlt_database_create(&self->database, &message, self->place.temporary, form, over, study) == JLT_OK) return JLT_EXIT_DONE;
     return database_failed(self, message);
 }

@@ -1,5 +1,6 @@
 #include "cli/plot.h"
 
+#include <errno.h>
 #include <math.h>
 #include <stdarg.h>
 #include <string.h>
@@ -282,6 +283,7 @@ jlt_exit jlt_plot_draw(jlt_plot *self)
     size_t size = 0;
     jlt_progress progress;
     jlt_exit code = JLT_EXIT_DONE;
+    int reason = 0;
     jlt_status st = jlt_command_close(&self->script);
 
     if (jlt_command_close(&self->title) != JLT_OK) st = JLT_ERR_NOMEM;
@@ -296,6 +298,7 @@ jlt_exit jlt_plot_draw(jlt_plot *self)
         jlt_progress_start(&progress, "");
         jlt_progress_say(&progress, "the picture is being drawn");
         st = jlt_picture_draw(&picture, &size, whole.text, whole.size);
+        reason = errno;
         jlt_progress_end(&progress);
     }
     if (st == JLT_ERR_UNSUPPORTED)
@@ -305,7 +308,8 @@ jlt_exit jlt_plot_draw(jlt_plot *self)
                                 isnan(self->look->low[0]) && isnan(self->look->low[1]) ? "came out: is every point refused?"
                                                                                        : "lies within --xrange and --yrange");
     else if (st == JLT_ERR_IO)
-        code = jlt_command_fail(JLT_EXIT_IO, "--plot: gnuplot could not draw '%s' (what it says is above)", common->plot);
+        code = jlt_command_fail(JLT_EXIT_IO, "--plot: gnuplot could not draw '%s' (%s)", common->plot,
+                                reason != 0 ? strerror(reason) : "what it says is above");
     else if (st != JLT_OK) code = jlt_command_fail(jlt_command_exit(st), "--plot: %s", jlt_status_text(st));
     else if (code == JLT_EXIT_DONE) code = jlt_command_write(common->plot, picture, size);
     for (int y = 0; y < 2 && code == JLT_EXIT_DONE; y++)

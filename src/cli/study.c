@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "cli/table.h"
+#include "core/memory.h"
 #include "kernel/batch_isa.h"
 #include "kernel/descriptor.h"
 #include "report/json.h"
@@ -174,18 +175,20 @@ static jlt_exit make_manifest(jlt_study *self)
     const jlt_descriptor *model = self->scene->model;
     const char *name = job->model != NULL ? job->model : model->model;
     jlt_way_tables others;
+    JLT_FREED char *typed = jlt_command_line(2, (char *[]){ job->what, (char *)name }); /* a file's name may be no text */
     json_t *options, *whole;
 
+    if (typed == NULL) return jlt_command_no_memory();
     JLT_PASS(jlt_table_others(&others, model, name, "reduction", false));
     options = json_object();
     for (size_t k = 0; k < job->count; k++)
         (void)json_object_set_new(options, job->options[k].name,
                                   job->options[k].value != NULL ? json_string(job->options[k].value) : json_true());
     /* Kernels with four and with eight lanes do the same operations; those with two have no fused multiply-add. */
-    whole = json_pack("{s:i, s:s, s:s, s:o, s:s?, s:I, s:I, s:I, s:s, s:o, s:s}", "format", 1, "command", job->what, "model", name,
-                      "options", options, "over", self->scene->over, "points", (json_int_t)(self->outer * self->inner), "piece",
-                      (json_int_t)self->piece, "pieces", (json_int_t)self->pieces, "version", JLT_VERSION, "kernels",
-                      kernels_of(model, &others), "arithmetic",
+    whole = json_pack("{s:i, s:s, s:s, s:o, s:s?, s:I, s:I, s:I, s:s, s:o, s:s}", "format", 1, "command", job->what, "model",
+                      typed + strlen(job->what) + 1, "options", options, "over", self->scene->over, "points",
+                      (json_int_t)(self->outer * self->inner), "piece", (json_int_t)self->piece, "pieces",
+                      (json_int_t)self->pieces, "version", JLT_VERSION, "kernels", kernels_of(model, &others), "arithmetic",
                       jlt_batch_isa_lanes() > 2 ? "fused" : "plain");
     self->manifest = whole != NULL ? json_dumps(whole, JSON_COMPACT) : NULL;
     json_decref(whole);

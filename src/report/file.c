@@ -12,7 +12,7 @@
 #include <time.h>
 #include <unistd.h>
 
-enum { LINKS_MAX = 40, NAMES_TRIED = 100, MODE = 07777 };
+enum { LINKS_MAX = 40, NAMES_TRIED = 100, ENDING = 7, MODE = 07777 };
 
 /* The length of a path up to and with its last slash; 0 if there is none. */
 static size_t folder_length(const char *path)
@@ -42,11 +42,11 @@ static char *follow(const char *path)
     return NULL;
 }
 
-/* Create a file beside the target under an unused name, by open(), not mkstemp(), so that the umask decides its mode. Returns
- * its descriptor; -1: errno says why. */
+/* Create a file beside the target under an unused name, the target's with an ending in place of what is too long, by open(), not
+ * mkstemp(), so that the umask decides its mode. Returns its descriptor; -1: errno says why. */
 static int make_temporary(jlt_file *self)
 {
-    const size_t room = strlen(self->target) + 8;
+    const size_t room = strlen(self->target) + ENDING + 1, most = folder_length(self->target) + NAME_MAX - ENDING;
     struct timespec now = { 0 };
     int descriptor = -1;
 
@@ -55,7 +55,7 @@ static int make_temporary(jlt_file *self)
     clock_gettime(CLOCK_REALTIME, &now);
     for (uint32_t i = 0; i < NAMES_TRIED; i++) {
         const uint32_t word = ((uint32_t)now.tv_nsec + (uint32_t)getpid() * 0x9e3779b1u + i) % 0x1000000u;
-        snprintf(self->temporary, room, "%s.%06x", self->target, (unsigned)word);
+        snprintf(self->temporary, room, "%.*s.%06x", (int)most, self->target, (unsigned)word);
         descriptor = open(self->temporary, O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
         if (descriptor >= 0 || errno != EEXIST) break;
     }

@@ -84,19 +84,12 @@ static char *read_all(int descriptor, size_t *size)
     return data;
 }
 
-/* In the child. If standard input or output were closed, script or pipe may have their numbers: move both out of the way before
- * dup2. */
+/* In the child. Its standard descriptors are open, so that script, picture and words are none of them. */
 static void run_gnuplot(int script, int picture, int words)
 {
     prctl(PR_SET_PDEATHSIG, SIGKILL); /* when the parent ends, nobody reads the picture */
-    script = fcntl(script, F_DUPFD, STDERR_FILENO + 1);
-    picture = fcntl(picture, F_DUPFD, STDERR_FILENO + 1);
-    if (dup2(script, STDIN_FILENO) == STDIN_FILENO && dup2(picture, STDOUT_FILENO) == STDOUT_FILENO
-        && dup2(words, STDERR_FILENO) == STDERR_FILENO) {
-        close(script);
-        close(picture);
+    if (dup2(script, STDIN_FILENO) >= 0 && dup2(picture, STDOUT_FILENO) >= 0 && dup2(words, STDERR_FILENO) >= 0)
         execlp("gnuplot", "gnuplot", "-d", "-", (char *)NULL);
-    }
     _exit(127);
 }
 
@@ -107,20 +100,23 @@ void jlt_picture_terminal(FILE *stream, const char *path, const jlt_look *look)
     fputs("\nset encoding utf8\nset minussign\n", stream);
 }
 
-/* Why gnuplot failed, from its words: EMPTY, there is nothing to draw; IO for any other reason, and the words are passed on. */
+/* Why gnuplot failed, from its words: EMPTY, there is nothing to draw; IO for any other reason, and the words are passed on; errno
+ * is 0 if there are any. */
 static jlt_status failure(FILE *words)
 {
     char text[4096];
     size_t length;
     bool empty = false;
+    int reason = ECANCELED;
 
     rewind(words);
     while (fgets(text, sizeof text, words) != NULL)
         empty = empty || strstr(text, "value undefined") != NULL || strstr(text, "range is invalid") != NULL;
     if (empty) return JLT_ERR_EMPTY;
     rewind(words);
-    while ((length = fread(text, 1, sizeof text, words)) > 0)
+    for (; (length = fread(text, 1, sizeof text, words)) > 0; reason = 0)
         if (write(STDERR_FILENO, text, length) < 0) break; /* there is nowhere else to say it */
+    errno = reason;
     return JLT_ERR_IO;
 }
 
@@ -146,13 +142,10 @@ jlt_status jlt_picture_draw(char **picture, size_t *size, const char *whole, siz
     *picture = NULL;
     if (script == NULL || words == NULL) goto done;
     if (fwrite(whole, 1, length, script) != length || fflush(script) != 0 || fseek(script, 0, SEEK_SET) != 0) goto done;
-    if (pipe(channel) != 0) goto done;
+    if (pipe2(channel, O_CLOEXEC) != 0) goto done;
     child = fork();
     if (child < 0) goto done;
-    if (child == 0) {
-        close(channel[0]);
-        run_gnuplot(fileno(script), channel[1], fileno(words));
-    }
+    if (child == 0) run_gnuplot(fileno(script), channel[1], fileno(words));
     close(channel[1]);
     channel[1] = -1;
     *picture = read_all(channel[0], size);
@@ -160,7 +153,7 @@ jlt_status jlt_picture_draw(char **picture, size_t *size, const char *whole, siz
     channel[0] = -1;
     while (waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
     if (*picture == NULL) st = JLT_ERR_NOMEM;
-    else if (WIFEXITED(status) && WEXITSTATUS(status) == 127) st = JLT_ERR_UNSUPPORTED;
+    else if (WIFEXITED(status) && WEXITSTATUS(status) == 127 && lseek(fileno(words), 0, SEEK_END) == 0) st = JLT_ERR_UNSUPPORTED;
     else if (WIFEXITED(status) && WEXITSTATUS(status) == 0 && *size > 0) st = JLT_OK;
     else st = failure(words);
 done:

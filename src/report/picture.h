@@ -18,7 +18,8 @@ void jlt_picture_terminal(FILE *stream, const char *path, const jlt_look *look);
 
 /** Run gnuplot on a script. In: whole, `length` bytes, without `set output`. Out: *picture, `*size` bytes, for the caller to
  *  free(). Errors: UNSUPPORTED (gnuplot is not found), EMPTY (there are no data, or none within the ranges of the axes), IO
- *  (gnuplot failed, and what it said is passed on to standard error), NOMEM. Cost: a process, about 0.1 s. */
+ *  (gnuplot failed: errno is 0 if what it said is passed on to standard error, else it says why), NOMEM. Cost: a process, about
+ *  0.1 s. */
 JLT_CHECKED jlt_status jlt_picture_draw(char **picture, size_t *size, const char *whole, size_t length);
 
 #endif

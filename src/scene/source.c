@@ -8,6 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "ext/number.h"
+
 static jlt_status read_file(char **text, size_t *size, const jlt_value_reader *r)
 {
     FILE *file = fopen(r->file, "r");
@@ -55,12 +57,13 @@ static const char *skip_text(const char *at)
     return *at == '"' ? at + 1 : at;
 }
 
-/* The end of the number, without a sign, that begins here. Out: *too_large, it is an integer that overflows; *other_base, it is
- * hexadecimal, binary or octal. */
-static const char *skip_number(const char *at, bool *too_large, bool *other_base)
+/* The end of the number, without a sign, that begins here. Out: *too_large, it is an integer that overflows; *outside, it is no
+ * integer, and no double is near it; *other_base, it is hexadecimal, binary or octal. */
+static const char *skip_number(const char *at, bool *too_large, bool *outside, bool *other_base)
 {
     const char *end = at;
     bool whole = true;
+    double ignored;
     char *last;
 
     while (isalnum((unsigned char)*end) || *end == '.') {
@@ -73,6 +76,7 @@ static const char *skip_number(const char *at, bool *too_large, bool *other_base
     const unsigned long long most = *last == 'L' ? LLONG_MAX : INT_MAX;
     *other_base = at[0] == '0' && at[1] != '\0' && strchr("xXbBoOqQ", at[1]) != NULL;
     *too_large = whole && (errno == ERANGE || value > most);
+    *outside = !whole && jlt_number_parse(&ignored, at, (size_t)(end - at)) != JLT_OK;
     return end;
 }
 
@@ -82,13 +86,16 @@ static jlt_status check(const char *text, const jlt_value_reader *r)
     int line = 1;
 
     while (*at != '\0') {
-        bool too_large = false, other_base = false;
+        bool too_large = false, outside = false, other_base = false;
         next = skip_text(at);
         if (next == NULL && strncmp(at, "@include", 8) == 0)
             return jlt_value_complain(r, line, "@include is not for scenes: a scene is one file");
-        if (next == NULL && isdigit((unsigned char)*at)) next = skip_number(at, &too_large, &other_base);
+        if (next == NULL && isdigit((unsigned char)at[*at == '.'])) next = skip_number(at, &too_large, &outside, &other_base);
         if (other_base)
             return jlt_value_complain(r, line, "%.*s: numbers are decimal", next - at > 64 ? 64 : (int)(next - at), at);
+        if (outside)
+            return jlt_value_complain(r, line, "%.*s is no number in the range of doubles, 2.3e-308 to 1.8e308",
+                                      next - at > 64 ? 64 : (int)(next - at), at);
         if (too_large)
             return jlt_value_complain(r, line,
                                       "the whole number %.*s is too large (up to 9223372036854775807 it takes an L behind it; "

@@ -103,4 +103,11 @@ for command in "$section" "measure --set I3=0" "eigen --set a3=0 --at gamma3=0.3
     jellett $command -o kept.csv --plot none/p.svg 2> err
     [ $? -eq 5 ] && [ ! -e kept.csv ] || fail "$command: a picture in no folder: $(cat err)"
 done
+# Where gnuplot cannot be run, the reason is told.
+(ulimit -n 5; jellett $section -o kept.csv --plot p.svg 2> err)
+[ $? -eq 5 ] && grep -q 'Too many open files' err || fail "few descriptors: $(cat err)"
+# The longest name that a file can have is one for results.
+long=$(printf 'a%.0s' {1..251})
+jellett $section -o "$long.csv" --plot "$long.svg" 2> err && [ -s "$long.csv" ] && [ -s "$long.svg" ] || fail "long: $(cat err)"
+[ "$(find . -name 'aaa*' | wc -l)" -eq 2 ] || fail "left beside long names: $(find . -name 'aaa*')"
 exit $status

@@ -139,6 +139,16 @@ expect 0 "" jellett sweep own.scene
 if grep -qw fma /proc/cpuinfo; then # else vectors are alike
     expect 3 'arithmetic: there "fused", here "plain"' env JELLETT_LANES=2 jellett sweep own.scene --resume
 fi
+# Vectors of four and of eight numbers have the same rows, functions in the table or not: their shards may be merged.
+printf '%s\n' 'model waves' 'state phi' 'state q' 'state p' 'angle c s = cos(q) sin(q)' 'angle C S = cos(phi) sin(phi)' \
+    'exp e = exp(-p^2)' 'log l = log(2 + c)' 'eq phi = 1' 'eq q = p' 'eq p = -s + 3*S*s/10 + e/10 - l*p/100' \
+    'periodic phi = 2*pi' 'periodic q = 2*pi' > waves.tt
+for lanes in 4 8; do
+    for ask in "--section phi=0 --grid q=-3:3:9,p=-2:2:9" "--section p=0 --grid q=3:3:1,phi=0.5:0.5:1"; do # the latter for long
+        JELLETT_LANES=$lanes jellett section ./waves.tt $ask --returns 5 2> err | rows
+    done > lanes.$lanes
+done
+[ "$(grep -c 'alive$' lanes.4)" -eq 490 ] && cmp lanes.4 lanes.8 || fail "eight lanes have other rows than four"
 echo "# edited" >> own.tt
 expect 3 "kernels.lorenz: there" jellett sweep own.scene --resume
 # All pieces are of the table that the study was opened with, although it is edited while they are computed; --resume sees it.
@@ -374,4 +384,17 @@ refused() { # SETTINGS COMMAND...: the study's rows are those of the command
 refused 'at = { gamma3 = 0.3; v_nu = 0.7; omega3 = 1.1; };' eigen --at gamma3=0.3,v_nu=0.7,omega3=1.1
 refused 'grid = "2x2"; returns = 1;' fates --grid 2x2 --returns 1
 expect 3 "'over' is of a study" jellett run locus.scene
+# A model's file may have any name.
+printf '%s\n' 'model line' 'param a' 'state x' 'eq x = a*x' > $'li\xffne.tt'
+printf '%b\n' 'model = "li\xffne.tt"; over = { a = (1, 2, 2); };' \
+    'compute = ( { what = "eigen"; sweep = { x = (0.0, 0.0, 1); }; } );' > line.scene
+expect 0 "" jellett sweep line.scene
+expect 0 "rows of: jellett eigen \$'li\\377ne.tt'" jellett merge line.shards
+# The longest name of a database is one beside which SQLite has room for its own.
+long=$(printf 'a%.0s' {1..244})
+expect 0 "" jellett merge line.shards -o "$long.sqlite"
+python3 -c 'import sqlite3, sys
+assert len(list(sqlite3.connect(sys.argv[1]).execute("SELECT * FROM rows"))) == 2' "$long.sqlite" 2> err ||
+    fail "a database with a long name cannot be read"
+expect 5 "File name too long" jellett merge line.shards -o "a$long.sqlite"
 exit $status
