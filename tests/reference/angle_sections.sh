@@ -63,8 +63,14 @@ awk -F, '/^0,0,/ { exit !(($5^2 - 5)^2 < 1e-24) }' out || fail "the level of H: 
 
 # What cannot be an angle, and what else is refused.
 start=(--start theta=0,v=0)
-expect 3 "phi is no angle: the field of forced_pendulum changes when it grows by 6" \
+expect 3 "phi is no angle: the field of forced_pendulum, its domain or a condition changes when it grows by 6" \
     jellett section ./forced_pendulum.tt --section phi=0 --modulo phi=6 "${start[@]}"
+# Nor is what has an interval, or what changes a condition: within half a turn of the section other points are outside.
+for bound in 'state b in (-1, 100)' $'state b\ndomain inside : b + 1 > 0' $'state b\nvalid inside : b + 1 > 0'; do
+    printf '%s\n' 'model bounded' "$bound" 'state a' 'angle c s = cos(b) sin(b)' 'eq b = 1' 'eq a = c' > bounded.tt
+    expect 3 'b is no angle: the field of bounded, its domain or a condition' \
+        jellett section ./bounded.tt --section b=0 --modulo 'b=2*pi' --start a=0 --returns 3
+done
 expect 3 "v is no angle" jellett section ./forced_pendulum.tt --section phi=0 --modulo v=1 "${start[@]}"
 expect 3 "the period of phi must be positive" jellett section ./forced_pendulum.tt --section phi=0 --modulo phi=-1 "${start[@]}"
 expect 3 "has no state 'psi'" jellett section ./forced_pendulum.tt --section phi=0 --modulo psi=1 "${start[@]}"
