@@ -2,8 +2,9 @@
  *  copies.
  *
  *  The includer defines JLT_LANES as 1, 2, 4 or 8 first. Arithmetic is the compilers' own on vector types, lane by lane as in
- *  scalar code; only the fused multiply-add and the square root need the instruction set's own names. Without FMA in the
- *  target a*b + c is rounded twice, as the scalar kernels do there. */
+ *  scalar code; the fused multiply-add and the square root need the instruction set's own names, and functions of the C library
+ *  are those on vectors, to other last bits, where there are such. Without FMA in the target a*b + c is rounded twice, as the
+ *  scalar kernels do there. */
 #ifndef JLT_LANES_H
 #define JLT_LANES_H
 
