@@ -375,7 +375,8 @@ jlt_exit jlt_motion_plane_system(jlt_system **system, const jlt_motion_options *
     if (code == JLT_EXIT_DONE) {
         const jlt_status st = jlt_motion_plane_make(&plane, system, &no_angle);
         if (no_angle < descriptor->state_count)
-            code = jlt_command_fail(JLT_EXIT_INPUT, "--modulo: %s is no angle: the field of %s changes when it grows by %.17g",
+            code = jlt_command_fail(JLT_EXIT_INPUT, "--modulo: %s is no angle: the field of %s, its domain or a condition changes "
+                                    "when it grows by %.17g",
                                     descriptor->states[no_angle].name, descriptor->model, plane.periods[no_angle]);
         else if (st != JLT_OK) code = jlt_motion_no_plane(st, descriptor->model);
         else if (options->mirror != NULL && plane.mirrored && !jlt_system_is_reversed(*system, plane.signs))

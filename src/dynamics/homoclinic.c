@@ -183,8 +183,8 @@ static jlt_status angles_again(jlt_homoclinic *points, size_t count, const jlt_b
 }
 
 /* Set angle_error to twice the largest change of the angle by another tolerance, by a beginning nearer to the saddle, and by both
- * another tolerance and bent branches; to what an error of one tolerance in both tangents makes, if that is more: all changes may
- * happen to be small. */
+ * another tolerance and bent branches; to what an error of one tolerance, or of the residual, in both tangents makes, if that is
+ * more: all changes may happen to be small. */
 static jlt_status angle_errors(jlt_homoclinic *points, size_t count, const jlt_branch *const branches[2], jlt_map_batch *fine,
                                jlt_map_batch *coarse)
 {
@@ -196,7 +196,7 @@ static jlt_status angle_errors(jlt_homoclinic *points, size_t count, const jlt_b
     JLT_PASS(angles_again(points, count, branches, fine, false, true, room));
     JLT_PASS(angles_again(points, count, branches, coarse, true, false, room));
     for (size_t i = 0; i < count; i++) {
-        const double least = jlt_map_batch_tolerance(fine) * points[i].turn;
+        const double least = fmax(jlt_map_batch_tolerance(fine), points[i].residual) * points[i].turn;
         points[i].angle_error = points[i].angle_error < least / 2 ? least : 2 * points[i].angle_error; /* may be NaN */
     }
     return JLT_OK;

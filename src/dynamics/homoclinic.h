@@ -12,7 +12,7 @@ typedef struct {
     double sigma_unstable, sigma_stable; /* parameters on the two branches */
     double angle;       /* from the unstable to the stable tangent as lines, in (-pi/2, pi/2], in section coordinates */
     double angle_error; /* twice the largest change of angle by a tolerance ten times larger, also on bent branches, or by branches
-                           that begin nearer to the saddle; at least the tolerance times `turn` */
+                           that begin nearer to the saddle; at least the tolerance, or the residual, times `turn` */
     double turn;        /* of the angle, for a unit of error across both tangents in scaled coordinates */
     double residual;    /* distance of the two branches' points after refinement */
     struct {

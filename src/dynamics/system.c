@@ -7,6 +7,7 @@
 #include "dynamics/chart_counted.h"
 #include "integrate/conserved.h"
 #include "kernel/descriptor.h"
+#include "kernel/region.h"
 
 static void set_units(jlt_system *self, const jlt_units *units)
 {
@@ -130,7 +131,7 @@ jlt_status jlt_system_plane(jlt_system **out, const jlt_descriptor *descriptor, 
     return JLT_OK;
 }
 
-enum { POINTS = 5, PARTS = 16 };
+enum { POINTS = 5, PARTS = 16, VALUES_MAX = JLT_CHART_STATES_MAX + JLT_REGION_CONDITIONS_MAX + JLT_OBSERVED_CONDITIONS_MAX };
 
 /* Compute the field at x, in the table's units. Returns false if it is not finite. */
 static bool field_at(const jlt_system *self, const double *x, double *f)
@@ -142,25 +143,38 @@ static bool field_at(const jlt_system *self, const double *x, double *f)
     return finite;
 }
 
-/* Whether the field at x repeats after a period of the state, to rounding, in every component. */
+/* Compute the field at x, then the conditions of `domain` and `valid`. Returns how many values these are; 0: no field is there. */
+static unsigned model_at(const jlt_system *self, const double *x, double *values)
+{
+    const unsigned n = self->field.dim, valid = jlt_observed_conditions(self->observed);
+    unsigned count = n + self->field.domain.conditions;
+
+    if (!field_at(self, x, values)) return 0;
+    if (count > n) self->field.domain.values(x, self->told->prepared, values + n);
+    for (unsigned i = 0; i < valid; i++)
+        values[count++] = jlt_observed_condition_value(&(jlt_observed_one){ self->observed, i }, x);
+    return count;
+}
+
+/* Whether the model at x repeats after a period of the state, to rounding, in every component and condition. */
 static bool is_period(const jlt_system *self, double *x, unsigned state, double period)
 {
     static const double same = 1e-9;      /* relative to the change over a period: rounding of the period, times slopes */
     static const double rounding = 1e-13; /* relative to a component, whose terms may be larger */
-    const unsigned n = self->field.dim;
+    const jlt_quantity *of = &self->told->descriptor->states[state];
     const double at = x[state];
-    double f[JLT_CHART_STATES_MAX], there[JLT_CHART_STATES_MAX], changes[JLT_CHART_STATES_MAX] = { 0 };
-    bool repeats = field_at(self, x, f);
+    double f[VALUES_MAX], there[VALUES_MAX], changes[VALUES_MAX] = { 0 };
+    const unsigned count = model_at(self, x, f);
+    bool repeats = count > 0 && isinf(of->low) && isinf(of->high), known = false;
 
-    for (int k = 1; repeats && k < PARTS; k++) {
+    for (int k = 1; repeats && k <= PARTS; k++) {
         x[state] = at + period * k / PARTS;
-        if (field_at(self, x, there))
-            for (unsigned i = 0; i < n; i++) changes[i] = fmax(changes[i], fabs(there[i] - f[i]));
+        known = model_at(self, x, there) > 0;
+        for (unsigned i = 0; known && i < count; i++) changes[i] = fmax(changes[i], fabs(there[i] - f[i]));
     }
-    x[state] = at + period;
-    repeats = repeats && x[state] != at && field_at(self, x, there);
+    repeats = repeats && known && x[state] != at;
     x[state] = at;
-    for (unsigned i = 0; repeats && i < n; i++)
+    for (unsigned i = 0; repeats && i < count; i++)
         repeats = fabs(there[i] - f[i]) <= same * changes[i] + rounding * fmax(fabs(f[i]), fabs(there[i]));
     return repeats;
 }

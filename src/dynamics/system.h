@@ -41,8 +41,8 @@ JLT_CHECKED jlt_status jlt_system_plane(jlt_system **out, const jlt_descriptor *
                                         unsigned column, double level, const int *signs, const jlt_flow *options);
 
 /** Declare states of a plane section to be angles: periods, shape (states,), 0 for a state that is none. Call it before
- *  jlt_system_levels. Errors: DOMAIN, a period that the table does not prove and that the field does not have at one of five test
- *  points; *state is then the index of that state. */
+ *  jlt_system_levels. Errors: DOMAIN, a period that the table does not prove, of a state that has an interval, or one that field,
+ *  domain and conditions do not have at one of five test points; *state is then the index of that state. */
 JLT_CHECKED jlt_status jlt_system_angles(jlt_system *self, const double *periods, unsigned *state);
 
 /** Whether the field of a plane section is reversed by x -> signs * x, shape (states,), to rounding at five test points: an orbit's

@@ -63,8 +63,14 @@ awk -F, '/^0,0,/ { exit !(($5^2 - 5)^2 < 1e-24) }' out || fail "the level of H: 
 
 # What cannot be an angle, and what else is refused.
 start=(--start theta=0,v=0)
-expect 3 "phi is no angle: the field of forced_pendulum changes when it grows by 6" \
+expect 3 "phi is no angle: the field of forced_pendulum, its domain or a condition changes when it grows by 6" \
     jellett section ./forced_pendulum.tt --section phi=0 --modulo phi=6 "${start[@]}"
+# Nor is what has an interval, or what changes a condition: within half a turn of the section other points are outside.
+for bound in 'state b in (-1, 100)' $'state b\ndomain inside : b + 1 > 0' $'state b\nvalid inside : b + 1 > 0'; do
+    printf '%s\n' 'model bounded' "$bound" 'state a' 'angle c s = cos(b) sin(b)' 'eq b = 1' 'eq a = c' > bounded.tt
+    expect 3 'b is no angle: the field of bounded, its domain or a condition' \
+        jellett section ./bounded.tt --section b=0 --modulo 'b=2*pi' --start a=0 --returns 3
+done
 expect 3 "v is no angle" jellett section ./forced_pendulum.tt --section phi=0 --modulo v=1 "${start[@]}"
 expect 3 "the period of phi must be positive" jellett section ./forced_pendulum.tt --section phi=0 --modulo phi=-1 "${start[@]}"
 expect 3 "has no state 'psi'" jellett section ./forced_pendulum.tt --section phi=0 --modulo psi=1 "${start[@]}"
@@ -140,6 +146,15 @@ for way in up down both; do
 done
 as_alone "${strobe[@]}" --grid theta=-2:3:4,v=-3:4:4 --returns 3
 as_alone "${strobe[@]}" --set k=0.01,w=0.2 --grid theta=-2:3:4,v=-1:1:3 --returns 2
+# Where another angle has made thousands of turns, what rounding does to it is no error of steps: the orbit stays in lanes, and its
+# first rows are those of a shorter run.
+printf '%s\n' 'model wheel' 'state x' 'state y' 'state z' 'angle c s = cos(z) sin(z)' 'eq x = y' 'eq y = -x - x^3 + c/10' \
+    'eq z = 5 + x/3' 'periodic z = 2*pi' > wheel.tt
+for n in 99 999; do
+    expect 0 "^7,$n," jellett section ./wheel.tt --section x=0 --grid y=0.5:2:8,z=0 --returns $n
+    grep -E '^[0-7],[0-9]{1,2},' out > first_$n
+done
+cmp -s first_99 first_999 || fail "rows of a long run differ: $(diff first_99 first_999 | head -4)"
 # The other way round and round it is met never, and that ends.
 printf '%s\n' 'model mill' 'state b' 'state t' 'eq b = -1' 'eq t = 1' 'periodic b = 2*pi' > mill.tt
 expect 0 '^0,1,[0-9.]*,,budget' jellett section ./mill.tt --section b=1 --start t=0 --returns 1
