@@ -187,7 +187,9 @@ static bool tell(ttc_task *task, ttc_valuation *valuation, ttc_id id, ttc_relati
 {
     if (follows(task, valuation, id, relation, false, negative)) return true;
     /* Where the whole has another sign, what its parts can be, which may take long, does not matter. */
-    if (valuation == task->field && (ttc_task_signs_at_points(task, id) & ~ttc_conditions_signs_in(relation)) != 0) return false;
+    const bool is_known = negative != NULL && negative->is_known;
+    if (!is_known && valuation == task->field && (ttc_task_signs_at_points(task, id) & ~ttc_conditions_signs_in(relation)) != 0)
+        return false;
     return follows(task, valuation, id, relation, true, NULL);
 }
 

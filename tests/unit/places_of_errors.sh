@@ -139,4 +139,10 @@ for command in check prove discover; do
     ttc $command --json $'named\xff.tt' 2> err | jq -e '[.] | flatten | .[0].file == "named?.tt"' > /dev/null ||
         fail "$command --json loses a table whose name is not UTF-8"
 done
+
+# The value that refutes a claim is that of the point: left of a jump, -1/2.
+printf '%s\n' 'model jumps' 'state x' 'root q = sqrt((x - 1)^2)' 'exp e = exp(x)' 'eq x = 0' \
+    'positive jump : (x - 1)/q + 1/2' > jumps.tt
+ttc prove jumps.tt > out 2> err
+grep -A 1 'not positive: jump = (-1)/(2)$' out | grep -q 'false at x = 0' || fail "a jump is refuted by: $(grep -A 1 positive: out)"
 exit $status
