@@ -105,7 +105,8 @@ typedef void (*jlt_kernel_stages_varied)(const double *JLT_RESTRICT x, double *J
 typedef void (*jlt_kernel_lanes_jet)(const double *JLT_RESTRICT x, const double *JLT_RESTRICT p, unsigned order,
                                      double *JLT_RESTRICT coefficients, size_t stride);
 
-/* The batched kernels for one instruction set: every lane does what the scalar kernel does, in the same order. */
+/* The batched kernels for one instruction set: every lane does what the scalar kernel does, in the same order; functions of the C
+ * library may have other last bits there. */
 typedef struct {
     const char *isa; /* "baseline", "avx2" (with FMA) or "avx512": what the processor must have */
     unsigned lanes;
