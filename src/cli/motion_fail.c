@@ -86,6 +86,9 @@ jlt_exit jlt_motion_no_reversor(const jlt_system *system, const char *what)
     if (system->surface != NULL && has_reversor(system))
         return jlt_command_fail(JLT_EXIT_INPUT, "%s: that of %s does more to the coordinates of %s than change signs: take another "
                                 "--section", what, d->model, system->surface->section->name);
+    if (chart->turns_over)
+        return jlt_command_fail(JLT_EXIT_INPUT, "%s: the reversor changes the sign of a state of --solve, and so leads to another "
+                                "branch: solve for states that it keeps", what);
     return jlt_command_fail(JLT_EXIT_INPUT, "%s: write 'reversor STATE -> -STATE' in the table of %s%s", what, d->model,
                             system->surface == NULL ? ", or --mirror STATE,..." : "");
 }
