@@ -76,18 +76,22 @@ void ttc_compiler_add_flags(ttc_text *text, unsigned lanes)
     if (library != NULL) ttc_text_format(text, "%s ", library);
 }
 
+static bool is_program(const char *path)
+{
+    struct stat found;
+    return stat(path, &found) == 0 && S_ISREG(found.st_mode) && access(path, X_OK) == 0;
+}
+
 char *ttc_compiler_find(void)
 {
     const char *named = getenv("CC"), *path = getenv("PATH");
     const char *name = named != NULL && *named != '\0' ? named : "cc";
-    if (strchr(name, '/') != NULL) return access(name, X_OK) == 0 ? strdup(name) : NULL;
+    if (strchr(name, '/') != NULL) return is_program(name) ? strdup(name) : NULL;
     for (const char *at = path; at != NULL && *at != '\0';) {
         const size_t length = strcspn(at, ":");
-        struct stat found;
         ttc_text file = { 0 };
         ttc_text_format(&file, "%.*s/%s", length > 0 ? (int)length : 1, length > 0 ? at : ".", name);
-        if (!file.failed && stat(file.bytes, &found) == 0 && S_ISREG(found.st_mode) && access(file.bytes, X_OK) == 0)
-            return file.bytes;
+        if (!file.failed && is_program(file.bytes)) return file.bytes;
         ttc_text_clear(&file);
         at += length + (at[length] == ':');
     }
@@ -264,7 +268,7 @@ static bool link_all(const char *compiler, const file_list *objects, bool balls,
     for (size_t i = 0; i < objects->count; i++) arguments[n++] = objects->names[i];
     if (library != NULL) arguments[n++] = library;
     arguments[n++] = "-lm";
-    const bool ok = start(compiler, (char *const *)arguments, false) > 0 && finish_one();
+    const bool ok = start(compiler, (char *const *)arguments, false) > 0 && finish_one() && access(target, R_OK) == 0;
     free(arguments);
     return ok;
 }

@@ -76,7 +76,7 @@ static int make(ttc_cache *cache, const char *key, ttc_model *model, const char 
     generate.extent = TTC_WITHOUT_ELIMINATIONS;
     int status = object.failed ? TTC_EXIT_MEMORY : ttc_command_generate_models(&model, 1, &generate);
     if (status == TTC_EXIT_DONE && !ttc_compile_folder(compiler, workshop, options->lanes, object.bytes))
-        status = fail(TTC_EXIT_IO, "the C compiler %s failed; what it says is above", compiler);
+        status = fail(TTC_EXIT_IO, "the C compiler %s makes no shared object; what it says of it, if anything, is above", compiler);
     if (status != TTC_EXIT_DONE) ttc_cache_clear_workshop(workshop);
     else if (!ttc_cache_publish(cache, key, object.bytes, workshop))
         status = cannot(cache, "write to");
