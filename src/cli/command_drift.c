@@ -226,7 +226,7 @@ static jlt_exit draw(const report *r, const options *o, unsigned drawn)
     jlt_plot_value(&plot, "tolerance", o->motion.flow.tolerance);
     if (o->project) jlt_plot_words(&plot, ", projected");
     jlt_plot_log(&plot, 'x', "returns", JLT_EXTENT_OPEN, 10);
-    jlt_plot_log(&plot, 'y', "relative drift, at least 10^{−17}", JLT_EXTENT_OPEN, 10);
+    jlt_plot_log(&plot, 'y', "drift ≥ 10^{−17}", JLT_EXTENT_OPEN, 10);
     fputs(JLT_LOOK_GRID "plot ", stream);
     for (size_t m = 0; jlt_method_at(m) != NULL; m++) {
         const char *name = jlt_method_at(m)->name;

@@ -100,11 +100,12 @@ const char *jlt_plot_timed(const jlt_descriptor *model, const char *in_seconds, 
     return jlt_units_has_time(model) ? in_seconds : without;
 }
 
-/* The least margin beside stacked panels, in units of the font size; on the right, that of keys. */
-enum { MARGIN = 6 };
+/* The least margin beside stacked panels, in units of the font size; on the right, that of keys. Panels that are not stacked have
+ * a title, labels and a key each, of the height LABELS. */
+enum { MARGIN = 6, LABELS = 9 };
 
 /* How many panels share the picture in the direction of an axis, for jlt_look_axis, which gives axes three fourths of a width and
- * 0.65 of a height. Panels that are not stacked have a title, labels and a key each, nine lines high. */
+ * 0.65 of a height. */
 static double panels_along(const jlt_plot *self, char axis)
 {
     const double em = jlt_look_points(self->look) * 2.54 / 72, width = self->look->width / em, height = self->look->height / em;
@@ -114,7 +115,7 @@ static double panels_along(const jlt_plot *self, char axis)
     if (axis == 'y') {
         fflush(self->title.stream);
         const double title = 1.2 * jlt_look_lines(NULL, self->look, self->title.text, true);
-        return fmax(1, 0.65 * height / fmax(1, (height - title) / self->rows - 9));
+        return fmax(1, 0.65 * height / fmax(1, (height - title) / self->rows - LABELS));
     }
     if (self->stacked || self->rows == 0) return 0.75 / (1 - (MARGIN + fmax(MARGIN, self->beside)) / width);
     /* to scale, the axes of a panel are as long as its shorter side */
@@ -219,14 +220,14 @@ static unsigned write_title(FILE *stream, const jlt_plot *self)
     return text != NULL && *text == '\0' ? 0 : lines;
 }
 
-/* Cut the caption to its first line if stacked panels would otherwise be too low, or others lower than a fourth of what they share:
- * six lines of each are labels and key. */
+/* Cut the caption to its first line if stacked panels would otherwise be too low, or others lower than a fourth of what they
+ * share. */
 static void shorten_title(jlt_plot *self)
 {
     const double letters = jlt_plot_height(self), rows = fmax(1, self->rows);
     const double title = 1.2 * jlt_look_lines(NULL, self->look, self->title.text, true);
 
-    if (self->stacked ? letters - title - 5 < 3.8 * rows : letters - title - 6 * rows < letters / 4)
+    if (self->stacked ? letters - title - 5 < 3.8 * rows : letters - title - LABELS * rows < letters / 4)
         self->title.text[strcspn(self->title.text, "\n")] = '\0';
 }
 

@@ -113,6 +113,18 @@ static void parse_style(jlt_look *look, const char *value, const struct argp_sta
     }
 }
 
+/* A line of title, labels and key leave axes four lines at least in the height, in the width the key has room for its longest
+ * entry. What this program chooses is smaller. */
+static void check_points(const jlt_look *look, const struct argp_state *state)
+{
+    enum { LINES = 14, LETTERS = 21 };
+    const double most = floor(10 * fmin(look->height / LINES, look->width / LETTERS) * 72 / 2.54) / 10;
+
+    if (look->points > most)
+        argp_error(state, "--font: letters of %g points leave no room for axes in %gx%gcm: %g points at most, or another --size",
+                   look->points, look->width, look->height, most);
+}
+
 /* The axes have no room any more where a title takes half of the height. */
 static void check_title(const jlt_look *look, const struct argp_state *state)
 {
@@ -138,7 +150,10 @@ static error_t parse(int key, char *value, struct argp_state *state)
         look->title = value;
         break;
     case STYLE: parse_style(look, value, state); break;
-    case ARGP_KEY_END: check_title(look, state); return 0;
+    case ARGP_KEY_END:
+        check_points(look, state);
+        check_title(look, state);
+        return 0;
     default: return ARGP_ERR_UNKNOWN;
     }
     look->asked = true;

@@ -143,6 +143,14 @@ for lines in 8 9; do
 done
 [ ! -e rows_9.csv ] && grep -q '9 lines are more than half of the height' log || fail "a title of 9 lines: $(cat log)"
 
+# Letters that would leave no room for axes are refused, whatever is drawn; of those that leave some, the caption keeps to one line.
+expect 2 '^jellett simulate: --font: letters of 14 points leave no room for axes in 7x6cm: 9.4 points at most, or another --size$' \
+    "${base[@]}" --size 7x6cm --font Times,14 --plot small.svg -o small.csv
+[ ! -e small.svg ] && [ ! -e small.csv ] || fail "letters of 14 points: something is written"
+jellett section --grid 2x2 --returns 2 --size 8x6cm --font Times,10 --plot p.svg --keep p.gp -o rows.csv 2> log ||
+    fail "letters of 10 points: $(cat log)"
+! grep -q '^set title .*I_' p.gp || fail "a caption of parameters takes the room of axes: $(grep '^set title' p.gp)"
+
 # A letter that no font has is named, where the picture is drawn here.
 base_title() { "${base[@]}" --title "$1" --plot p.$2 -o rows.csv 2> log || fail "--title '$1': $(cat log)"; }
 if command -v fc-list > fonts && [ -n "$(fc-list ':charset=3b3')" ]; then

@@ -271,7 +271,7 @@ eq p = 0
 integral momentum = p
 END
 jellett drift ./still.tt --section phi=0 --modulo phi=2*pi --start p=1 --returns 4 --plot p.svg --keep p.gp -o rows.csv 2> log &&
-    grep -q '^1 1e-17$' p.gp && grep -q "^set ylabel '.*at least 10^{−17}'" p.gp || fail "no drift is no picture: $(cat log)"
+    grep -q '^1 1e-17$' p.gp && grep -q "^set ylabel '.*≥ 10^{−17}'" p.gp || fail "no drift is no picture: $(cat log)"
 
 jellett lyapunov --grid 5x4 --returns 5 --plot p.svg --keep p.gp -o rows.csv 2> log || fail "lyapunov: $(cat log)"
 grep -q "title '$(grep -vc '^#\|^eta\|,[^,]\+,[^,]\+,[^,]' rows.csv) ended before 5 returns'" p.gp ||
