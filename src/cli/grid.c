@@ -60,8 +60,10 @@ jlt_exit jlt_grid_axis_parse(jlt_grid_axis *axis, const char *text, size_t lengt
     jlt_exit code;
 
     if (equals != NULL) read.low_text = read.high_text = equals + 1;
-
-    if (equals == NULL || equals == text || (size_t)(equals - text) >= sizeof read.name)
+    if (equals != NULL && (size_t)(equals - text) >= sizeof read.name)
+        return jlt_command_fail(JLT_EXIT_INPUT, "%s: no table has the name '%.*s', of more than %zu letters", option,
+                                (int)(equals - text), text, sizeof read.name - 1);
+    if (equals == NULL || equals == text)
         return jlt_command_fail(JLT_EXIT_USAGE, "%s: '%.*s' is no range (write NAME=LOW:HIGH:COUNT)", option, (int)length,
                                 text);
     memcpy(read.name, text, (size_t)(equals - text));
