@@ -26,7 +26,7 @@ static const struct argp_option option_table[] = {
     { "returns", 'n', "N", 0, "Follow orbits for N returns; default 1000, or 10 for a chart", 1 },
     { "skip", SKIP, "N|0", 0,
       "Leave out N returns first, so that the orbit reaches its attractor; t counts from there; default 0", 1 },
-    { "threads", THREADS, "N", 0, "Compute a chart on N threads; default: all processors. Rows do not depend on N", 1 },
+    { "threads", THREADS, "N", 0, "Use N threads for a chart or a sweep; default: all processors. Rows do not depend on N", 1 },
     { 0 },
 };
 
@@ -46,7 +46,8 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case THREADS: jlt_common_count(&o->threads, value, 1, 1024, "--threads"); return 0;
     case ARGP_KEY_END:
         if (o->motion.starts[0] != NULL && o->motion.grid != NULL) argp_error(state, "--start and --grid exclude each other");
-        if (o->motion.grid == NULL && o->threads > 0) argp_error(state, "--threads needs --grid: add it, or leave out --threads");
+        if (o->motion.grid == NULL && o->motion.common.sweep == NULL && o->threads > 0)
+            argp_error(state, "--threads needs --grid or --sweep: add one, or leave out --threads");
         if (o->motion.grid == NULL && o->motion.common.axes != NULL && o->motion.common.sweep == NULL)
             argp_error(state, "--axes are those of a chart: add --grid");
         if (o->motion.grid == NULL && o->motion.common.sweep == NULL) jlt_plot_check_log(&o->motion.common, "x", state);

@@ -43,6 +43,9 @@ compare manifolds --count 6 --no-crossings
 compare continue --along I1=1/3:0.34
 expect 0 '^0.51,2.2,4,' jellett lyapunov --start eta=0.02,gamma3=-0.61 --returns 4 --sweep a3=0.5:0.51:2,E=2.1:2.2:2
 [ "$(rows | wc -l)" -eq 4 ] || fail "lyapunov: a history in a sweep is not one row"
+rows > four
+expect 0 '' jellett lyapunov --start eta=0.02,gamma3=-0.61 --returns 4 --sweep a3=0.5:0.51:2,E=2.1:2.2:2 --threads 1
+rows | cmp - four || fail "lyapunov: rows of a sweep depend on threads"
 # Histories of all points go at once, by another method than that of one which is the only one: its errors, of 1e-12 a step, grow
 # some hundredfold in four returns. By a method that is named they are the same.
 last=$(jellett lyapunov --start eta=0.02,gamma3=-0.61 --returns 4 --set a3=0.51 --level E=2.2 | tail -1)

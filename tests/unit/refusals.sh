@@ -95,7 +95,7 @@ for command in fates eigen lyapunov "rod --start $start"; do
 done
 refuse 4 "a3 = 1e.300 is the farthest from 1: rescale the units" jellett section --set a3=1e300 --start "$point"
 refuse 2 "--threads needs --sweep: add it" jellett eigen --threads 2
-refuse 2 "--threads needs --grid: add it" jellett lyapunov --threads 2
+refuse 2 "--threads needs --grid or --sweep: add one" jellett lyapunov --threads 2
 refuse 2 "the tier quadrature takes no steps: leave out --project" jellett simulate --set I3=0 --start "$start" --until 1 \
     --tier quadrature --project
 refuse 3 "more points than can be counted" jellett rod --start "$start" --sweep \
