@@ -65,21 +65,22 @@ void ttc_prove_same_observations(ttc_task *task, ttc_valuation *map)
         for (size_t k = 0; k < target->observed_count && ttc_task_open(task); k++) {
             const ttc_symbol_entry *own = model->symbols + model->observed[i], *theirs = target->symbols + target->observed[k];
             if (strcmp(own->name, theirs->name) == 0)
-                ttc_task_require_equal(task, task->field, own->node, map, theirs->node, "observe %s here - there", own->name);
+                ttc_task_require_equal(task, task->field, own->node, map, theirs->node, "observe %s of %s - of %s", own->name,
+                                       model->name, target->name);
         }
     for (size_t i = 0; i < model->validity_count; i++)
         for (size_t k = 0; k < target->validity_count && ttc_task_open(task); k++) {
             const ttc_validity *own = model->validities + i, *theirs = target->validities + k;
             if (strcmp(own->name, theirs->name) == 0)
-                ttc_task_require_equal(task, task->field, own->expression, map, theirs->expression, "valid %s here - there",
-                                       own->name);
+                ttc_task_require_equal(task, task->field, own->expression, map, theirs->expression,
+                                       "valid %s of %s - of %s", own->name, model->name, target->name);
         }
     for (size_t i = 0; i < model->claim_count; i++)
         for (size_t k = 0; k < target->claim_count && ttc_task_open(task); k++) {
             const ttc_claim *own = model->claims + i, *theirs = target->claims + k;
             if (is_plain_integral(own) && is_plain_integral(theirs) && strcmp(own->name, theirs->name) == 0)
-                ttc_task_require_equal(task, task->field, own->expression, map, theirs->expression, "integral %s here - there",
-                                       own->name);
+                ttc_task_require_equal(task, task->field, own->expression, map, theirs->expression,
+                                       "integral %s of %s - of %s", own->name, model->name, target->name);
         }
 }
 

@@ -53,7 +53,11 @@ expect 0 'tier balanced' jellett simulate ./spherical_top.tt --set a3=0,I1=2/5,I
 # One name of an integral is one quantity, also on levels; what is refuted is named though nothing of it is left.
 anew
 sed -i 's/^integral E = energy/integral E = 2*energy/' spherical_top.tt
-expect 3 'reduction level is not proved of this table: integral E here - there' \
+expect 3 'reduction level is not proved of this table: integral E of spherical_top_level - of spherical_top = ' \
+    jellett section ./spherical_top.tt "${section[@]}"
+anew
+sed -i 's/^valid contact : contact_force > 0/valid contact : contact_force - 1.3 > 0/' spherical_top.tt
+expect 3 'valid contact of spherical_top_level - of spherical_top = (13)/(10)$' \
     jellett section ./spherical_top.tt "${section[@]}"
 anew
 sed -i 's/^param a3/param mu >= 0\n&/; s/^default /&mu = 0, /; s/^eq omega_tau =/&\n    - mu*omega_tau/' spherical_top.tt
@@ -291,7 +295,7 @@ sed 's/^model between$/model outer/; s/^reduction.*/state w/; s/^integral H = \(
 printf '%s\n' 'eq w = u' 'reduction inner : onto between.tt with x = x, y = y, px = px, py = py, u = u' >> outer.tt
 expect 0 '^0,1,' jellett section ./henon.tt --start y=0.1,py=0 --returns 1
 direct=$(last 1-9)
-expect 1 'integral H here - there' ttc prove outer.tt
+expect 1 'integral H of outer - of between = ' ttc prove outer.tt
 sed -i '/^integral H/d' between.tt
 expect 3 'an integral that no proof compares with it' jellett section ./outer.tt --start y=0.1,py=0 --returns 1
 sed -i 's/^integral H = 2\*(\(.*\))/integral J = 2*(\1)/' outer.tt
