@@ -1,5 +1,6 @@
 #define _GNU_SOURCE /* memfd_create */
 #include "algebra/qepcad.h"
+#include "base/executable.h"
 
 #include <errno.h>
 #include <math.h>
@@ -15,18 +16,9 @@
 
 bool ttc_qepcad_is_there(void)
 {
-    const char *path = getenv("PATH");
-    char file[4096];
-    bool found = false;
-    while (path != NULL && *path != '\0' && !found) {
-        const size_t length = strcspn(path, ":");
-        if (length < sizeof file - sizeof "/qepcad") {
-            snprintf(file, sizeof file, "%.*s/qepcad", (int)length, path);
-            found = access(file, X_OK) == 0;
-        }
-        path += length + (path[length] == ':');
-    }
-    return found;
+    char *path = ttc_executable_find("qepcad");
+    free(path);
+    return path != NULL;
 }
 
 /* Where a variable occurs: its largest exponent, the largest degree of a term that has it, and the number of these terms. */

@@ -1,5 +1,6 @@
 #define _GNU_SOURCE /* sched_getaffinity, dladdr */
 #include "build/compile.h"
+#include "base/executable.h"
 
 #include <dirent.h>
 #include <dlfcn.h>
@@ -76,26 +77,10 @@ void ttc_compiler_add_flags(ttc_text *text, unsigned lanes)
     if (library != NULL) ttc_text_format(text, "%s ", library);
 }
 
-static bool is_program(const char *path)
-{
-    struct stat found;
-    return stat(path, &found) == 0 && S_ISREG(found.st_mode) && access(path, X_OK) == 0;
-}
-
 char *ttc_compiler_find(void)
 {
-    const char *named = getenv("CC"), *path = getenv("PATH");
-    const char *name = named != NULL && *named != '\0' ? named : "cc";
-    if (strchr(name, '/') != NULL) return is_program(name) ? strdup(name) : NULL;
-    for (const char *at = path; at != NULL && *at != '\0';) {
-        const size_t length = strcspn(at, ":");
-        ttc_text file = { 0 };
-        ttc_text_format(&file, "%.*s/%s", length > 0 ? (int)length : 1, length > 0 ? at : ".", name);
-        if (!file.failed && is_program(file.bytes)) return file.bytes;
-        ttc_text_clear(&file);
-        at += length + (at[length] == ':');
-    }
-    return NULL;
+    const char *named = getenv("CC");
+    return ttc_executable_find(named != NULL && *named != '\0' ? named : "cc");
 }
 
 typedef struct {

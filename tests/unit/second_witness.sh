@@ -13,7 +13,7 @@ eq y = -x
 positive asked : x^4 - x^3*y + y^4 + 1/8
 positive by_terms : x^4 + x^2 + 1
 TABLE
-mkdir bin empty
+mkdir -p bin empty/qepcad # a folder of that name is no program
 real=$(command -v qepcad) || fail "qepcad is not in PATH"
 
 verdicts() { # WORDS, of "asked" and of "by_terms"
