@@ -253,11 +253,13 @@ void jlt_look_pen(FILE *stream, const jlt_look *self, jlt_pen pen)
     const bool lines = strstr(pen.with, "line") != NULL, points = strcmp(pen.with, "lines") != 0;
     const bool dots = self->dots && strcmp(pen.with, "points") == 0;
     const bool cloud = !lines && pen.size < 0.3; /* points too small for marks to distinguish series */
-    const char *colour = cloud || !self->grey ? jlt_look_colour(self, pen.colour) : pen.colour % 2 == 0 ? "#000000" : "#808080";
+    const unsigned count = sizeof dashes / sizeof *dashes;
+    const bool black = (pen.colour + pen.dash / count) % 2 == 0; /* where dashes begin anew, black and grey change places */
+    const char *colour = cloud || !self->grey ? jlt_look_colour(self, pen.colour) : black ? "#000000" : "#808080";
 
     fprintf(stream, "with %s lc rgb '%s'", dots ? "dots" : pen.with, colour);
     if (lines)
-        fprintf(stream, " dt %s lw %.3g", dashes[pen.dash % (sizeof dashes / sizeof *dashes)],
+        fprintf(stream, " dt %s lw %.3g", dashes[pen.dash % count],
                 (pen.size == 0 ? 2 : 1.2) * self->line * reduction(self));
     if (points && !dots)
         fprintf(stream, " pt %d ps %.3g", shapes[pen.mark % (sizeof shapes / sizeof *shapes)],

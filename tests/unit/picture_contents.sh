@@ -120,6 +120,11 @@ jellett portrait --set I1=2/5,I3=1/4 --start gamma3=0.5,v_nu=0.8,omega_tau=0,ome
 orbits=$(grep -o "(1\*\$3>0?\$2:NaN) with lines lc rgb '[^']*" p.gp | grep -o '#[0-9a-f]*$')
 points=$(grep -oE "with points lc rgb '[^']*" p.gp | grep -o '#[0-9a-f]*$' | sort -u)
 [ -n "$orbits" ] && [ -n "$points" ] && [[ $points != *"$orbits"* ]] || fail "a portrait in grey: orbits $orbits, points $points"
+# Twelve lines in grey differ by dashes, and those with the same dashes by black and grey.
+{ echo model twelve; printf 'state s%d\n' {1..12}; printf 'eq s%d = 1\n' {1..12}; } > twelve.tt
+jellett simulate ./twelve.tt --start "$(printf 's%d=1\n' {1..12} | paste -sd,)" --times 0,1 --style grey --plot p.svg --keep p.gp \
+    -o rows.csv 2> log || fail "twelve lines: $(cat log)"
+[ "$(grep -oE "with lines lc rgb '[^']*' dt [^ ]*" p.gp | sort -u | wc -l)" -eq 12 ] || fail "twelve lines: $(grep '^plot' p.gp)"
 
 # Orbits that multipliers of 1 leave open are not drawn as unstable; those that a larger one decides are.
 printf '%s\n' 'model swing' 'param a > 0' 'state x' 'state y' 'eq x = a*y' 'eq y = -a*x' > swing.tt
