@@ -287,23 +287,36 @@ static double radius_of(ttc_ball *ball, evaluation mode, ttc_id id)
     return mag_get_d(arb_radref(ball->balls[mode].balls + id));
 }
 
+/* The double nearest to x, which is subtracted from it. */
+static double taken_from(arf_t x)
+{
+    const double nearest = arf_get_d(x, ARF_RND_NEAR);
+    arf_t value;
+
+    arf_init(value);
+    arf_set_d(value, nearest);
+    if (isfinite(nearest)) arf_sub(x, x, value, ARF_PREC_EXACT, ARF_RND_NEAR);
+    else arf_zero(x);
+    arf_clear(value);
+    return nearest;
+}
+
 bool ttc_ball_enclose(ttc_enclosure *out, ttc_ball *ball, ttc_id id)
 {
-    arf_t rest, value;
+    arf_t rest;
+    mag_t radius;
     arb_srcptr enclosure = evaluate_full(ball, id);
 
     if (enclosure == NULL) return false;
     arf_init(rest);
-    arf_init(value);
-    out->value = arf_get_d(arb_midref(enclosure), ARF_RND_NEAR);
-    out->rest = 0.0;
-    if (isfinite(out->value)) {
-        arf_set_d(value, out->value);
-        arf_sub(rest, arb_midref(enclosure), value, ARF_PREC_EXACT, ARF_RND_NEAR);
-        out->rest = arf_get_d(rest, ARF_RND_NEAR);
-    }
-    out->radius = mag_get_d(arb_radref(enclosure));
-    arf_clear(value);
+    mag_init(radius);
+    arf_set(rest, arb_midref(enclosure));
+    out->value = taken_from(rest);
+    out->rest = taken_from(rest);
+    arf_get_mag(radius, rest);
+    mag_add(radius, radius, arb_radref(enclosure));
+    out->radius = mag_get_d(radius);
+    mag_clear(radius);
     arf_clear(rest);
     return true;
 }

@@ -35,9 +35,6 @@ static const lane_set sets[] = {
     { 4, "batch_avx2.c", "-DJLT_LANES_ALONE=4", { "-O2", "-mavx2", "-mfma" } },
     { 8, "batch_avx512.c", "-DJLT_LANES_ALONE=8",
       { "-O2", "-mavx512f", "-mavx512dq", "-mavx512vl", "-mfma", "-mprefer-vector-width=512" } },
-#else
-    { 4, "batch_avx2.c", "-DJLT_LANES_ALONE=4", { "-O2" } },
-    { 8, "batch_avx512.c", "-DJLT_LANES_ALONE=8", { "-O2" } },
 #endif
 };
 enum { SET_COUNT = sizeof sets / sizeof *sets, SET_FLAGS = 6 };

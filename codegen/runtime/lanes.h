@@ -12,6 +12,8 @@
 #include <stdint.h>
 #if defined(__SSE2__)
 #include <immintrin.h>
+#elif defined(__aarch64__)
+#include <arm_neon.h>
 #endif
 
 /* Vectors wider than the target's registers are passed in memory; nothing here is called from elsewhere, so it shows
@@ -41,6 +43,8 @@ static inline jlt_lanes jlt_lanes_fma(jlt_lanes a, jlt_lanes b, jlt_lanes c)
     return (jlt_lanes)_mm512_fmadd_pd((__m512d)a, (__m512d)b, (__m512d)c);
 #elif JLT_LANES == 4 && defined(__FMA__)
     return (jlt_lanes)_mm256_fmadd_pd((__m256d)a, (__m256d)b, (__m256d)c);
+#elif JLT_LANES == 2 && defined(__aarch64__)
+    return (jlt_lanes)vfmaq_f64((float64x2_t)c, (float64x2_t)a, (float64x2_t)b);
 #else
     return a * b + c;
 #endif
@@ -52,6 +56,8 @@ static inline jlt_lanes jlt_lanes_fms(jlt_lanes a, jlt_lanes b, jlt_lanes c)
     return (jlt_lanes)_mm512_fmsub_pd((__m512d)a, (__m512d)b, (__m512d)c);
 #elif JLT_LANES == 4 && defined(__FMA__)
     return (jlt_lanes)_mm256_fmsub_pd((__m256d)a, (__m256d)b, (__m256d)c);
+#elif JLT_LANES == 2 && defined(__aarch64__)
+    return (jlt_lanes)vfmaq_f64((float64x2_t)-c, (float64x2_t)a, (float64x2_t)b);
 #else
     return a * b - c;
 #endif
@@ -63,6 +69,8 @@ static inline jlt_lanes jlt_lanes_fnma(jlt_lanes a, jlt_lanes b, jlt_lanes c)
     return (jlt_lanes)_mm512_fnmadd_pd((__m512d)a, (__m512d)b, (__m512d)c);
 #elif JLT_LANES == 4 && defined(__FMA__)
     return (jlt_lanes)_mm256_fnmadd_pd((__m256d)a, (__m256d)b, (__m256d)c);
+#elif JLT_LANES == 2 && defined(__aarch64__)
+    return (jlt_lanes)vfmsq_f64((float64x2_t)c, (float64x2_t)a, (float64x2_t)b);
 #else
     return c - a * b;
 #endif
@@ -80,6 +88,8 @@ static inline jlt_lanes jlt_lanes_root(jlt_lanes a)
     return (jlt_lanes)_mm256_sqrt_pd((__m256d)a);
 #elif JLT_LANES == 2 && defined(__SSE2__)
     return (jlt_lanes)_mm_sqrt_pd((__m128d)a);
+#elif JLT_LANES == 2 && defined(__aarch64__)
+    return (jlt_lanes)vsqrtq_f64((float64x2_t)a);
 #else
     for (int lane = 0; lane < JLT_LANES; lane++) a[lane] = sqrt(a[lane]);
     return a;

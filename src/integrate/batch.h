@@ -21,7 +21,11 @@ enum { JLT_BATCH_SPREAD = 64 };
 /** Longer tangent vectors may be those of a close passage, in which lanes lose more digits than a return may. */
 enum { JLT_BATCH_STRETCHED = 10000 };
 
-enum { JLT_BATCH_STATES_MAX = 16 /* of a field */, JLT_BATCH_COLUMNS_MAX = 64, JLT_BATCH_CONDITIONS_MAX = 16 };
+enum {
+    JLT_BATCH_COLUMNS_MAX = 64,
+    JLT_BATCH_STATES_MAX = JLT_BATCH_COLUMNS_MAX - 1, /* of a field; the clock is a column too */
+    JLT_BATCH_CONDITIONS_MAX = 16
+};
 
 /** How a lane's orbit ended. */
 typedef enum {

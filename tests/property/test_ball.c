@@ -111,6 +111,14 @@ static void rational_points_are_exact(void **unused)
         assert_false(ttc_ball_estimate(&e, f.ball, ttc_model_field(f.model, 0)));
         assert_true(e.value == 7);
     }
+    /* A third is not a sum of two doubles: the radius covers what they leave, which is found here without rounding. */
+    {
+        ttc_enclosure e;
+        assert_true(ttc_ball_set_fraction(f.ball, f.p, "1/3"));
+        assert_true(ttc_ball_estimate(&e, f.ball, f.model->symbols[f.p].node));
+        const double left = fabs(fma(3, e.rest, fma(3, e.value, -1)));
+        assert_true(left > 0 && left <= 3 * e.radius);
+    }
     assert_false(ttc_ball_set(f.ball, f.x, NAN));
     assert_false(ttc_ball_set(f.ball, f.x, INFINITY));
     assert_false(ttc_ball_set_fraction(f.ball, f.x, "1/0"));

@@ -15,9 +15,9 @@ chain() { # N
             }
         }' > "chain$1.tt"
 }
-mode() { # N: the first mode, at rest
-    awk -v n="$1" 'BEGIN { for (i = 1; i <= n; i++)
-        printf "%sq%d=%.17g,p%d=0", (i > 1 ? "," : ""), i, sin(atan2(0, -1)*i/(n + 1)), i }'
+mode() { # N [AMPLITUDE]: the first mode, at rest
+    awk -v n="$1" -v a="${2:-1}" 'BEGIN { for (i = 1; i <= n; i++)
+        printf "%sq%d=%.17g,p%d=0", (i > 1 ? "," : ""), i, a*sin(atan2(0, -1)*i/(n + 1)), i; print "" }'
 }
 chain 64
 expect 0 'proved +kernel .* rhs jacobian rhs_jacobian' ttc prove --kernels chain64.tt
@@ -34,6 +34,20 @@ for k in 1 7 16; do
     frequency=$(awk -v k=$k 'BEGIN { print substr(sprintf("%.12f", 2*sin(atan2(0, -1)*k/34)), 1, 11) }')
     grep -qF "$frequency" out || fail "no eigenvalue ${frequency}i"
 done
+# 62 states fill a row of the lanes beside the clock: the first mode of 31 masses, of two amplitudes, pushed where it is at rest.
+# 64 states go one orbit at a time.
+for n in 31 32; do
+    chain $n
+    for amplitude in 1 3; do mode $n $amplitude | sed -E 's/(q[0-9]+)=([^,]*),(p[0-9]+)=0/\1=0,\3=\2/g; s/q16=0,//'; done > starts
+    expect 0 '' jellett section ./chain$n.tt --section q16=0 --returns 5 --tol 1e-11 -o returns$n.csv \
+        --start "$(head -n 1 starts)" --start "$(tail -n 1 starts)"
+    awk -F, -v n=$n '/^orbit,/ { for (i = 1; i <= NF; i++) column[$i] = i }
+        /^[01],[1-5],/ { pi = atan2(0, -1); d = $column["t"]/($2*pi/sin(pi/(2*n + 2))) - 1
+            e = $column["p16"]/((1 + 2*$1)*sin(16*pi/(n + 1))) - 1; if (d^2 + e^2 > 1e-20) bad = 1; rows++ }
+        END { exit rows != 10 || bad }' returns$n.csv || fail "returns of $n masses: $(grep -v '^#' returns$n.csv | cut -c1-80)"
+done
+grep -q 'stepanov10' returns31.csv || fail "62 states are not in lanes: $(grep '^# ' returns31.csv)"
+grep -q 'more states than lanes take' returns32.csv || fail "64 states: $(grep '^# ' returns32.csv)"
 # 50 masses with friction, the first one driven: its motion at phase 0, and the 2-norm of DP, are known mode by mode. But for the
 # longest step allowed, one step of Newton's method from rest would do; with wrong singular values of 100 columns, 80 did not.
 chain 50
