@@ -250,4 +250,10 @@ printf '%s\n' 'model twins' 'param a' 'default a = 1' 'angle c s = cos(a) sin(a)
     'eq x = c*(y + Y)' 'eq X = c*(y + Y)' 'eq y = c*(x + X)' 'eq Y = c*(x + X)' 'integral D = x - X' 'reversor y -> -y, Y -> -Y' \
     > twins.tt
 says 'verdict unstable' twins.tt --at x=0,X=0,y=0,Y=0
+
+# At x = 1/10 two equilibria meet: (x - 1/10)^2 = 0 exactly, where doubles leave 2e-18 and the slope is 0. Beside it there is none.
+printf '%s\n' 'model fold' 'param mu' 'default mu = 0' 'state x' 'eq x = x^2 - x/5 + 1/100 + mu' > fold.tt
+says ' 0 exactly, condition not defined' fold.tt --at x=0.1
+jellett eigen fold.tt --at x=0.1 --sweep mu=0:1e-30:2 > out 2> err
+cut -d, -f1,10 out | tail -2 | diff - <(printf '%s\n' 0,centre 1e-30,refused) > diff || fail "beside a fold: $(cat diff err)"
 exit $status
