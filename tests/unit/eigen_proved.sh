@@ -256,4 +256,11 @@ printf '%s\n' 'model fold' 'param mu' 'default mu = 0' 'state x' 'eq x = x^2 - x
 says ' 0 exactly, condition not defined' fold.tt --at x=0.1
 jellett eigen fold.tt --at x=0.1 --sweep mu=0:1e-30:2 > out 2> err
 cut -d, -f1,10 out | tail -2 | diff - <(printf '%s\n' 0,centre 1e-30,refused) > diff || fail "beside a fold: $(cat diff err)"
+# A positive eigenvalue decides, also where no ball tells whether another is zero, cos(a)^2 + sin(a)^2 - 1; a negative one does not.
+printf '%s\n' 'model hidden' 'param a' 'default a = 1' 'angle C S = cos(a) sin(a)' 'state x' 'state y' \
+    'eq x = x' 'eq y = (C^2 + S^2 - 1)*y + x^2' > hidden.tt
+says 'verdict unstable' hidden.tt --at x=0,y=0
+says 'motion unstable' hidden.tt --at x=0,y=0
+sed 's/eq x = x/eq x = -x/' hidden.tt > hiding.tt
+says 'verdict not settled at 6144 bits' hiding.tt --at x=0,y=0
 exit $status
