@@ -153,17 +153,16 @@ static jlt_status report_zero(const runner *self, const place *from, const place
 }
 
 /* Whether the branch turns in the value between two places where it crosses another branch, as one that begins at a pitchfork does
- * on its way to the other side: this is no fold of its own. Steps locate the crossing no better than the place is the same, as
- * they cease to converge there. */
+ * on its way to the other side: this is no fold of its own. Steps locate a turn there less well than the crossing, as they cease to
+ * converge: how far it is from there, the tangent there tells, which turns as it does over the whole step. */
 static bool turns_at_branch_point(const runner *self, const place *from, const place *to)
 {
     if (!changes(from, to, FOLD_TEST) || !changes(from, to, BRANCH_TEST)) return false;
     JLT_FREED bracket *b = malloc(sizeof *b);
     if (b == NULL) return false;
-    jlt_continuation_locate(b, self, from, from, to, FOLD_TEST);
-    const double fold = b->at.arc;
     jlt_continuation_locate(b, self, from, from, to, BRANCH_TEST);
-    return fabs(fold - b->at.arc) <= 10 * same_place;
+    const double bend = fabs(to->test[FOLD_TEST] - from->test[FOLD_TEST]) / (to->arc - from->arc);
+    return fabs(b->at.tangent[self->d]) <= 10 * same_place * bend;
 }
 
 /* Report the bifurcations between two places, then the new place; before: the place before the two, NULL if there is none. If the
