@@ -1,6 +1,7 @@
 #include "dynamics/continuation_locate.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "integrate/step_control.h"
 
@@ -67,12 +68,16 @@ void jlt_continuation_locate(jlt_continuation_bracket *out, const runner *self, 
     out->at = fabs(fa) < fabs(fb) ? *before : *after;
     out->before = *before;
     out->after = *after;
+    out->trial = *before;
     out->joined = false;
     for (int i = 0; i < LOCATE && !ends; i++) {
         ends = fabs(b - a) <= 1e-10 * fmax(1, fabs(b)); /* the last trial is the secant's */
         const double s = isnan(failed) ? look(ends ? 0 : i, a, fa, b, fb) : (failed + (i % 2 == 0 ? a : b)) / 2;
         if (jlt_continuation_locate_interrupted(self)) break;
-        if (jlt_continuation_step_to(self, next, from, s, NULL) != JLT_OK ||
+        /* Newton's method begins on the cubic, from where it leaves for another branch at a crossing alone. */
+        between(next, from, &out->before, &out->after, (s - a) / (b - a), d);
+        memcpy(next->tangent, from->tangent, sizeof next->tangent);
+        if (jlt_continuation_step_to(self, next, next, 0, NULL) != JLT_OK ||
             !jlt_continuation_step_straight(from, next, JLT_CONTINUATION_TURN, d) ||
             !keeps_way(out, next, (b - a) / (after->arc - before->arc), d)) {
             if (isnan(failed)) failed = s;
