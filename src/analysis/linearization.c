@@ -74,14 +74,15 @@ static jlt_status measure_gradients(jlt_linearization *r, const jlt_instance *in
     return JLT_OK;
 }
 
-/* Compare the field with what states within reach make of it. In: moved, shape (n,), the sum over j of |df_i/dx_j| times reach. */
-static void compare(jlt_linearization *r, const double *moved)
+/* Compare the field, or its exact size where that is less, with what states within reach make of it. In: moved, shape (n,), the
+ * sum over j of |df_i/dx_j| times reach; exact, shape (n,), or NULL. */
+static void compare(jlt_linearization *r, const double *moved, const double *exact)
 {
     r->residual = r->residual_ratio = 0.0;
     for (size_t i = 0; i < r->n; i++) {
-        const double size = moved[i] / JLT_LINEARIZATION_TOLERANCE;
+        const double size = moved[i] / JLT_LINEARIZATION_TOLERANCE, f = fmin(fabs(r->f[i]), exact == NULL ? INFINITY : exact[i]);
         r->residual = fmax(r->residual, fabs(r->f[i]));
-        if (r->f[i] != 0.0) r->residual_ratio = fmax(r->residual_ratio, size > 0.0 ? fabs(r->f[i]) / size : INFINITY);
+        if (f > 0.0) r->residual_ratio = fmax(r->residual_ratio, size > 0.0 ? f / size : INFINITY);
     }
 }
 
@@ -116,7 +117,7 @@ static jlt_status bends_allowed(double *bends, const jlt_linearization *r, const
 
 /* Slopes at x tell of states within reach only as far as they stay what they are: sin x is not linear over a reach of 10. Count
  * each slope as far as it does, by steps of a factor 8 up to the whole reach. */
-static jlt_status keep_straight(jlt_linearization *r, const jlt_instance *instance, const double *x)
+static jlt_status keep_straight(jlt_linearization *r, const jlt_instance *instance, const double *x, const double *exact)
 {
     enum { LEVELS = 5 };
     const size_t n = r->n;
@@ -139,11 +140,11 @@ static jlt_status keep_straight(jlt_linearization *r, const jlt_instance *instan
         for (size_t i = 0; i < n; i++) moved[i] += fabs(r->jacobian[i * n + j]) * reach[i];
         r->reach[j] = farthest;
     }
-    compare(r, moved);
+    compare(r, moved, exact);
     return JLT_OK;
 }
 
-static jlt_status measure_residual(jlt_linearization *r, const jlt_instance *instance, const double *x)
+static jlt_status measure_residual(jlt_linearization *r, const jlt_instance *instance, const double *x, const double *exact)
 {
     const size_t n = instance->descriptor->state_count;
     double moved[SIZE] = { 0 };
@@ -157,8 +158,8 @@ static jlt_status measure_residual(jlt_linearization *r, const jlt_instance *ins
     for (size_t j = 0; j < n; j++) r->reach[j] = reach_of(r, x, j);
     for (size_t i = 0; i < n; i++)
         for (size_t j = 0; j < n; j++) moved[i] += fabs(r->jacobian[i * n + j]) * r->reach[j];
-    compare(r, moved);
-    return r->residual > 0.0 && r->residual_ratio <= JLT_LINEARIZATION_TOLERANCE ? keep_straight(r, instance, x) : JLT_OK;
+    compare(r, moved, exact);
+    return r->residual > 0.0 && r->residual_ratio <= JLT_LINEARIZATION_TOLERANCE ? keep_straight(r, instance, x, exact) : JLT_OK;
 }
 
 static jlt_status bind(jlt_instance **instance, const jlt_descriptor *descriptor, const double *params)
@@ -176,7 +177,7 @@ jlt_status jlt_linearization_residual(jlt_linearization *result, const jlt_descr
     jlt_instance *instance;
     jlt_status st = bind(&instance, descriptor, params);
 
-    if (st == JLT_OK) st = measure_residual(result, instance, x);
+    if (st == JLT_OK) st = measure_residual(result, instance, x, NULL);
     jlt_instance_destroy(instance);
     return st;
 }
@@ -265,9 +266,9 @@ static void judge(jlt_linearization *r, const double *error)
 
 /* Fill all but polynomial, eigenvalues and verdict. */
 static jlt_status place(jlt_linearization *r, const jlt_instance *instance, const jlt_descriptor *general, const double *params,
-                        const double *x)
+                        const double *x, const double *exact)
 {
-    JLT_PASS(measure_residual(r, instance, x));
+    JLT_PASS(measure_residual(r, instance, x, exact));
     if (r->residual_ratio > JLT_LINEARIZATION_TOLERANCE) return JLT_ERR_EMPTY;
     for (size_t i = 0; i < r->integrals; i++) r->sources[i] = r->held[i].name;
     JLT_PASS(jlt_instance_divergence(instance, &r->trace, x));
@@ -282,7 +283,7 @@ jlt_status jlt_linearization_place(jlt_linearization *result, const jlt_descript
 
     memset(result, 0, sizeof *result);
     JLT_TRY(bind(&instance, descriptor, params));
-    JLT_TRY(place(result, instance, descriptor, params, x));
+    JLT_TRY(place(result, instance, descriptor, params, x, NULL));
     leave_open(&result->eigen, result->n);
     result->verdict = JLT_UNDECIDED;
 done:
@@ -291,14 +292,15 @@ done:
 }
 
 jlt_status jlt_linearization_compute(jlt_linearization *result, const jlt_descriptor *descriptor, const double *params,
-                                     const double *x, const double *jacobian_error, const double *gradient_error)
+                                     const double *x, const double *exact, const double *jacobian_error,
+                                     const double *gradient_error)
 {
     jlt_instance *instance;
     jlt_status st;
 
     memset(result, 0, sizeof *result);
     JLT_TRY(bind(&instance, descriptor, params));
-    JLT_TRY(place(result, instance, descriptor, params, x));
+    JLT_TRY(place(result, instance, descriptor, params, x, exact));
     st = jlt_deflation_compute(&result->eigen, result->jacobian, jacobian_error, result->n, result->gradients, gradient_error,
                                result->integrals);
     if (st == JLT_ERR_NO_CONVERGENCE) leave_open(&result->eigen, result->n);

@@ -83,7 +83,8 @@ JLT_CHECKED jlt_status jlt_linearization_place(jlt_linearization *result, const 
 
 /** Compute the whole report in doubles.
  *  Out: *result; on failure only what jlt_linearization_residual fills is meaningful, and only for EMPTY.
- *  In:  descriptor, the general field of a model; params, shape (param_count,); x, shape (state_count,); jacobian_error, shape
+ *  In:  descriptor, the general field of a model; params, shape (param_count,); x, shape (state_count,); exact, shape
+ *       (n,), what the size of the field is at least at exact inputs, or NULL: no more than in doubles; jacobian_error, shape
  *       (n, n), bound on the absolute error of the Jacobian's entries with respect to exact inputs, or NULL: four units roundoff;
  *       gradient_error, shape (integrals, n), the same for the gradients, or NULL: eight.
  *  Errors: EMPTY (no equilibrium: residual_ratio > JLT_LINEARIZATION_TOLERANCE), DOMAIN, NONFINITE (overflow or an underflow that
@@ -91,8 +92,8 @@ JLT_CHECKED jlt_status jlt_linearization_place(jlt_linearization *result, const 
  *          eigenvalues they are NaN, and the verdict is UNDECIDED.
  *  Not reentrant: it calls ARPACK. Source: Kilin, Ivanova 2023, (4.4)-(4.6), Proposition 1. */
 JLT_CHECKED jlt_status jlt_linearization_compute(jlt_linearization *result, const jlt_descriptor *descriptor,
-                                                 const double *params, const double *x, const double *jacobian_error,
-                                                 const double *gradient_error);
+                                                 const double *params, const double *x, const double *exact,
+                                                 const double *jacobian_error, const double *gradient_error);
 
 /** Recompute Jacobian, polynomial, trace, eigenvalues and verdict of a report that jlt_linearization_place or _compute has
  *  filled, in ball arithmetic from exact values; each number becomes the nearest double. Differences between eigenvalues by

@@ -312,7 +312,7 @@ jlt_status jlt_measure_obstruct(jlt_measure_finding *f, const jlt_descriptor *d,
             jlt_density_draw_state(f->x, f->instance->descriptor, f->instance->prepared, random);
             if (!jlt_family_point(point, &d->equilibria[k], d, params, f->x)) continue;
             memcpy(f->x, point, d->state_count * sizeof *point);
-            jlt_status st = jlt_linearization_compute(&f->obstruction, d, params, f->x, NULL, NULL);
+            jlt_status st = jlt_linearization_compute(&f->obstruction, d, params, f->x, NULL, NULL, NULL);
             if (st == JLT_OK && f->obstruction.obstructs) st = confirm(f, d, params, exact);
             if (st == JLT_ERR_NOMEM || f->obstructed) return st;
         }

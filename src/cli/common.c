@@ -50,7 +50,8 @@ static const struct argp_option accuracy_table[] = {
     { NULL, 0, NULL, 0, "The computation:", 11 },
     { "tol", 't', "VALUE", 0,
       "Tolerance of a step, in units of the problem, 1e-16 to 0.1; default 1e-12, and 1e-13 for continue, "
-      "manifolds, orbits and certify. With every method the error of ten returns is then about as large", 11 },
+      "manifolds, orbits and certify. With every method the error of ten returns is then about as large; a pulse "
+      "far narrower than a step may be missed", 11 },
     { "method", METHOD, "METHOD", 0,
       "Method of integration: gauss (default), dop853, taylor (derivatives by gauss), rk8pd, rkf45, msadams", 11 },
     { 0 },

@@ -36,6 +36,16 @@ void jlt_fates_table_names(FILE *file, const jlt_motion_options *options, const 
     jlt_csv_names_end(&names);
 }
 
+/* Bring the angles of a state within half a period of 0, or of the section. */
+static void wrap(const jlt_system *system, double *x)
+{
+    const jlt_descriptor *d = system->instance->descriptor;
+
+    if (system->surface == NULL) jlt_chart_wrap_state(system->flow.chart, x);
+    for (unsigned i = 0; system->surface != NULL && i < d->state_count; i++)
+        if (jlt_descriptor_proves(d, "periodic", d->states[i].name)) x[i] = jlt_chart_reduce(x[i], d->states[i].period);
+}
+
 void jlt_fates_table_row(FILE *file, const jlt_motion_options *options, const jlt_system *system, const double *q,
                          const jlt_fates_end *end)
 {
@@ -49,7 +59,7 @@ void jlt_fates_table_row(FILE *file, const jlt_motion_options *options, const jl
         count += ending_of(system)->ending_count;
     } else {
         memcpy(values + count, end->x, chart->states * sizeof *values);
-        if (system->surface == NULL) jlt_chart_wrap_state(chart, values + count);
+        wrap(system, values + count);
         count += chart->states - chart->roots;
     }
     if (tells_contact(options)) values[count++] = end->least;

@@ -7,8 +7,7 @@
 #include "kernel/descriptor.h"
 #include "kernel/region.h"
 
-/* The value less the nearest multiple of the period, in (-period/2, period/2]; small differences keep their digits. */
-static double reduce(double value, double period)
+double jlt_chart_reduce(double value, double period)
 {
     double reduced;
 
@@ -43,7 +42,7 @@ static void plane_lower(const jlt_chart *self, double *q, double *slope, const d
     if (slope != NULL) memset(slope, 0, sizeof *slope * self->states * self->dim);
     for (i = 0, k = 0; i < self->states; i++) {
         if (i == self->column) continue;
-        q[k] = reduce(x[i], self->period[k]);
+        q[k] = jlt_chart_reduce(x[i], self->period[k]);
         if (slope != NULL) slope[k * self->states + i] = 1;
         k++;
     }
@@ -95,7 +94,7 @@ jlt_status jlt_chart_plane(jlt_chart *out, unsigned states, unsigned column, dou
 
 bool jlt_chart_is_mirrored(const jlt_chart *self)
 {
-    return fabs(reduce(2 * self->level, self->turn)) <= 16 * DBL_EPSILON * fabs(self->level);
+    return fabs(jlt_chart_reduce(2 * self->level, self->turn)) <= 16 * DBL_EPSILON * fabs(self->level);
 }
 
 void jlt_chart_set_periods(jlt_chart *self, const double *periods)
@@ -128,7 +127,7 @@ bool jlt_chart_counts(const jlt_chart *self, const jlt_crossing *crossing, jlt_d
 void jlt_chart_turn_back(const jlt_chart *self, double *x)
 {
     if (self->turn == 0) return;
-    const double off = reduce(x[self->column] - self->level, self->turn);
+    const double off = jlt_chart_reduce(x[self->column] - self->level, self->turn);
     /* An orbit on the section stays on it: where all states are small, rounding of turns is no small distance from it. */
     const bool is_on = fabs(off) <= 16 * DBL_EPSILON * (fabs(self->level) + fabs(self->turn));
     x[self->column] = is_on ? self->level : self->level + off;
@@ -145,7 +144,7 @@ void jlt_chart_wrap_state(const jlt_chart *self, double *x)
 {
     jlt_chart_turn_back(self, x);
     for (unsigned i = 0, k = 0; i < self->states; i++)
-        if (jlt_chart_is_coordinate(self, i)) x[i] = reduce(x[i], self->period[k++]);
+        if (jlt_chart_is_coordinate(self, i)) x[i] = jlt_chart_reduce(x[i], self->period[k++]);
 }
 
 bool jlt_chart_follows(const jlt_chart *self, const double *x) { return self->follows == NULL || self->follows(self, x); }
@@ -159,12 +158,12 @@ bool jlt_chart_holds(const jlt_chart *self, const double *x)
 
 void jlt_chart_difference(const jlt_chart *self, double *out, const double *q, const double *p)
 {
-    for (unsigned k = 0; k < self->dim; k++) out[k] = reduce(q[k] - p[k], self->period[k]);
+    for (unsigned k = 0; k < self->dim; k++) out[k] = jlt_chart_reduce(q[k] - p[k], self->period[k]);
 }
 
 void jlt_chart_wrap(const jlt_chart *self, double *q)
 {
-    for (unsigned k = 0; k < self->dim; k++) q[k] = reduce(q[k], self->period[k]);
+    for (unsigned k = 0; k < self->dim; k++) q[k] = jlt_chart_reduce(q[k], self->period[k]);
 }
 
 void jlt_chart_scaled(const jlt_chart *self, double *out, const double *q)

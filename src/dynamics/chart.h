@@ -106,6 +106,9 @@ bool jlt_chart_holds(const jlt_chart *self, const double *x);
  *  converges to those of the lift, to rounding. True for charts without solved states. Cost: two lifts. */
 bool jlt_chart_follows(const jlt_chart *self, const double *x);
 
+/** The value less the nearest multiple of the period, in (-period/2, period/2]; small differences keep their digits. 0: none. */
+double jlt_chart_reduce(double value, double period);
+
 /** out = q - p, with differences of angles brought into (-period/2, period/2]. All of shape (dim,); out may be q or p. */
 void jlt_chart_difference(const jlt_chart *self, double *out, const double *q, const double *p);
 

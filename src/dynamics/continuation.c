@@ -153,8 +153,8 @@ static jlt_status report_zero(const runner *self, const place *from, const place
 }
 
 /* Whether the branch turns in the value between two places where it crosses another branch, as one that begins at a pitchfork does
- * on its way to the other side: this is no fold of its own. Steps locate the crossing no better than the place is the same, as
- * they cease to converge there. */
+ * on its way to the other side: this is no fold of its own. Near the crossing, where steps cease to converge, tangents are known no
+ * better than places to either side of it are the same. */
 static bool turns_at_branch_point(const runner *self, const place *from, const place *to)
 {
     if (!changes(from, to, FOLD_TEST) || !changes(from, to, BRANCH_TEST)) return false;
@@ -163,7 +163,7 @@ static bool turns_at_branch_point(const runner *self, const place *from, const p
     jlt_continuation_locate(b, self, from, from, to, FOLD_TEST);
     const double fold = b->at.arc;
     jlt_continuation_locate(b, self, from, from, to, BRANCH_TEST);
-    return fabs(fold - b->at.arc) <= 10 * same_place;
+    return fabs(fold - b->at.arc) <= 100 * same_place;
 }
 
 /* Report the bifurcations between two places, then the new place; before: the place before the two, NULL if there is none. If the

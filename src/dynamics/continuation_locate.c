@@ -1,6 +1,9 @@
 #include "dynamics/continuation_locate.h"
 
 #include <math.h>
+#include <string.h>
+
+#include "integrate/step_control.h"
 
 enum { LOCATE = 120, FAILURES = 20 };
 
@@ -43,6 +46,16 @@ static void between(place *out, const place *from, const place *low, const place
     out->arc = low->arc + part * width;
 }
 
+/* Whether a place between the sides of a bracket, which is this part of a step, has their tangents, as far as a branch turns over
+ * that part. Where it has not, the step arrived on another branch, which crosses at a small angle. */
+static bool keeps_way(const jlt_continuation_bracket *b, const place *next, double part, unsigned d)
+{
+    const double least = cos(2 * JLT_CONTINUATION_TURN * fmax(part, 0.01));
+
+    return jlt_along(b->before.tangent, next->tangent, d + 1) >= least &&
+           jlt_along(next->tangent, b->after.tangent, d + 1) >= least;
+}
+
 void jlt_continuation_locate(jlt_continuation_bracket *out, const runner *self, const place *from, const place *before,
                              const place *after, unsigned k)
 {
@@ -55,13 +68,18 @@ void jlt_continuation_locate(jlt_continuation_bracket *out, const runner *self, 
     out->at = fabs(fa) < fabs(fb) ? *before : *after;
     out->before = *before;
     out->after = *after;
+    out->trial = *before;
     out->joined = false;
     for (int i = 0; i < LOCATE && !ends; i++) {
         ends = fabs(b - a) <= 1e-10 * fmax(1, fabs(b)); /* the last trial is the secant's */
         const double s = isnan(failed) ? look(ends ? 0 : i, a, fa, b, fb) : (failed + (i % 2 == 0 ? a : b)) / 2;
         if (jlt_continuation_locate_interrupted(self)) break;
-        if (jlt_continuation_step_to(self, next, from, s, NULL) != JLT_OK ||
-            !jlt_continuation_step_straight(from, next, JLT_CONTINUATION_TURN, d)) {
+        /* Newton's method begins on the cubic, from where it leaves for another branch at a crossing alone. */
+        between(next, from, &out->before, &out->after, (s - a) / (b - a), d);
+        memcpy(next->tangent, from->tangent, sizeof next->tangent);
+        if (jlt_continuation_step_to(self, next, next, 0, NULL) != JLT_OK ||
+            !jlt_continuation_step_straight(from, next, JLT_CONTINUATION_TURN, d) ||
+            !keeps_way(out, next, (b - a) / (after->arc - before->arc), d)) {
             if (isnan(failed)) failed = s;
             else if (i > FAILURES) break;
             continue;

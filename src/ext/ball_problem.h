@@ -17,8 +17,8 @@ typedef struct {
     bool last;      /* this is the highest precision: what may be zero is taken as zero */
     bool late;      /* eigenvalues that are not separated yet may be enclosed in clusters */
     bool clustered; /* eigenvalues are enclosed in clusters; no precision would tell how many of them are real */
-    bool proved;    /* the point is an equilibrium, and the eigenvalue zero has the multiplicity stated */
-    bool judged;    /* it is known whether zero is semisimple */
+    bool proved;    /* the point is an equilibrium */
+    bool judged;    /* it is known how often zero is an eigenvalue, and whether it is semisimple */
     bool settled;   /* of every real part, the sign is known, or that it is zero */
     arb_ptr params, x;
     arb_mat_t a;

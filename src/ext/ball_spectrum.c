@@ -184,7 +184,6 @@ static bool deflate(jlt_ball_spectrum *s, jlt_ball_problem *p)
     }
     arb_poly_shift_right(p->rest, p->charpoly, (slong)s->zeros);
     s->counted = sure;
-    p->proved = p->proved && sure;
     p->judged = exact != NULL || (sure && judge_zero(s, p, forced));
     return sure || p->last;
 }

@@ -238,4 +238,15 @@ expect 3 'needs a reversor' jellett separation ./winding.tt --section f=pi "${wi
 printf '%s\n' 'model stiff' 'state phi' 'state q' 'state p' 'angle c s = cos(q) sin(q)' 'eq phi = 1' 'eq q = p' 'eq p = 3600*s' \
     'periodic phi = 2*pi' 'periodic q = 2*pi' > stiff.tt
 expect 0 '^1,0,0,6.28.*,5.310830748.*e.163,0,1.882944585.*e-164,0,,saddle' jellett orbits ./stiff.tt --section phi=0 --start q=0,p=0
+# A section that a table describes shows what one typed does, also the angles in which an orbit ends, after turns.
+printf '%s\n' 'model spun' 'state q' 'state v' 'state f' 'angle C S = cos(q) sin(q)' 'angle c s = cos(f) sin(f)' \
+    'eq q = v' 'eq v = -S + c*S/10' 'eq f = 1' 'periodic q = 2*pi' 'periodic f = 2*pi' \
+    'section strobe : by spun_section.tt at f = 0 with q = q, v = v' > spun.tt
+printf '%s\n' 'model spun_section' 'state q' 'state v' 'lift into spun.tt with q = q, v = v, f = 0' 'start regular : q = 0, v = 0' \
+    > spun_section.tt
+for section in strobe f=0; do
+    jellett fates ./spun.tt --section $section --grid q=-3:3:5,v=-2:2:5 --returns 10 2> log | grep -v '^#' > $section.csv
+done
+[ "$(awk -F, '$5^2 > 10' f=0.csv)$(wc -l < f=0.csv)" = 26 ] || fail "ends after turns: $(cat f=0.csv)"
+cmp -s f=0.csv strobe.csv || fail "a section that a table describes shows other ends: $(diff f=0.csv strobe.csv)"
 exit $status

@@ -327,6 +327,20 @@ printf '%s\n' 'model pushed' 'param A' 'default A = 9/10' 'state x' 'state v' 's
 jellett continue ./pushed.tt --section p=0 --start x=-0.4,v=0.6 --along A=0.8:1.07 -o rows.csv 2> log
 awk -F, '$17 == "branch point" { found++; bad += ($2 - 1.00431947743)^2 > 1e-16 || $16 > 1e-10 || $18 > $2 || $19 < $2 }
     END { exit !(found == 1 && !bad) }' rows.csv || fail "a loss of symmetry: $(grep point rows.csv)"
+# The orbits without symmetry, which turn there, cross the others at 0.2 rad: steps arrive on these.
+jellett continue ./pushed.tt --section p=0 --set A=1.15 --start x=-0.0618509562,v=1.8809538871 --along A=0.9:1.3 --decreasing \
+    -o rows.csv 2> log
+awk -F, '/^0,/ && $17 ~ /point|fold/ { found++; bad += $17 != "branch point" || ($2 - 1.00431947743)^2 > 1e-20 }
+    END { exit !(found == 1 && !bad) }' rows.csv || fail "back to symmetry: $(grep 'point\|fold' rows.csv)"
+# The same of Duffing's oscillator, whose branches cross more steeply, by the same oracle.
+printf '%s\n' 'model duffing' 'param A' 'default A = 3' 'state x' 'state v' 'state p' 'angle c s = cos(p) sin(p)' \
+    'periodic p = 2*pi' 'eq x = v' 'eq v = - x/5 - v/10 - x^3 + A*c' 'eq p = 1' > duffing.tt
+for step in 0.01 0.03; do
+    jellett continue ./duffing.tt --section p=0 --set A=8 --start x=2.4062557,v=-0.4751984 --along A=1:12 --decreasing \
+        --step $step -o rows.csv 2> log
+    awk -F, '/^0,/ && $17 ~ /point|fold/ && $2 < 3 { found++; bad += $17 != "branch point" || ($2 - 2.33552445379)^2 > 1e-15 }
+        END { exit !(found == 1 && !bad) }' rows.csv || fail "duffing, step $step: $(grep 'point\|fold' rows.csv)"
+done
 # Places have room for the largest sections, and are kept off the stack: half of the usual 8 MiB suffices.
 (ulimit -s 4096 && jellett continue --along E=1.9:2.15 > rows.csv 2> log) || fail "with a stack of 4 MiB: status $?, $(cat log)"
 # A branch that leaves the range ends on it, not beyond it by rounding.

@@ -97,7 +97,7 @@ static void exact_values_give_exact_verdicts(void **unused)
         jlt_linearization result;
         read_values(exact_params, params, r.set, d->params, PARAMS);
         read_values(exact_x, x, r.at, d->states, N);
-        assert_ok(jlt_linearization_compute(&result, d, params, x, NULL, NULL));
+        assert_ok(jlt_linearization_compute(&result, d, params, x, NULL, NULL, NULL));
         if (result.verdict != JLT_UNDECIDED) assert_string_equal(jlt_linearization_verdict(result.verdict), r.verdict);
         const jlt_status alone = jlt_linearization_enclose(&result, d, exact_params, exact_x, NULL, 0);
         assert_true(alone == JLT_OK || alone == JLT_ERR_NO_CONVERGENCE);

@@ -98,7 +98,7 @@ static void parameters_from_1e_150_to_1e150_give_errors_or_right_numbers(void **
         x[GAMMA3] = jlt_random_between(&random, -1.0, 1.0);
         x[V_NU] = jlt_random_magnitude(&random, -span, span);
         x[OMEGA3] = -jlt_random_magnitude(&random, -span, span);
-        const jlt_status st = jlt_linearization_compute(&r, d, params, x, NULL, NULL);
+        const jlt_status st = jlt_linearization_compute(&r, d, params, x, NULL, NULL, NULL);
         if (st == JLT_OK) {
             const closed_form exact = solve(params, x);
             compare(&r, &exact, "extreme parameters");
@@ -125,7 +125,7 @@ static void near_the_poles_nothing_is_lost(void **unused)
             x[GAMMA3] = side * (1.0 - (exponent == 16 ? DBL_EPSILON / 2 : pow(10.0, -exponent)));
             x[V_NU] = 0.8;
             x[OMEGA3] = -2.3;
-            assert_ok(jlt_linearization_compute(&r, d, params, x, NULL, NULL));
+            assert_ok(jlt_linearization_compute(&r, d, params, x, NULL, NULL, NULL));
             exact = solve(params, x);
             compare(&r, &exact, "near a pole");
             assert_below(fabs((double)((r.trace + exact.p) / exact.p)), 16 * DBL_EPSILON);
@@ -142,7 +142,7 @@ static void axial_inertia_may_be_tiny_or_zero(void **unused)
         double params[PARAMS] = { 1.3, 0.7, 9.8, 0.0, 0.29, inertias[k] }, x[STATES] = { 0.3, 0.8, 0, 0, -2.3 };
         jlt_linearization r;
         const closed_form exact = solve(params, x);
-        assert_ok(jlt_linearization_compute(&r, d, params, x, NULL, NULL));
+        assert_ok(jlt_linearization_compute(&r, d, params, x, NULL, NULL, NULL));
         compare(&r, &exact, "small axial inertia");
         if (inertias[k] == 0.0) assert_true(r.trace == 0.0 && !r.obstructs && r.eigen.defective_zero);
         else assert_true(r.obstructs);
@@ -162,7 +162,7 @@ static void equal_moments_and_their_neighbours_agree(void **unused)
         double params[PARAMS] = { 1, 1, 1, 0.0, middle, values[k] }, x[STATES] = { 0.5, -2.0, 0, 0, 0.7 };
         jlt_linearization r;
         const closed_form exact = solve(params, x);
-        assert_ok(jlt_linearization_compute(&r, d, params, x, NULL, NULL));
+        assert_ok(jlt_linearization_compute(&r, d, params, x, NULL, NULL, NULL));
         assert_string_equal(r.descriptor->variant, k == 1 ? "balanced_equal" : "balanced");
         compare(&r, &exact, "equal moments");
         trace[k] = r.trace;
@@ -215,7 +215,7 @@ static void small_spin_keeps_relative_accuracy(void **unused)
         jlt_linearization r;
         jlt_eigenvalue pair[2];
         const closed_form exact = solve(params, x);
-        assert_ok(jlt_linearization_compute(&r, d, params, x, NULL, NULL));
+        assert_ok(jlt_linearization_compute(&r, d, params, x, NULL, NULL, NULL));
         compare(&r, &exact, "small spin");
         assert_int_equal(others(&r, pair), 3);
         if (exponent >= 4) assert_below(pair[1].error / fabs(pair[1].re), 100 * DBL_EPSILON);
@@ -236,7 +236,7 @@ static void small_spin_keeps_relative_accuracy(void **unused)
         double params[PARAMS] = { 1.3, 0.7, 9.8, 0.0, 0.29, 0.21 }, x[STATES] = { 0.3, 0.8, 0, 0, 0.0 };
         jlt_linearization r;
         jlt_eigenvalue pair[2];
-        assert_ok(jlt_linearization_compute(&r, d, params, x, NULL, NULL));
+        assert_ok(jlt_linearization_compute(&r, d, params, x, NULL, NULL, NULL));
         assert_int_equal(others(&r, pair), 3);
         assert_true(pair[1].re == 0.0 && pair[1].im == 0.0 && r.eigen.defective_zero);
         assert_int_equal(r.verdict, JLT_UNSTABLE);
@@ -256,19 +256,19 @@ static void nonfinite_values_and_other_states_are_refused(void **unused)
             double changed[PARAMS];
             memcpy(changed, params, sizeof params);
             changed[i] = bad[b];
-            assert_int_equal(jlt_linearization_compute(&r, d, changed, x, NULL, NULL), JLT_ERR_NONFINITE);
+            assert_int_equal(jlt_linearization_compute(&r, d, changed, x, NULL, NULL, NULL), JLT_ERR_NONFINITE);
         }
     for (int i = 0; i < STATES; i++)
         for (int b = 0; b < 3; b++) {
             double changed[STATES];
             memcpy(changed, x, sizeof x);
             changed[i] = bad[b];
-            assert_int_equal(jlt_linearization_compute(&r, d, params, changed, NULL, NULL), JLT_ERR_NONFINITE);
+            assert_int_equal(jlt_linearization_compute(&r, d, params, changed, NULL, NULL, NULL), JLT_ERR_NONFINITE);
             assert_true(jlt_linearization_find(changed, d, params, NULL, 0) != JLT_OK);
         }
     {
         const double moving[STATES] = { 0.3, 0.8, 1e-9, 0, -2.3 };
-        assert_int_equal(jlt_linearization_compute(&r, d, params, moving, NULL, NULL), JLT_ERR_EMPTY);
+        assert_int_equal(jlt_linearization_compute(&r, d, params, moving, NULL, NULL, NULL), JLT_ERR_EMPTY);
         assert_below(fabs(r.residual - sqrt(0.91) * 1e-9), 1e-8);
         assert_true(r.residual > 0.0);
     }
@@ -297,7 +297,7 @@ static void newton_finds_equilibria_again(void **unused)
         found++;
         assert_true(x[GAMMA3] == c);
         assert_near(fabs(x[OMEGA_N]), wn, 1e-9);
-        assert_ok(jlt_linearization_compute(&r, d, params, x, NULL, NULL));
+        assert_ok(jlt_linearization_compute(&r, d, params, x, NULL, NULL, NULL));
         assert_string_equal(r.family->name, "precession");
         assert_below(fabs(r.trace), 1e-12);
     }
@@ -316,7 +316,7 @@ static void poles_are_no_equilibria(void **unused)
     (void)unused;
     for (double off = DBL_EPSILON / 2; off < 0.1; off *= 8) {
         const double at[STATES] = { 1.0 - off, 0, 1, 0, 0 };
-        assert_int_equal(jlt_linearization_compute(&r, d, params, at, NULL, NULL), JLT_ERR_EMPTY);
+        assert_int_equal(jlt_linearization_compute(&r, d, params, at, NULL, NULL, NULL), JLT_ERR_EMPTY);
         assert_near(r.residual, sqrt(off * (2 - off)), 1e-15);
     }
     jlt_random_seed(&random, 4);
@@ -327,7 +327,7 @@ static void poles_are_no_equilibria(void **unused)
         if (trial % 4 != 0) x[GAMMA3] = jlt_random_between(&random, -1.0, 1.0);
         for (int i = V_NU; i < STATES; i++) x[i] = i == OMEGA_TAU || trial % 4 != 0 ? jlt_random_between(&random, -2.0, 2.0) : 0;
         assert_ok(jlt_linearization_find(x, d, params, order, held));
-        assert_ok(jlt_linearization_compute(&r, d, params, x, NULL, NULL));
+        assert_ok(jlt_linearization_compute(&r, d, params, x, NULL, NULL, NULL));
         assert_non_null(r.family);
         assert_string_equal(r.family->name, "precession");
     }

@@ -250,4 +250,17 @@ printf '%s\n' 'model twins' 'param a' 'default a = 1' 'angle c s = cos(a) sin(a)
     'eq x = c*(y + Y)' 'eq X = c*(y + Y)' 'eq y = c*(x + X)' 'eq Y = c*(x + X)' 'integral D = x - X' 'reversor y -> -y, Y -> -Y' \
     > twins.tt
 says 'verdict unstable' twins.tt --at x=0,X=0,y=0,Y=0
+
+# At x = 1/10 two equilibria meet: (x - 1/10)^2 = 0 exactly, where doubles leave 2e-18 and the slope is 0. Beside it there is none.
+printf '%s\n' 'model fold' 'param mu' 'default mu = 0' 'state x' 'eq x = x^2 - x/5 + 1/100 + mu' > fold.tt
+says ' 0 exactly, condition not defined' fold.tt --at x=0.1
+jellett eigen fold.tt --at x=0.1 --sweep mu=0:1e-30:2 > out 2> err
+cut -d, -f1,10 out | tail -2 | diff - <(printf '%s\n' 0,centre 1e-30,refused) > diff || fail "beside a fold: $(cat diff err)"
+# A positive eigenvalue decides, also where no ball tells whether another is zero, cos(a)^2 + sin(a)^2 - 1; a negative one does not.
+printf '%s\n' 'model hidden' 'param a' 'default a = 1' 'angle C S = cos(a) sin(a)' 'state x' 'state y' \
+    'eq x = x' 'eq y = (C^2 + S^2 - 1)*y + x^2' > hidden.tt
+says 'verdict unstable' hidden.tt --at x=0,y=0
+says 'motion unstable' hidden.tt --at x=0,y=0
+sed 's/eq x = x/eq x = -x/' hidden.tt > hiding.tt
+says 'verdict not settled at 6144 bits' hiding.tt --at x=0,y=0
 exit $status

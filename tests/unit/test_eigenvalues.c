@@ -268,7 +268,7 @@ static void a_model_of_too_many_states_is_refused(void **unused)
     assert_int_equal(scribble(), 0xa5);
     assert_int_equal(jlt_linearization_residual(&result, &wide, params, x), JLT_ERR_UNSUPPORTED);
     assert_int_equal(scribble(), 0xa5);
-    assert_int_equal(jlt_linearization_compute(&result, &wide, params, x, NULL, NULL), JLT_ERR_UNSUPPORTED);
+    assert_int_equal(jlt_linearization_compute(&result, &wide, params, x, NULL, NULL, NULL), JLT_ERR_UNSUPPORTED);
 }
 
 static void wrong_arguments_of_outside_solvers_are_statuses(void **unused)

@@ -183,7 +183,7 @@ static void a_model_that_is_not_found_is_none(void **unused)
     refused(jlt_kernel_prepare_params(&value, none, lorenz_params));
     refused(jlt_instance_units(&units, none, lorenz_params, lorenz_start));
     refused(jlt_observed_create(&observed, none, lorenz_params, &units));
-    refused(jlt_linearization_compute(&report, none, lorenz_params, lorenz_start, NULL, NULL));
+    refused(jlt_linearization_compute(&report, none, lorenz_params, lorenz_start, NULL, NULL, NULL));
     refused(jlt_linearization_find(x, none, lorenz_params, NULL, 0));
     refused(jlt_top_read(&top, none, lorenz_params));
     refused(jlt_surface_find(&surface, &broken, none, NULL, NULL));

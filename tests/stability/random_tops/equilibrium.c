@@ -54,7 +54,7 @@ void case_equilibrium(trial *t)
     const long double Theta = I1 * I3 + I1 * m * R * R * s * s + I3 * m * R * R * c * c;
     roots(want, I3 * m * R * c * v0 / (s * Theta), I3 * I3 * w0 * w0 * (I3 + m * R * R) / (I1 * Theta));
     snprintf(t->options, sizeof t->options, "\n    --at gamma3=%.17g,v_nu=%.17g,omega3=%.17g", c, v0, w0);
-    jlt_status st = jlt_linearization_compute(&result, model, params, x, NULL, NULL);
+    jlt_status st = jlt_linearization_compute(&result, model, params, x, NULL, NULL, NULL);
     if (st == JLT_OK) {
         check(t, "doubles", &result, want);
         for (int i = 0; i < 6; i++) ball_params[i] = (jlt_ball_value){ params[i], NULL };
