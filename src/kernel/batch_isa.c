@@ -24,7 +24,7 @@ static unsigned bound(void)
     return wanted != NULL && strcmp(wanted, "2") == 0 ? 2 : wanted != NULL && strcmp(wanted, "4") == 0 ? 4 : 8;
 }
 
-bool jlt_batch_isa_runs(const jlt_kernel_batch *kernels) { return runs(kernels->lanes); }
+bool jlt_batch_isa_runs(const jlt_kernel_batch *kernels) { return kernels != NULL && runs(kernels->lanes); }
 
 unsigned jlt_batch_isa_lanes(void)
 {
@@ -39,7 +39,7 @@ const jlt_kernel_batch *jlt_batch_isa_best(const jlt_descriptor *descriptor, uns
     if (lanes == 0) lanes = bound();
     for (int i = JLT_ISA_COUNT - 1; i >= 0; i--) {
         const jlt_kernel_batch *kernels = descriptor->batches[i];
-        if (kernels != NULL && kernels->lanes <= lanes && jlt_batch_isa_runs(kernels)) return kernels;
+        if (jlt_batch_isa_runs(kernels) && kernels->lanes <= lanes) return kernels;
     }
     return NULL;
 }

@@ -6,7 +6,7 @@
 
 #include "kernel_abi.h"
 
-/** Whether the processor and the operating system support the instruction set of these kernels. */
+/** Whether there are kernels, and the processor and the operating system support their instruction set. NULL: there are none. */
 bool jlt_batch_isa_runs(const jlt_kernel_batch *kernels);
 
 /** The number of lanes, 2, 4 or 8, of the widest instruction set that runs here and that JELLETT_LANES allows. */

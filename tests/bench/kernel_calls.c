@@ -42,7 +42,7 @@ int main(int argc, char **argv)
     if (d->prepared_count > sizeof block / sizeof *block || d->state_count != STATES) return 1;
     d->prepare(params, block);
     for (size_t i = 0; i < JLT_ISA_COUNT; i++)
-        if (strcmp(d->batches[i]->isa, which) == 0) lanes = d->batches[i];
+        if (d->batches[i] != NULL && strcmp(d->batches[i]->isa, which) == 0) lanes = d->batches[i];
     const size_t row = lanes == NULL ? 1 : lanes->lanes;
     if (row > LANES_MAX || (lanes == NULL && strcmp(which, "scalar") != 0)) return 2;
 #if defined(__x86_64__)

@@ -40,7 +40,7 @@ static void check_model(const char *name, const char *time, unsigned tangents)
     assert_ok(jlt_instance_create(&instance, d, params));
     assert_ok(jlt_field_of(&plain, instance));
     for (unsigned isa = 0; isa < JLT_ISA_COUNT; isa++) {
-        if (d->batches[isa] == NULL || !jlt_batch_isa_runs(d->batches[isa])) continue;
+        if (!jlt_batch_isa_runs(d->batches[isa])) continue;
         plain.batch = d->batches[isa];
         assert_ok(jlt_varied_make(&varied, &plain, d->rhs_jacobian.call, tangents));
         const unsigned rows = varied.field.dim;

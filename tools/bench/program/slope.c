@@ -148,7 +148,7 @@ static jlt_status measure_batch(FILE *table, const jlt_bench_options *options, c
 
     JLT_TRY(open_system(&system, &surface, &flow));
     const jlt_kernel_batch *kernels = system->instance->descriptor->batches[isa];
-    if (kernels == NULL || !jlt_batch_isa_runs(kernels)) goto done;
+    if (!jlt_batch_isa_runs(kernels)) goto done;
     JLT_TRY(jlt_map_batch_images(&run.images, 2, reference->rows));
     JLT_TRY(jlt_map_batch_create(&run.batch, &system->flow, kernels, method, 1));
     JLT_TRY(jlt_bench_clock(&time, options->repeats, 1, batch_pass, &run));
