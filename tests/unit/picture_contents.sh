@@ -154,6 +154,8 @@ expect 2 '^jellett simulate: --font: letters of 14 points leave no room for axes
 [ ! -e small.svg ] && [ ! -e small.csv ] || fail "letters of 14 points: something is written"
 jellett section --grid 2x2 --returns 2 --size 8x6cm --font Times,10 --plot p.svg --keep p.gp -o rows.csv 2> log ||
     fail "letters of 10 points: $(cat log)"
+jellett section --grid 2x2 --returns 2 --size 8x8cm --font Times,12 --style nokey --plot p.svg -o rows.csv 2> log ||
+    fail "letters of 12 points, without a key: $(cat log)"
 ! grep -q '^set title .*I_' p.gp || fail "a caption of parameters takes the room of axes: $(grep '^set title' p.gp)"
 
 # A letter that no font has is named, where the picture is drawn here.
