@@ -1,5 +1,5 @@
-/* Signs of numbers, and of polynomials and on pieces of one state's interval. Nothing of the domain is used but this interval: what is shown holds on
- * all of it. */
+/* Signs of numbers, of polynomials in one state, and on pieces of one state's interval. Nothing of the domain is used but this
+ * interval: what is shown holds on all of it. */
 #include "prove/one_state.h"
 
 #include "ball/ball.h"
