@@ -273,7 +273,7 @@ static slong count_zeros_from(const fmpz_poly_t polynomial, const fmpq_t number,
 /* Whether an expression is a polynomial without a zero inside of a piece: by Sturm's theorem. */
 static bool has_no_zero(one_state *s, ttc_id id, const piece *p)
 {
-    enum { LONGEST = 128 };
+    enum { LARGEST = 1 << 14 }; /* in bits, for less than a second */
     const fmpz_mpoly_ctx_struct *context = s->task->ring->context;
     const slong variable = ttc_valuation_variable(s->valuation, s->symbol);
     slong zeros = 1;
@@ -287,7 +287,7 @@ static bool has_no_zero(one_state *s, ttc_id id, const piece *p)
     if (s->task->ring->status == TTC_RING_OK && fmpz_mpoly_is_fmpz(value.denominator, context) &&
         fmpz_mpoly_is_fmpz_poly(value.numerator, variable, context) &&
         fmpz_mpoly_get_fmpz_poly(polynomial, value.numerator, variable, context) &&
-        fmpz_poly_length(polynomial) > 1 && fmpz_poly_length(polynomial) <= LONGEST) {
+        fmpz_poly_length(polynomial) > 1 && fmpz_poly_length(polynomial) * labs(fmpz_poly_max_bits(polynomial)) <= LARGEST) {
         fmpz_poly_derivative(common, polynomial);
         fmpz_poly_gcd(common, polynomial, common);
         fmpz_poly_div(polynomial, polynomial, common);
@@ -359,7 +359,7 @@ static unsigned signs_on_interval(one_state *s, ttc_id id)
     set_inside(inside, &p);
     const unsigned there = signs_at(s, id, inside);
     if ((there == TTC_CAN_BE_POSITIVE || there == TTC_CAN_BE_NEGATIVE) && has_sign_at_numbers(s, id, there, &p)
-        && (has_no_zero(s, id, &p) || has_sign(s, id, there, &p, DIVISIONS)))
+        && (has_sign(s, id, there, &p, DIVISIONS) || has_no_zero(s, id, &p)))
         signs = there;
     fmpq_clear(inside);
     for (int end = 0; end < 2; end++) fmpq_clear(p.end[end]);
