@@ -1,11 +1,11 @@
-/* Signs of numbers, and on pieces of one state's interval. Nothing of the domain is used but this interval: what is shown holds on
- * all of it. */
+/* Signs of numbers, of polynomials in one state, and on pieces of one state's interval. Nothing of the domain is used but this
+ * interval: what is shown holds on all of it. */
 #include "prove/one_state.h"
 
 #include "ball/ball.h"
 #include "prove/subcase.h"
 
-#include <flint/fmpq.h>
+#include <flint/fmpq_poly.h>
 
 #include <stdlib.h>
 
@@ -249,6 +249,58 @@ static bool has_sign(one_state *s, ttc_id id, unsigned sign, const piece *p, uns
     return has;
 }
 
+/* The zeros of a polynomial without double ones from a number on, upwards or downwards. */
+static slong count_zeros_from(const fmpz_poly_t polynomial, const fmpq_t number, bool upwards)
+{
+    slong zeros = 0, below = 0, above = 0;
+    fmpq_poly_t shifted, place;
+    fmpq_poly_init(shifted);
+    fmpq_poly_init(place); /* x + number */
+    fmpq_poly_set_coeff_fmpq(place, 0, number);
+    fmpq_poly_set_coeff_si(place, 1, 1);
+    fmpq_poly_set_fmpz_poly(shifted, polynomial);
+    fmpq_poly_compose(shifted, shifted, place);
+    if (fmpz_is_zero(shifted->coeffs)) {
+        zeros++;
+        fmpq_poly_shift_right(shifted, shifted, 1);
+    }
+    if (shifted->length > 1) _fmpz_poly_num_real_roots_sturm(&below, &above, shifted->coeffs, shifted->length);
+    fmpq_poly_clear(place);
+    fmpq_poly_clear(shifted);
+    return zeros + (upwards ? above : below);
+}
+
+/* Whether an expression is a polynomial without a zero inside of a piece: by Sturm's theorem. */
+static bool has_no_zero(one_state *s, ttc_id id, const piece *p)
+{
+    enum { LARGEST = 1 << 14 }; /* in bits, for less than a second */
+    const fmpz_mpoly_ctx_struct *context = s->task->ring->context;
+    const slong variable = ttc_valuation_variable(s->valuation, s->symbol);
+    slong zeros = 1;
+    ttc_ratio value;
+    fmpz_poly_t polynomial, common;
+    if (s->has_root || s->valuation != s->task->field) return false;
+    ttc_ratio_init(s->task->ring, &value);
+    fmpz_poly_init(polynomial);
+    fmpz_poly_init(common);
+    ttc_evaluate(s->valuation, &value, id);
+    if (s->task->ring->status == TTC_RING_OK && fmpz_mpoly_is_fmpz(value.denominator, context) &&
+        fmpz_mpoly_is_fmpz_poly(value.numerator, variable, context) &&
+        fmpz_mpoly_get_fmpz_poly(polynomial, value.numerator, variable, context) &&
+        fmpz_poly_length(polynomial) > 1 && fmpz_poly_length(polynomial) * labs(fmpz_poly_max_bits(polynomial)) <= LARGEST) {
+        fmpz_poly_derivative(common, polynomial);
+        fmpz_poly_gcd(common, polynomial, common);
+        fmpz_poly_div(polynomial, polynomial, common);
+        zeros = fmpz_poly_num_real_roots_sturm(polynomial);
+        for (int end = 0; end < 2; end++)
+            if (p->known[end]) zeros -= count_zeros_from(polynomial, p->end[end], end == 1);
+    }
+    fmpz_poly_clear(common);
+    fmpz_poly_clear(polynomial);
+    ttc_ratio_clear(s->task->ring, &value);
+    return zeros == 0;
+}
+
 /* An end of the interval; one that is no rational number is moved outwards, and one that depends on parameters left out. */
 static void set_end(one_state *s, piece *p, int end, ttc_id given)
 {
@@ -307,7 +359,7 @@ static unsigned signs_on_interval(one_state *s, ttc_id id)
     set_inside(inside, &p);
     const unsigned there = signs_at(s, id, inside);
     if ((there == TTC_CAN_BE_POSITIVE || there == TTC_CAN_BE_NEGATIVE) && has_sign_at_numbers(s, id, there, &p)
-        && has_sign(s, id, there, &p, DIVISIONS))
+        && (has_sign(s, id, there, &p, DIVISIONS) || has_no_zero(s, id, &p)))
         signs = there;
     fmpq_clear(inside);
     for (int end = 0; end < 2; end++) fmpq_clear(p.end[end]);

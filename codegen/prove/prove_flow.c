@@ -171,7 +171,8 @@ static bool is_apart(ttc_task *task, const fmpz_mpoly_t divisor, const fmpz_mpol
     fmpz_mpoly_init(quotient, task->ring->context);
     ttc_ratio_set_polynomial(task->ring, &value, factor);
     const bool apart = !fmpz_mpoly_divides(quotient, divisor, factor, task->ring->context) &&
-                       ttc_task_signs_met(task, &value) == (TTC_CAN_BE_NEGATIVE | TTC_CAN_BE_POSITIVE);
+                       ttc_task_search(task, &value, TTC_IS_POSITIVE, NULL) == TTC_POINT_FOUND &&
+                       ttc_task_search_against(task, &value, TTC_IS_NONNEGATIVE, NULL) == TTC_POINT_FOUND;
     fmpz_mpoly_clear(quotient, task->ring->context);
     ttc_ratio_clear(task->ring, &value);
     return apart;

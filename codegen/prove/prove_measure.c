@@ -19,8 +19,10 @@ static void describe(ttc_task *task, description *d, ttc_id id, ttc_relation rel
     ttc_ratio_init(task->ring, &value);
     ttc_evaluate(task->field, &value, id);
     if (relation == TTC_IS_NONNEGATIVE) ttc_ratio_scale(task->ring, &value, &value, task->ring->minus_one);
-    const ttc_search_result result =
+    ttc_search_result result =
         ttc_task_search(task, &value, relation == TTC_IS_NONNEGATIVE ? TTC_IS_POSITIVE : TTC_IS_ZERO, &point);
+    if (result == TTC_POINT_NOT_DECIDED && relation == TTC_IS_NONZERO && (point = ttc_task_zero_of(task, &value)) != NULL)
+        result = TTC_POINT_FOUND;
     if (result == TTC_POINT_FOUND || result == TTC_POINT_NOT_DECIDED) {
         if (!d->only_positive) fputs("; ", d->stream);
         d->only_positive = false;

@@ -109,7 +109,8 @@ static void prove_onto(ttc_task *task, const ttc_model *target)
 void ttc_prove_reduction(ttc_task *task)
 {
     if (ttc_task_restricts_states(task)) {
-        ttc_task_unsettle(task, "a reduction under a condition on states (expected 'modulo' of what the flow keeps)");
+        ttc_task_unsettle(task, "'%s' under a condition on states (expected 'modulo' of what the flow keeps)",
+                          ttc_claim_kind_name(task->claim->kind));
         return;
     }
     char reason[2 * TTC_DIAGNOSTIC_LINE];

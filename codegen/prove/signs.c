@@ -254,9 +254,11 @@ static void require_value(ttc_task *task, ttc_valuation *valuation, ttc_id id, t
     ttc_ratio_init(task->ring, &value);
     ttc_evaluate(valuation, &value, id);
     const bool is_first = task->unexcluded == TTC_NONE;
+    const ttc_id written = ttc_model_without_lets(ttc_valuation_model(valuation), id);
     if (point != NULL) ttc_task_refute_at(task, point, task->ring->status == TTC_RING_OK ? &value : NULL, "%s", what);
     ttc_task_require(task, &value, relation, "%s", what);
-    if (is_first && task->unexcluded != TTC_NONE && valuation == task->field && ttc_signs_are_one(task, id)) task->unexcluded = id;
+    if (is_first && task->unexcluded != TTC_NONE && valuation == task->field && ttc_signs_are_one(task, written))
+        task->unexcluded = written;
     ttc_ratio_clear(task->ring, &value);
 }
 

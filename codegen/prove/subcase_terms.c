@@ -155,7 +155,8 @@ static ttc_id exponent_of(const ttc_model *model, ttc_id sum)
 ttc_id ttc_subcase_without_functions(const ttc_model *model, ttc_id level)
 {
     ttc_graph *graph = model->graph;
-    level = ttc_model_without_lets(model, level);
+    const ttc_id expanded = ttc_model_expand(model, level);
+    if (expanded != TTC_NONE) level = expanded; /* within limits */
     const ttc_kind kind = ttc_kind_of(graph, level);
     const ttc_id exponent = exponent_of(model, level);
     if (exponent != TTC_NONE) return ttc_subcase_without_functions(model, exponent);

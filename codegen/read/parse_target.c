@@ -20,6 +20,7 @@ bool ttc_parse_target_file(ttc_parser *parser, char **file)
         }
     }
     size_t length = (size_t)(end - first->text);
+    if (length == 0) return ttc_parse_unexpected(parser, "FILE.tt, beside this one");
     bool plain = length > 3 && memcmp(end - 3, ".tt", 3) == 0 && first->text[0] != '.' &&
                  memchr(first->text, '/', length) == NULL && memchr(first->text, '\\', length) == NULL;
     if (!plain)

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # That conditions have no real point is believed if Z3 and QEPCAD both find it: not with a QEPCAD that finds a point, that is not
-# sure, that says nothing or breaks off, and nothing is proved without one. What signs of terms decide, or complete squares, needs
-# neither.
+# sure, that says nothing, breaks off or waits, and nothing is proved without one. What signs of terms decide, or complete squares,
+# needs neither.
 source "$JLT_SOURCE_DIR/tests/scratch.sh"
 
 cat > asked.tt <<'TABLE'
@@ -46,6 +46,9 @@ other 'kill -9 $$'
 verdicts "not settled,proved"
 other 'while :; do :; done'
 verdicts "not settled,proved"
+other 'echo >> asked; [ "$(wc -l < asked)" -gt 1 ] || exec sleep 300'
+verdicts "not settled,proved"
+[ "$(wc -l < asked)" -eq 2 ] || fail "without roots, there is one order, for each of two searches"
 
 ttc=$(command -v ttc)
 for command in prove "generate --out folder" discover build; do

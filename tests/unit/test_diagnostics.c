@@ -235,6 +235,7 @@ static const mistake mistakes[] = {
       "8:16: error: 'f' is the name of 'equilibria' (expected that of an 'integral' record)" },
     { HEAD "equal e : x\n", "7:12: error: the table ends within a record (expected '=' after the left side)" },
     { HEAD "reduction r : onto ../t.tt with x = x\n", "7:20: error: not the name of a table (expected FILE.tt, beside this one)" },
+    { HEAD "reduction r : onto\nparam b\n", "7:19: error: the record ends too early (expected FILE.tt, beside this one)" },
     { HEAD "reduction r : onto t.txt with x = x\n", "7:20: error: not the name of a table (expected FILE.tt, beside this one)" },
     { HEAD "reduction r : onto t.tt with x = x, x = y\n", "7:37: error: 'x' is set twice" },
 };
