@@ -158,6 +158,15 @@ jellett section --grid 2x2 --returns 2 --size 8x8cm --font Times,12 --style noke
     fail "letters of 12 points, without a key: $(cat log)"
 ! grep -q '^set title .*I_' p.gp || fail "a caption of parameters takes the room of axes: $(grep '^set title' p.gp)"
 
+# Keys and labels of panels fit with the largest letters that are not refused: a letter is half as wide as high.
+jellett separation --grid eta=0.40:0.48:3,gamma3=-0.63:-0.61:2 --returns 2 --settle 0 --cells 10x10 --size 8x6cm \
+    --font Times,10.7 --plot p.svg --keep p.gp -o rows.csv 2> log || fail "separation: $(cat log)"
+grep -oP "(?<= title ')[^']*(?=')" p.gp | awk 'length > 29 { exit 1 }' || fail "a key is too wide: $(grep '^plot' p.gp)"
+jellett rod --start gamma3=0.2,v_nu=0.6,omega_tau=0.4,omega_n=1,omega3=0 --sweep omega_n=0.2:2:3 --size 8x6cm --font Times,10.7 \
+    --plot p.svg --keep p.gp -o rows.csv 2> log || fail "rod: $(cat log)"
+grep -oP "(?<=^set ylabel ')[^']*" p.gp | awk '{ n += length } END { exit !(n / 4 < (6 / 2.54 * 72 / 10.7 - 6) / 2) }' ||
+    fail "labels of panels run into each other: $(grep ylabel p.gp)"
+
 # A letter that no font has is named, where the picture is drawn here.
 base_title() { "${base[@]}" --title "$1" --plot p.$2 -o rows.csv 2> log || fail "--title '$1': $(cat log)"; }
 if command -v fc-list > fonts && [ -n "$(fc-list ':charset=3b3')" ]; then
