@@ -63,7 +63,8 @@ jlt_exit jlt_grid_axis_parse(jlt_grid_axis *axis, const char *text, size_t lengt
     if (equals != NULL && (size_t)(equals - text) >= sizeof read.name)
         return jlt_command_fail(JLT_EXIT_INPUT, "%s: no table has the name '%.*s', of more than %zu letters", option,
                                 (int)(equals - text), text, sizeof read.name - 1);
-    if (equals == NULL || equals == text)
+    if (equals == text) return jlt_command_fail(JLT_EXIT_USAGE, "%s: no name stands before '='", option);
+    if (equals == NULL)
         return jlt_command_fail(JLT_EXIT_USAGE, "%s: '%.*s' is no range (write NAME=LOW:HIGH:COUNT)", option, (int)length,
                                 text);
     memcpy(read.name, text, (size_t)(equals - text));

@@ -36,6 +36,10 @@ refuse 3 "'jellett section' tells which" jellett orbits chaplygin_sleigh --secti
 # A start that returns is not to blame for where Newton's steps lead.
 refuse 4 "finds no periodic orbit from eta=1,gamma3=0.9, where .* the other way" jellett orbits --start eta=1,gamma3=0.9
 refuse 3 "gamma3 must lie" jellett section --start "$point" --start eta=0,gamma3=2
+for command in "continue --along =1:2" "fates --section =0" "fates --grid =0:1:2" "fates --sweep =0:1:2"; do
+    # shellcheck disable=SC2086
+    refuse 2 "^jellett: --[a-z]*: no name stands before '='$" jellett $command
+done
 refuse 3 "--grid: no state has these levels" jellett section --grid eta=0,gamma3=2:3:3 --output rows
 refuse 3 "--grid: no state has these levels" jellett fates --grid eta=0,gamma3=2:3:3 --output rows
 refuse 3 "--sweep: no state has these levels" jellett fates --grid 2x2 --sweep E=-5:-4:2 --output rows
