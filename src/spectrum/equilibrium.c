@@ -76,7 +76,10 @@ static jlt_status linearize(jlt_linearization *result, const jlt_equilibrium_que
     JLT_PASS(jlt_linearization_residual(result, q->descriptor, params, x));
     set_point(q, params, x, exact_x);
     JLT_PASS(jlt_oracle_enclose(q->oracle, exact, q->oracle->field, n));
-    for (size_t i = 0; i < n; i++) sizes[i] = least_size(&exact[i]);
+    for (size_t i = 0; i < n; i++) {
+        sizes[i] = least_size(&exact[i]);
+        if (q->find) sizes[i] = fmin(sizes[i], fabs(result->f[i])); /* states are found as far as doubles tell */
+    }
     JLT_PASS(jlt_oracle_enclose(q->oracle, exact, q->oracle->jacobian, n * n));
     for (size_t i = 0; i < n * n; i++) {
         sizes[n + i] = least_size(&exact[i]);
