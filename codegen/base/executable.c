@@ -14,15 +14,14 @@ static bool is_executable(const char *path)
 
 char *ttc_executable_find(const char *name)
 {
-    const char *path = getenv("PATH");
     if (strchr(name, '/') != NULL) return is_executable(name) ? strdup(name) : NULL;
-    for (const char *at = path; at != NULL && *at != '\0';) {
+    for (const char *at = getenv("PATH"), *next; at != NULL; at = next) {
         const size_t length = strcspn(at, ":");
+        next = at[length] == ':' ? at + length + 1 : NULL;
         ttc_text file = { 0 };
         ttc_text_format(&file, "%.*s/%s", length > 0 ? (int)length : 1, length > 0 ? at : ".", name);
         if (!file.failed && is_executable(file.bytes)) return file.bytes;
         ttc_text_clear(&file);
-        at += length + (at[length] == ':');
     }
     return NULL;
 }

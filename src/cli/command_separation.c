@@ -124,7 +124,7 @@ static jlt_exit draw(const options *o, const jlt_system *system, const jlt_separ
     jlt_look_pen(plot.stream, plot.look, (jlt_pen){ "linespoints", .colour = 2, .size = 0.7 });
     fputs(" title 'forward and backward', $OVERLAP using 1:3 ", plot.stream);
     jlt_look_pen(plot.stream, plot.look, (jlt_pen){ "linespoints", .colour = 1, .dash = 1, .mark = 3, .size = 0.7 });
-    fputs(" title 'mirror image of forward, and backward'\n", plot.stream);
+    fputs(" title 'mirrored forward and backward'\n", plot.stream);
     return jlt_plot_draw(&plot);
 }
 

@@ -113,12 +113,13 @@ static void parse_style(jlt_look *look, const char *value, const struct argp_sta
     }
 }
 
-/* A line of title, labels and key leave axes four lines at least in the height, in the width the key has room for its longest
- * entry. What this program chooses is smaller. */
+/* A line of title, labels and key leave axes four lines at least in the height; in the width the key has room for its longest
+ * entry, or, where there is no key, a bar of colours for its labels. What this program chooses is smaller. */
 static void check_points(const jlt_look *look, const struct argp_state *state)
 {
-    enum { LINES = 14, LETTERS = 21 };
-    const double most = floor(10 * fmin(look->height / LINES, look->width / LETTERS) * 72 / 2.54) / 10;
+    enum { LINES = 14 };
+    const double letters = look->no_key ? 18 : 21;
+    const double most = floor(10 * fmin(look->height / LINES, look->width / letters) * 72 / 2.54) / 10;
 
     if (look->points > most)
         argp_error(state, "--font: letters of %g points leave no room for axes in %gx%gcm: %g points at most, or another --size",

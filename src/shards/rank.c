@@ -47,32 +47,30 @@ static bool whole(size_t *value, const char *text, const char *end)
     return true;
 }
 
-/* Read an environment variable. Returns false if it is not set or not such a number. */
-static bool variable(size_t *value, const char *name)
+/* Read an environment variable, if it is set. */
+static jlt_status variable(size_t *value, char *message, const char *name)
 {
-    const char *text = name != NULL ? getenv(name) : NULL;
+    const char *text = getenv(name);
 
-    return text != NULL && whole(value, text, text + strlen(text));
-}
-
-static size_t variable_or(const char *name, size_t other)
-{
-    size_t value = other;
-
-    return variable(&value, name) ? value : other;
+    if (text == NULL || whole(value, text, text + strlen(text))) return JLT_OK;
+    return complain(message, "%s is '%s', which is no whole number: give --shard I/N", name, text);
 }
 
 /* Find this process's task in a Slurm array, counted from 0; 0 of 1 outside an array. known: how many tasks there are, numbered
  * from 1; 0: the array says. */
 static jlt_status find_task(size_t *task, size_t *tasks, char *message, size_t known)
 {
-    size_t id = 0;
+    size_t id = 0, low = 1, step = 1;
 
     *task = 0, *tasks = 1;
-    if (!variable(&id, "SLURM_ARRAY_TASK_ID")) return JLT_OK;
-    const size_t low = known > 0 ? 1 : variable_or("SLURM_ARRAY_TASK_MIN", 1);
-    const size_t step = known > 0 ? 1 : variable_or("SLURM_ARRAY_TASK_STEP", 1);
-    *tasks = known > 0 ? known : variable_or("SLURM_ARRAY_TASK_COUNT", 0);
+    if (getenv("SLURM_ARRAY_TASK_ID") == NULL) return JLT_OK;
+    *tasks = known;
+    JLT_PASS(variable(&id, message, "SLURM_ARRAY_TASK_ID"));
+    if (known == 0) {
+        JLT_PASS(variable(&low, message, "SLURM_ARRAY_TASK_MIN"));
+        JLT_PASS(variable(&step, message, "SLURM_ARRAY_TASK_STEP"));
+        JLT_PASS(variable(tasks, message, "SLURM_ARRAY_TASK_COUNT"));
+    }
     *task = (id - low) / (step > 0 ? step : 1);
     if (id < low || *task >= *tasks || id != low + *task * step)
         return complain(message, "task %zu of the Slurm array is none of %zu in a row: write --array=1-N, or give --shard I/N", id,
@@ -85,17 +83,15 @@ static jlt_status from_environment(jlt_rank *out, char *message, size_t known)
 {
     size_t number = 0, count = 1, rank = 0, task = 0, tasks = 1, i = 0;
 
-    while (i < ENGINES
-           && (!variable(&number, engines[i].index) || (engines[i].count != NULL && !variable(&count, engines[i].count)))) i++;
-    if (i < ENGINES && engines[i].count == NULL) {
-        if (known == 0)
-            return complain(message, "%s does not say how many processes it starts: give --shard /N, or --shard I/N",
-                            engines[i].name);
-        count = known;
-    } else if (i == ENGINES) {
-        number = 0, count = 1;
+    while (i < ENGINES && (getenv(engines[i].index) == NULL || (engines[i].count != NULL && getenv(engines[i].count) == NULL))) i++;
+    if (i < ENGINES) {
+        JLT_PASS(variable(&number, message, engines[i].index));
+        if (engines[i].count != NULL) JLT_PASS(variable(&count, message, engines[i].count));
+        else if (known > 0) count = known;
+        else return complain(message, "%s does not say how many processes it starts: give --shard /N, or --shard I/N",
+                             engines[i].name);
+        rank = number - engines[i].first;
     }
-    if (i < ENGINES) rank = number - engines[i].first;
     JLT_PASS(find_task(&task, &tasks, message, i == ENGINES || count == 1 ? known : 0));
     if (i < ENGINES && engines[i].count == NULL) task = 0, tasks = 1;
     if (rank >= count) return complain(message, "%s says that this is process %zu of %zu: give --shard I/N", engines[i].name,

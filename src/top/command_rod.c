@@ -220,7 +220,7 @@ static jlt_exit write_rows(FILE *file, request *r)
 
 static jlt_exit draw(const request *r)
 {
-    static const char *const labels[] = { "period [s]", "rotation number" };
+    static const char *const labels[] = { "period [s]", "rotation" };
     char label[JLT_LOOK_LABEL_MAX];
     jlt_plot plot;
 

@@ -237,6 +237,9 @@ cp whole "$object"
 printf '%s\n' 'model decay' 'state x' 'state y' 'state z' 'eq x = -x' 'eq y = -y' 'eq z = -z' > decay.tt
 ttc build decay.tt > "$scratch/other" && cp "$(cat "$scratch/other")" "$object"
 expect 0 '^1,-4.40912038921' jellett simulate ./lorenz.tt --start x=1,y=1,z=20 --times 1
+# An empty part of PATH, also the last one, is this folder.
+printf '#!/bin/sh\nexec cc "$@"\n' > here-cc && chmod +x here-cc
+expect 0 '^1,' env CC=here-cc PATH="$PATH:" jellett simulate ./lorenz.tt --start x=1,y=1,z=20 --times 1
 expect 5 "no C compiler 'absent-cc'" env CC=absent-cc jellett simulate ./toda.tt --start q1=0,q2=0,q3=0,p1=0,p2=0,p3=0 --times 1
 XDG_CACHE_HOME="$PWD/two"$'\n'lines jellett simulate ./toda.tt --start q1=0,q2=0,q3=0,p1=0,p2=0,p3=0 --until 1 > out 2> log ||
     fail "a cache in a folder of two lines: $(cat log)"

@@ -154,7 +154,18 @@ expect 2 '^jellett simulate: --font: letters of 14 points leave no room for axes
 [ ! -e small.svg ] && [ ! -e small.csv ] || fail "letters of 14 points: something is written"
 jellett section --grid 2x2 --returns 2 --size 8x6cm --font Times,10 --plot p.svg --keep p.gp -o rows.csv 2> log ||
     fail "letters of 10 points: $(cat log)"
+jellett section --grid 2x2 --returns 2 --size 8x8cm --font Times,12 --style nokey --plot p.svg -o rows.csv 2> log ||
+    fail "letters of 12 points, without a key: $(cat log)"
 ! grep -q '^set title .*I_' p.gp || fail "a caption of parameters takes the room of axes: $(grep '^set title' p.gp)"
+
+# Keys and labels of panels fit with the largest letters that are not refused: a letter is half as wide as high.
+jellett separation --grid eta=0.40:0.48:3,gamma3=-0.63:-0.61:2 --returns 2 --settle 0 --cells 10x10 --size 8x6cm \
+    --font Times,10.7 --plot p.svg --keep p.gp -o rows.csv 2> log || fail "separation: $(cat log)"
+grep -oP "(?<= title ')[^']*(?=')" p.gp | awk 'length > 29 { exit 1 }' || fail "a key is too wide: $(grep '^plot' p.gp)"
+jellett rod --start gamma3=0.2,v_nu=0.6,omega_tau=0.4,omega_n=1,omega3=0 --sweep omega_n=0.2:2:3 --size 8x6cm --font Times,10.7 \
+    --plot p.svg --keep p.gp -o rows.csv 2> log || fail "rod: $(cat log)"
+grep -oP "(?<=^set ylabel ')[^']*" p.gp | awk '{ n += length } END { exit !(n / 4 < (6 / 2.54 * 72 / 10.7 - 6) / 2) }' ||
+    fail "labels of panels run into each other: $(grep ylabel p.gp)"
 
 # A letter that no font has is named, where the picture is drawn here.
 base_title() { "${base[@]}" --title "$1" --plot p.$2 -o rows.csv 2> log || fail "--title '$1': $(cat log)"; }

@@ -325,6 +325,11 @@ shown 4/6 SLURM_ARRAY_TASK_ID=4 SLURM_ARRAY_TASK_MIN=1 SLURM_ARRAY_TASK_STEP=1 S
 shown 3/4 SLURM_ARRAY_TASK_ID=20 SLURM_ARRAY_TASK_MIN=0 SLURM_ARRAY_TASK_STEP=10 SLURM_ARRAY_TASK_COUNT=4
 shown 6/8 SLURM_ARRAY_TASK_ID=2 SLURM_ARRAY_TASK_COUNT=2 SLURM_PROCID=1 SLURM_STEP_NUM_TASKS=4
 expect 2 "--array=1-N" env SLURM_ARRAY_TASK_ID=7 SLURM_ARRAY_TASK_COUNT=2 SLURM_ARRAY_TASK_MIN=1 jellett sweep map.scene --dry-run
+for said in 'PMI_RANK=-1 PMI_SIZE=2' 'PMI_RANK=0 PMI_SIZE=two' 'OMPI_COMM_WORLD_RANK=1/2 OMPI_COMM_WORLD_SIZE=2' \
+    'SLURM_ARRAY_TASK_ID=1.5 SLURM_ARRAY_TASK_COUNT=2' 'SLURM_ARRAY_TASK_ID=1 SLURM_ARRAY_TASK_MIN=-1 SLURM_ARRAY_TASK_COUNT=2'; do
+    # shellcheck disable=SC2086
+    expect 2 "no whole number: give --shard I/N" env $said jellett sweep map.scene --dry-run
+done
 expect 2 "--shard /N" env PARALLEL_SEQ=3 jellett sweep map.scene --dry-run
 expect 2 "which of them" jellett sweep map.scene --dry-run --shard=/3
 expect 2 "counted from 1" jellett sweep map.scene --dry-run --shard=4/3
