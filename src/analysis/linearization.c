@@ -74,15 +74,14 @@ static jlt_status measure_gradients(jlt_linearization *r, const jlt_instance *in
     return JLT_OK;
 }
 
-/* Compare the field, or its exact size where that is less, with what states within reach make of it. In: moved, shape (n,), the
- * sum over j of |df_i/dx_j| times reach; exact, shape (n,), or NULL. */
-static void compare(jlt_linearization *r, const double *moved, const double *exact)
+/* Compare the field's sizes with what states within reach make of it: moved, shape (n,), the sum over j of |df_i/dx_j| reach. */
+static void compare(jlt_linearization *r, const double *sizes, const double *moved)
 {
     r->residual = r->residual_ratio = 0.0;
     for (size_t i = 0; i < r->n; i++) {
-        const double size = moved[i] / JLT_LINEARIZATION_TOLERANCE, f = fmin(fabs(r->f[i]), exact == NULL ? INFINITY : exact[i]);
+        const double size = moved[i] / JLT_LINEARIZATION_TOLERANCE;
         r->residual = fmax(r->residual, fabs(r->f[i]));
-        if (f > 0.0) r->residual_ratio = fmax(r->residual_ratio, size > 0.0 ? f / size : INFINITY);
+        if (sizes[i] > 0.0) r->residual_ratio = fmax(r->residual_ratio, size > 0.0 ? sizes[i] / size : INFINITY);
     }
 }
 
@@ -116,8 +115,8 @@ static jlt_status bends_allowed(double *bends, const jlt_linearization *r, const
 }
 
 /* Slopes at x tell of states within reach only as far as they stay what they are: sin x is not linear over a reach of 10. Count
- * each slope as far as it does, by steps of a factor 8 up to the whole reach. */
-static jlt_status keep_straight(jlt_linearization *r, const jlt_instance *instance, const double *x, const double *exact)
+ * each slope as far as it does, by steps of a factor 8 up to the whole reach. sizes: as measure_residual takes them. */
+static jlt_status keep_straight(jlt_linearization *r, const jlt_instance *instance, const double *x, const double *sizes)
 {
     enum { LEVELS = 5 };
     const size_t n = r->n;
@@ -137,17 +136,18 @@ static jlt_status keep_straight(jlt_linearization *r, const jlt_instance *instan
             for (size_t i = 0; i < n; i++)
                 if (straight[i]) reach[i] = farthest = move;
         }
-        for (size_t i = 0; i < n; i++) moved[i] += fabs(r->jacobian[i * n + j]) * reach[i];
+        for (size_t i = 0; i < n; i++) moved[i] += sizes[n + i * n + j] * reach[i];
         r->reach[j] = farthest;
     }
-    compare(r, moved, exact);
+    compare(r, sizes, moved);
     return JLT_OK;
 }
 
+/* exact: sizes of the field, shape (n,), and of the Jacobian, shape (n, n), at exact inputs; NULL: those in doubles. */
 static jlt_status measure_residual(jlt_linearization *r, const jlt_instance *instance, const double *x, const double *exact)
 {
     const size_t n = instance->descriptor->state_count;
-    double moved[SIZE] = { 0 };
+    double moved[SIZE] = { 0 }, sizes[SIZE + SIZE * SIZE];
 
     r->descriptor = instance->descriptor;
     r->n = n;
@@ -155,11 +155,13 @@ static jlt_status measure_residual(jlt_linearization *r, const jlt_instance *ins
     JLT_PASS(jlt_instance_jacobian(instance, r->jacobian, x));
     for (size_t i = 0; i < n * n; i++) r->jacobian[i] += 0.0; /* -0 becomes 0 */
     JLT_PASS(measure_gradients(r, instance, x));
+    for (size_t i = 0; exact == NULL && i < n + n * n; i++) sizes[i] = fabs(i < n ? r->f[i] : r->jacobian[i - n]);
+    if (exact == NULL) exact = sizes;
     for (size_t j = 0; j < n; j++) r->reach[j] = reach_of(r, x, j);
-    for (size_t i = 0; i < n; i++)
-        for (size_t j = 0; j < n; j++) moved[i] += fabs(r->jacobian[i * n + j]) * r->reach[j];
-    compare(r, moved, exact);
-    return r->residual > 0.0 && r->residual_ratio <= JLT_LINEARIZATION_TOLERANCE ? keep_straight(r, instance, x, exact) : JLT_OK;
+    for (size_t k = 0; k < n * n; k++) moved[k / n] += exact[n + k] * r->reach[k % n];
+    compare(r, exact, moved);
+    const bool is_near = r->residual_ratio > 0.0 && r->residual_ratio <= JLT_LINEARIZATION_TOLERANCE;
+    return is_near ? keep_straight(r, instance, x, exact) : JLT_OK;
 }
 
 static jlt_status bind(jlt_instance **instance, const jlt_descriptor *descriptor, const double *params)
@@ -377,10 +379,8 @@ jlt_status jlt_linearization_enclose(jlt_linearization *result, const jlt_descri
 
     JLT_PASS(jlt_ball_spectrum_compute(&s, &question));
     memcpy(result->jacobian, s.jacobian, s.n * s.n * sizeof *s.jacobian);
-    for (size_t k = 0; k <= s.n; k++) {
-        result->charpoly[k] = s.charpoly[k];
-        result->charpoly_error[k] = s.charpoly_error[k];
-    }
+    memcpy(result->charpoly, s.charpoly, (s.n + 1) * sizeof *s.charpoly);
+    memcpy(result->charpoly_error, s.charpoly_error, (s.n + 1) * sizeof *s.charpoly_error);
     result->trace = s.trace;
     result->trace_error = s.trace_error;
     result->obstructs = fabs(s.trace) > s.trace_error;

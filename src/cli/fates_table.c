@@ -41,9 +41,10 @@ static void wrap(const jlt_system *system, double *x)
 {
     const jlt_descriptor *d = system->instance->descriptor;
 
-    if (system->surface == NULL) jlt_chart_wrap_state(system->flow.chart, x);
     for (unsigned i = 0; system->surface != NULL && i < d->state_count; i++)
         if (jlt_descriptor_proves(d, "periodic", d->states[i].name)) x[i] = jlt_chart_reduce(x[i], d->states[i].period);
+    if (system->surface != NULL) jlt_chart_turn_back(system->flow.chart, x);
+    else jlt_chart_wrap_state(system->flow.chart, x);
 }
 
 void jlt_fates_table_row(FILE *file, const jlt_motion_options *options, const jlt_system *system, const double *q,

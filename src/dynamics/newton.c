@@ -1,5 +1,6 @@
 #include "dynamics/newton.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -106,7 +107,10 @@ static bool try_step(jlt_newton *self)
 
     for (size_t k = 0; k < self->period; k++) {
         jlt_chart_unscaled(self->chart, move, self->delta + k * d);
-        for (unsigned i = 0; i < d; i++) self->trial[k * d + i] = self->points[k * d + i] + self->factor * move[i];
+        for (unsigned i = 0; i < d; i++) {
+            const double to = self->points[k * d + i] + self->factor * move[i];
+            self->trial[k * d + i] = fabs(to) < DBL_MIN ? 0 : to; /* of what is subnormal no digit may be right */
+        }
         jlt_chart_wrap(self->chart, self->trial + k * d);
     }
     return true;

@@ -59,13 +59,16 @@ static void set_point(const jlt_equilibrium_question *q, const double *params, c
     jlt_oracle_set_states(q->oracle, x, exact_x);
 }
 
-/* Linearize in doubles, with the field's exact size, and bounds on the errors of the Jacobian and of the integrals' gradients. */
+static double least_size(const ttc_enclosure *exact) { return fmax(0.0, fabs(exact->value) - exact->radius); }
+
+/* Linearize in doubles, with exact sizes of field and Jacobian, and bounds on the errors of the Jacobian and of the integrals'
+ * gradients. */
 static jlt_status linearize(jlt_linearization *result, const jlt_equilibrium_question *q, const double *params, const double *x,
                             const char *const *exact_x)
 {
+    enum { SIZE = JLT_LINEARIZATION_SIZE_MAX };
     const size_t n = q->descriptor->state_count;
-    double errors[JLT_LINEARIZATION_SIZE_MAX * JLT_LINEARIZATION_SIZE_MAX], field[JLT_LINEARIZATION_SIZE_MAX];
-    double gradient_errors[JLT_LINEARIZATION_SIZE_MAX * JLT_LINEARIZATION_SIZE_MAX];
+    double errors[SIZE * SIZE], gradient_errors[SIZE * SIZE], sizes[SIZE + SIZE * SIZE];
     JLT_FREED ttc_enclosure *exact = calloc(n * n, sizeof *exact);
     bool finite = true;
 
@@ -73,15 +76,19 @@ static jlt_status linearize(jlt_linearization *result, const jlt_equilibrium_que
     JLT_PASS(jlt_linearization_residual(result, q->descriptor, params, x));
     set_point(q, params, x, exact_x);
     JLT_PASS(jlt_oracle_enclose(q->oracle, exact, q->oracle->field, n));
-    for (size_t i = 0; i < n; i++) field[i] = fmax(0.0, fabs(exact[i].value) - exact[i].radius);
+    for (size_t i = 0; i < n; i++) {
+        sizes[i] = least_size(&exact[i]);
+        if (q->find) sizes[i] = fmin(sizes[i], fabs(result->f[i])); /* states are found as far as doubles tell */
+    }
     JLT_PASS(jlt_oracle_enclose(q->oracle, exact, q->oracle->jacobian, n * n));
     for (size_t i = 0; i < n * n; i++) {
+        sizes[n + i] = least_size(&exact[i]);
         errors[i] = jlt_oracle_error(result->jacobian[i], &exact[i]);
         finite &= isfinite(errors[i]) != 0;
     }
     if (!finite) return JLT_ERR_NONFINITE;
     JLT_PASS(jlt_oracle_gradient_errors(q->oracle, gradient_errors, result->gradients, result->held, result->integrals));
-    return jlt_linearization_compute(result, q->descriptor, params, x, field, errors, gradient_errors);
+    return jlt_linearization_compute(result, q->descriptor, params, x, sizes, errors, gradient_errors);
 }
 
 /* Whether x still is the double of the fraction that the caller gave. */

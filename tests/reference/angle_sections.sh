@@ -249,4 +249,11 @@ for section in strobe f=0; do
 done
 [ "$(awk -F, '$5^2 > 10' f=0.csv)$(wc -l < f=0.csv)" = 26 ] || fail "ends after turns: $(cat f=0.csv)"
 cmp -s f=0.csv strobe.csv || fail "a section that a table describes shows other ends: $(diff f=0.csv strobe.csv)"
+# So it does beyond half a turn: the section's own angle stays near its level.
+sed -i 's/f = 0 with/f = 4 with/' spun.tt
+sed -i 's/f = 0$/f = 4/' spun_section.tt
+for section in strobe f=4; do
+    jellett fates ./spun.tt --section $section --grid q=-3:3:5,v=-2:2:5 --returns 10 2> log | grep -v '^#' > $section.csv
+done
+cmp -s f=4.csv strobe.csv || fail "other ends at a section beyond half a turn: $(diff f=4.csv strobe.csv | head -4)"
 exit $status

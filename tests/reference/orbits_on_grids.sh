@@ -130,4 +130,11 @@ for tolerance in 1e-13 1e-4 1e-3; do
     jellett orbits ./cycle.tt --section y=0 --start x=0.316,z=0.5,u=0 --tol $tolerance --period 1 > out 2> err
     tail -1 out | grep -q ',attracting,' || fail "at tolerance $tolerance: $(tail -1 out) $(cat err)"
 done
+
+# Newton's method ends at rest, from either side, not a subnormal number beside it.
+printf '%s\n' 'model settling' 'state x' 'state y' 'state f' 'angle c s = cos(f) sin(f)' 'eq x = x/10 + x^2 + x*y' \
+    'eq y = -y/10 + x*y + c*x^2' 'eq f = 1' 'periodic f = 2*pi' > settling.tt
+for start in x=0.01,y=0.01 x=0.001,y=0.03 x=-0.003,y=0.04; do
+    expect 0 '^1,0,0,6.28' jellett orbits ./settling.tt --section f=0 --start $start
+done
 exit $status

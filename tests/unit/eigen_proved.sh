@@ -256,6 +256,14 @@ printf '%s\n' 'model fold' 'param mu' 'default mu = 0' 'state x' 'eq x = x^2 - x
 says ' 0 exactly, condition not defined' fold.tt --at x=0.1
 jellett eigen fold.tt --at x=0.1 --sweep mu=0:1e-30:2 > out 2> err
 cut -d, -f1,10 out | tail -2 | diff - <(printf '%s\n' 0,centre 1e-30,refused) > diff || fail "beside a fold: $(cat diff err)"
+# Nor beside (x - r)^2 (x - s) = 0 with r < s, where doubles leave no field, or slopes that are rounding alone.
+tangent() { printf '%s\n' 'model tangent' 'param mu' 'state x' "eq x = x^3 - ($2)*x^2 + ($3)*x - ($4) + mu" > tangent.tt
+    jellett eigen tangent.tt --at x="$1" --sweep mu=-1e-30:0:2 > out 2> err
+    cut -d, -f1,10 out | tail -2 | diff - <(printf '%s\n' -1e-30,refused 0,centre) > diff || fail "beside $1: $(cat diff err)"; }
+tangent 3/10 13/10 51/100 63/1000
+says 'verdict not settled at 53 bits' tangent.tt --at x=0.35 --set mu=0 --find
+tangent 1/10 38/15 143/300 7/300
+tangent 7/10 37/10 371/100 1127/1000
 # A positive eigenvalue decides, also where no ball tells whether another is zero, cos(a)^2 + sin(a)^2 - 1; a negative one does not.
 printf '%s\n' 'model hidden' 'param a' 'default a = 1' 'angle C S = cos(a) sin(a)' 'state x' 'state y' \
     'eq x = x' 'eq y = (C^2 + S^2 - 1)*y + x^2' > hidden.tt
