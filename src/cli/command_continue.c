@@ -271,14 +271,14 @@ static jlt_exit draw(const options *o, const jlt_system *system, const char *nam
 
 static jlt_exit parse_range(jlt_grid_axis *axis, const char *text)
 {
-    const char *colon = strchr(text, ':');
-    char with_count[256];
-    jlt_exit code;
+    const char *equals = strchr(text, '='), *colon = strchr(text, ':');
+    jlt_exit code = JLT_EXIT_DONE;
 
     axis->high = axis->low;
-    snprintf(with_count, sizeof with_count, "%s:1", text);
-    if (strchr(text, '=') == NULL || colon == NULL || strchr(colon + 1, ':') != NULL) code = JLT_EXIT_DONE;
-    else code = jlt_grid_axis_parse(axis, with_count, strlen(with_count), "--along");
+    if (equals != NULL && colon > equals && strchr(colon + 1, ':') == NULL) {
+        code = jlt_grid_axis_parse(axis, text, (size_t)(colon - text), "--along"); /* NAME=LOW */
+        if (code == JLT_EXIT_DONE) code = jlt_grid_number(&axis->high, colon + 1, strlen(colon + 1), "--along");
+    }
     if (code == JLT_EXIT_DONE && !(axis->low < axis->high))
         code = jlt_command_fail(JLT_EXIT_USAGE, "--along: '%s' is no range (write NAME=LOW:HIGH, LOW below HIGH)", text);
     return code;

@@ -344,7 +344,7 @@ done
 # Places have room for the largest sections, and are kept off the stack: half of the usual 8 MiB suffices.
 (ulimit -s 4096 && jellett continue --along E=1.9:2.15 > rows.csv 2> log) || fail "with a stack of 4 MiB: status $?, $(cat log)"
 # A branch that leaves the range ends on it, not beyond it by rounding.
-for range in E=2.1:2.3 "E=2.1:2.3 --decreasing" a3=0.45:0.53; do
+for range in E=2.1:2.3 "E=2.1:2.3 --decreasing" a3=0.45:0.53 "E=2.1:2.3$(printf '0%.0s' {1..300})"; do
     jellett continue --along $range 2> log | tail -1 | cut -d, -f2 > end
     grep -qx '2.3\|2.1\|0.53' end || fail "the end of $range: $(cat end)"
 done
