@@ -6,6 +6,7 @@
 #include "prove/subcase.h"
 
 #include <flint/fmpq_poly.h>
+#include <flint/fmpz_poly.h>
 
 #include <stdlib.h>
 
