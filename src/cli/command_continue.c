@@ -275,7 +275,7 @@ static jlt_exit parse_range(jlt_grid_axis *axis, const char *text)
     jlt_exit code = JLT_EXIT_DONE;
 
     axis->high = axis->low;
-    if (equals != NULL && colon > equals && strchr(colon + 1, ':') == NULL) {
+    if (equals != NULL && colon != NULL && colon > equals && strchr(colon + 1, ':') == NULL) {
         code = jlt_grid_axis_parse(axis, text, (size_t)(colon - text), "--along"); /* NAME=LOW */
         if (code == JLT_EXIT_DONE) code = jlt_grid_number(&axis->high, colon + 1, strlen(colon + 1), "--along");
     }
