@@ -3,6 +3,7 @@
 # kernels and the batched ones of spherical_top_level, for gcc and clang. --write [COLUMN] counts anew, for one release, as gcc14,
 # where so named; AVX-512 is unknown to valgrind.
 set -euo pipefail
+[ "$(uname -m)" = x86_64 ] || { echo "counts are those of x86-64"; exit 77; }
 cd "$JLT_SOURCE_DIR"
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
