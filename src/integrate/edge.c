@@ -26,9 +26,12 @@ static double end_of(const jlt_field *field, unsigned state, double end, double 
     return is_kept_from(field, state, end) ? -side * JLT_STEPPER_SCALE_LEAST : end;
 }
 
+/* Whether nothing is left of this state, and `end` is the end of its interval that it was kept from, or any where 0 is none. */
 static bool is_lost_at(const jlt_stepper *stepper, unsigned state, double end)
 {
-    return is_kept_from(stepper->field, state, end) && jlt_state_set_has(&stepper->lost, state);
+    const jlt_quantity *interval = &stepper->field->domain.intervals[state];
+
+    return jlt_state_set_has(&stepper->lost, state) && (end == 0 || (interval->low < 0 && interval->high > 0));
 }
 
 /* What is lost may not come back as errors that have grown: its end is where it would. */
@@ -43,8 +46,8 @@ static double distance(const jlt_stepper *stepper, unsigned state, double x, dou
 {
     const jlt_field *field = stepper->field;
 
-    if (!isfinite(end)) return INFINITY;
     if (is_lost_at(stepper, state, end)) return below_return(x) / JLT_STEPPER_SCALE_LEAST;
+    if (!isfinite(end)) return INFINITY;
     const double unit = is_kept_from(field, state, end) ? fabs(stepper->x_start[state]) : jlt_stepper_unit(stepper, state);
     return margin(x, end_of(field, state, end, side), side) / jlt_larger(fabs(end), unit);
 }
@@ -149,11 +152,11 @@ static double time_ahead(jlt_edge_part *out, const jlt_stepper *stepper)
     double values[JLT_REGION_CONDITIONS_MAX], first = INFINITY;
 
     for (unsigned i = 0; domain->intervals != NULL && i < domain->states; i++) {
-        const double below = time_to_end(stepper, i, domain->intervals[i].low, 1);
-        const double above = time_to_end(stepper, i, domain->intervals[i].high, -1);
+        const double low = domain->intervals[i].low, high = domain->intervals[i].high;
+        const double below = time_to_end(stepper, i, low, 1), above = time_to_end(stepper, i, high, -1);
         if (!(fmin(below, above) < first)) continue;
         first = fmin(below, above);
-        *out = (jlt_edge_part){ .index = i, .is_upper = above < below };
+        *out = (jlt_edge_part){ .index = i, .is_upper = above < below, .is_lost = jlt_state_set_has(&stepper->lost, i) };
     }
     if (domain->conditions > 0) {
         domain->values(x, domain->p, values);

@@ -38,6 +38,11 @@ void jlt_leg_close(jlt_leg *self)
     *self = (jlt_leg){ .t = 0 };
 }
 
+static double end_of(const jlt_quantity *interval, const jlt_edge_part *end)
+{
+    return end->is_lost ? 0 : end->is_upper ? interval->high : interval->low;
+}
+
 /* Whether the rate of a state is 0 at this end of its interval, the other states as they are. */
 static bool rests_at(const jlt_leg *self, const jlt_edge_part *end)
 {
@@ -45,7 +50,7 @@ static bool rests_at(const jlt_leg *self, const jlt_edge_part *end)
     double x[JLT_WAY_VALUES_MAX], f[JLT_WAY_VALUES_MAX];
 
     memcpy(x, jlt_orbit_stepper(self->orbit)->x, self->field.dim * sizeof *x);
-    x[end->index] = end->is_upper ? interval->high : interval->low;
+    x[end->index] = end_of(interval, end);
     self->field.call(x, self->field.p, f);
     return f[end->index] == 0;
 }
@@ -88,7 +93,7 @@ void jlt_leg_end_text(char *text, const jlt_leg *self, unsigned edge)
         return;
     }
     const jlt_quantity *state = &kernel->states[part.index];
-    const double end = part.is_upper ? state->high : state->low;
+    const double end = end_of(state, &part);
     const int told = snprintf(text + used, left, ": %s is at the end %.10g of its interval", state->name, end);
     if (rests_at(self, &part) && told >= 0 && (size_t)told < left)
         snprintf(text + used + told, left - (size_t)told, ", as near as digits tell: it may never come there, as its rate is 0 at "
