@@ -19,17 +19,16 @@ typedef struct {
     unsigned lost;
     jlt_fate fate;         /* of the end */
     jlt_lane_end lane_end;
-    bool has_lane_end, is_slow; /* is_slow: the lane's next return is left to the flow's own method, being too slow */
-    bool has_end, is_interrupted; /* has_end: the orbit ends after its rows, or was interrupted there */
+    bool has_lane_end, has_end, is_interrupted; /* has_end: the orbit ends after its rows, or was interrupted there */
+    bool is_slow;          /* the lane's next return is left to the flow's own method */
 } course;
 
 struct jlt_section_batch {
     jlt_section_flows flows; /* their sections follow orbits alone; that of the first thread also reads them */
-    jlt_batch_map map; /* kernels NULL: no lanes */
+    jlt_batch_map map;       /* kernels NULL: no lanes */
     jlt_batch_watch watch;
     jlt_section_batch_options options;
-    unsigned threads, columns; /* columns: of lanes, states, and t */
-    unsigned width;     /* of a row */
+    unsigned threads, columns, width; /* columns: of lanes, states, and t; width: of a row */
     double slow;        /* an orbit slower than this is left to the flow's own method (integrate/rest.h) */
     jlt_status *lifted; /* (count,): status of each start's lift */
     size_t *lane;       /* (count,): of each start that has a state */
@@ -73,10 +72,11 @@ jlt_status jlt_section_batch_create(jlt_section_batch **out, const jlt_flow *flo
         .kernels = jlt_section_flows_obstacle(flow, kernels) == NULL ? kernels : NULL, .dim = flow->chart->states, .clock = true,
         .column = flow->chart->column, .turn = flow->chart->turn, .direction = (int)flow->direction,
         .backwards = options->backwards, .root = flow->field->root, .root_floor = root_floor, .root_least = root_least,
-        .root_rest = jlt_batch_rest(tolerance), .kept = flow->field->kept.words[0], .angles = flow->field->angles.words[0],
-        .domain = jlt_field_watches(flow->field) ? &flow->field->domain : NULL, .tolerance = tolerance, .threads = options->threads,
+        .root_rest = jlt_batch_rest(tolerance), .kept = flow->field->kept.words[0], .pairs = &flow->field->pairs,
+        .angles = flow->field->angles.words[0], .tolerance = tolerance, .threads = options->threads, .interrupt = flow->interrupt,
+        .domain = jlt_field_watches(flow->field) ? &flow->field->domain : NULL,
         .max_steps = flow->max_steps != 0 && flow->max_steps < steps_max ? flow->max_steps : steps_max,
-        .project = options->project != NULL ? options->project->descriptor : NULL, .interrupt = flow->interrupt,
+        .project = options->project != NULL ? options->project->descriptor : NULL,
     };
     self->watch = (jlt_batch_watch){ .count = jlt_observed_conditions(flow->observed), .seeks_least = flow->seeks_least,
                                      .ends = flow->end_where_invalid };

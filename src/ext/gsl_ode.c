@@ -59,7 +59,7 @@ void jlt_gsl_ode_destroy(jlt_gsl_ode *self)
     free(self);
 }
 
-jlt_status jlt_gsl_ode_reset(jlt_gsl_ode *self, const double *scale)
+jlt_status jlt_gsl_ode_rescale(jlt_gsl_ode *self, const double *scale)
 {
     gsl_odeiv2_driver *d = self->driver;
     gsl_odeiv2_control *control = gsl_odeiv2_control_scaled_new(self->tolerance, self->tolerance, 1, 0, scale, self->dim);
@@ -67,9 +67,14 @@ jlt_status jlt_gsl_ode_reset(jlt_gsl_ode *self, const double *scale)
     if (control == NULL) return JLT_ERR_NOMEM;
     gsl_odeiv2_control_free(d->c);
     d->c = control;
+    return gsl_odeiv2_control_set_driver(control, d) == GSL_SUCCESS ? JLT_OK : JLT_ERR_ARG;
+}
+
+jlt_status jlt_gsl_ode_reset(jlt_gsl_ode *self, const double *scale)
+{
+    JLT_PASS(jlt_gsl_ode_rescale(self, scale));
     self->clock = 0;
-    if (gsl_odeiv2_control_set_driver(control, d) != GSL_SUCCESS) return JLT_ERR_ARG;
-    return gsl_odeiv2_driver_reset(d) == GSL_SUCCESS ? JLT_OK : JLT_ERR_ARG;
+    return gsl_odeiv2_driver_reset(self->driver) == GSL_SUCCESS ? JLT_OK : JLT_ERR_ARG;
 }
 
 jlt_status jlt_gsl_ode_step(jlt_gsl_ode *self, double *x, double *f, double *h, double *taken, size_t *rejected,

@@ -22,6 +22,9 @@ void jlt_gsl_ode_destroy(jlt_gsl_ode *self); /* NULL is legal */
  *  tolerance*(|x_i| + scale_i); `scale`, shape (dim,), is copied. Errors: ARG, GSL refuses the scale; NOMEM. */
 JLT_CHECKED jlt_status jlt_gsl_ode_reset(jlt_gsl_ode *self, const double *scale);
 
+/** Change the scales, and go on. Errors: as of jlt_gsl_ode_reset. */
+JLT_CHECKED jlt_status jlt_gsl_ode_rescale(jlt_gsl_ode *self, const double *scale);
+
 /** Advance x, shape (dim,), by one accepted step. In/out: *h, signed, the step to try, then the one proposed next; *rejected grows
  *  by the number of rejected attempts. Out: *taken, the signed size of the accepted step; f, shape (dim,), dx/dtau at the new x.
  *  In: limit, signed, |*taken| <= |limit|. Errors: NO_PROGRESS, GSL gave up or the step vanished; NONFINITE, the field is not

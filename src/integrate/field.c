@@ -3,6 +3,7 @@
 #include <float.h>
 #include <math.h>
 
+#include "integrate/signs.h"
 #include "kernel/batch_isa.h"
 #include "kernel/descriptor.h"
 
@@ -74,55 +75,6 @@ double jlt_field_size_at(const jlt_field *field, const double *x)
     return jlt_field_size(largest);
 }
 
-/* The rate of state i where its value is `at`, and others are in the part `inside` of their intervals, or, where these are infinite,
- * as far from an end, or from 0 on either side. */
-static double rate_at(const jlt_field *field, unsigned i, double at, double inside)
-{
-    double x[JLT_DOMAIN_STATES_MAX], f[JLT_DOMAIN_STATES_MAX];
-
-    for (unsigned j = 0; j < field->dim; j++) {
-        const double low = field->domain.intervals[j].low, high = field->domain.intervals[j].high;
-        const double away = inside / (1 - inside) * (1 + 0.1 * j), side = (j & 1) != 0 ? -1 : 1;
-        x[j] = isfinite(low)    ? isfinite(high) ? low + inside * (high - low) : low + away
-               : isfinite(high) ? high - away
-                                : (inside < 0.5 ? side : -side) * away;
-    }
-    x[i] = at;
-    field->call(x, field->p, f);
-    return f[i];
-}
-
-/* Whether the rate of state i goes to 0 with the state, about as fast: after sqrt(x) x comes to 0. *moves becomes true where it is
- * not 0 before. */
-static bool rests_at_zero(const jlt_field *field, unsigned i, double side, double inside, bool *moves)
-{
-    const double near = rate_at(field, i, side * 0x1p-40, inside), nearer = rate_at(field, i, side * 0x1p-80, inside);
-
-    *moves |= near != 0;
-    return rate_at(field, i, 0, inside) == 0 && fabs(nearer) * 0x1p40 <= 4 * fabs(near);
-}
-
-/* Whether it does so wherever the others are: judged by places near to 0 and far from it, on both sides. */
-static bool keeps_its_sign(const jlt_field *field, unsigned i)
-{
-    static const double places[] = { 0.3, 0.7, 0.02, 0.98 };
-    const jlt_quantity *interval = &field->domain.intervals[i];
-    bool moves = false;
-
-    if (interval->low > 0 || interval->high < 0) return false;
-    for (size_t k = 0; k < sizeof places / sizeof *places; k++)
-        for (int side = -1; side <= 1; side += 2)
-            if ((side < 0 ? interval->low < 0 : interval->high > 0) && !rests_at_zero(field, i, side, places[k], &moves))
-                return false;
-    return moves;
-}
-
-static void find_kept(jlt_field *field)
-{
-    for (unsigned i = 0; field->domain.intervals != NULL && i < field->dim; i++)
-        if (keeps_its_sign(field, i)) jlt_state_set_add(&field->kept, i);
-}
-
 static void find_angles(jlt_field *field, const jlt_descriptor *descriptor)
 {
     for (unsigned i = 0; i < field->dim; i++)
@@ -155,7 +107,7 @@ jlt_status jlt_field_of(jlt_field *out, const jlt_instance *instance)
         .root = has_root ? (int)last : -1,
         .sized = descriptor->state_count,
     };
-    find_kept(out);
+    jlt_signs_find(out);
     find_angles(out, descriptor);
     return JLT_OK;
 }

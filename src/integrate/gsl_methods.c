@@ -50,14 +50,20 @@ static void destroy(jlt_stepper *stepper)
     free(self);
 }
 
-static jlt_status start(jlt_stepper *stepper)
+/* Give GSL the stepper's scales, by `set`. It multiplies them, so that of a column not controlled must be finite. */
+static jlt_status set_scales(const jlt_stepper *stepper, jlt_status (*set)(jlt_gsl_ode *, const double *))
 {
-    gsl_state *self = stepper->state;
-    double scale[JLT_FIELD_DIM_MAX + 1]; /* GSL multiplies scales, so that of a column not controlled must be finite */
+    const gsl_state *self = stepper->state;
+    double scale[JLT_FIELD_DIM_MAX + 1];
 
     for (unsigned i = 0; i < stepper->columns; i++) scale[i] = fmin(stepper->scale[i], 1e200);
+    return set(self->ode, scale);
+}
+
+static jlt_status start(jlt_stepper *stepper)
+{
     if (!(stepper->h_next > 0)) stepper->h_next = fmin(1e-3, stepper->max_step);
-    return jlt_gsl_ode_reset(self->ode, scale);
+    return set_scales(stepper, jlt_gsl_ode_reset);
 }
 
 static jlt_status step(jlt_stepper *stepper, double limit)
@@ -66,6 +72,7 @@ static jlt_status step(jlt_stepper *stepper, double limit)
     const double asked = jlt_smaller(stepper->h_next, stepper->max_step), reach = jlt_smaller(limit, stepper->max_step);
     double h = stepper->direction * asked, taken = 0;
 
+    if (stepper->rescaled) JLT_PASS(set_scales(stepper, jlt_gsl_ode_rescale));
     memcpy(self->trial, stepper->x, stepper->columns * sizeof *self->trial);
     JLT_PASS(jlt_gsl_ode_step(self->ode, self->trial, self->rates, &h, &taken, &stepper->rejected,
                               stepper->direction * jlt_smaller(reach, 1e300)));

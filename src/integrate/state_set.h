@@ -1,4 +1,4 @@
-/** A set of states of a field, by their indices. */
+/** Sets and pairs of states of a field, by their indices. */
 #ifndef JLT_INTEGRATE_STATE_SET_H
 #define JLT_INTEGRATE_STATE_SET_H
 
@@ -16,6 +16,16 @@ static inline bool jlt_state_set_has(const jlt_state_set *set, unsigned i)
 {
     return i < JLT_STATE_SET_MAX && (set->words[i / 64] >> i % 64 & 1) != 0;
 }
+
+typedef struct {
+    unsigned char first, second;
+} jlt_state_pair;
+
+/* No state is in two of them. */
+typedef struct {
+    unsigned count;
+    jlt_state_pair of[JLT_STATE_SET_MAX / 2];
+} jlt_state_pairs;
 
 /* i < JLT_STATE_SET_MAX. */
 static inline void jlt_state_set_add(jlt_state_set *set, unsigned i) { set->words[i / 64] |= (uint64_t)1 << i % 64; }

@@ -30,6 +30,30 @@ static void set_scales(jlt_stepper *self)
         const double small = jlt_field_small(field, i, self->size), moved = 100 * shortest_step(self) * fabs(self->f[i]);
         self->scale[i] = i >= controlled ? INFINITY : small > 0 ? fmax(small, fmin(1, moved)) : JLT_STEPPER_SCALE_LEAST;
     }
+    memcpy(self->full_scale, self->scale, self->stride * sizeof *self->scale);
+}
+
+/* Fit the scale of state i, if it is controlled, to the larger of it and the state that it vanishes with. Returns whether it
+ * changes. */
+static bool fit_scale(jlt_stepper *self, unsigned i, double larger)
+{
+    const double before = self->scale[i], fitted = jlt_larger(JLT_FIELD_SPREAD * larger, JLT_STEPPER_SCALE_LEAST);
+
+    if (self->full_scale[i] < INFINITY) self->scale[i] = jlt_smaller(self->full_scale[i], fitted);
+    return self->scale[i] < before || self->scale[i] > before;
+}
+
+/* Set the scales of states that vanish together to what they are beside. */
+static void fit_pairs(jlt_stepper *self)
+{
+    const jlt_state_pairs *pairs = &self->field->pairs;
+
+    self->rescaled = false;
+    for (unsigned k = 0; k < pairs->count; k++) {
+        const unsigned i = pairs->of[k].first, j = pairs->of[k].second;
+        const double larger = jlt_larger(fabs(self->x[i]), fabs(self->x[j]));
+        self->rescaled |= fit_scale(self, i, larger) | fit_scale(self, j, larger);
+    }
 }
 
 /* Whether the domain is one that steps can watch: of states that the field has, and with gradients of its conditions. */
@@ -70,7 +94,7 @@ jlt_status jlt_stepper_create(jlt_stepper **out, const jlt_method *method, const
     self->columns = field->dim + (field->time_rate != NULL);
     self->controlled = self->columns - (field->controlled != 0 ? field->dim - field->controlled : 0);
     self->stride = (self->columns + JLT_STEPPER_WIDTH - 1) / JLT_STEPPER_WIDTH * JLT_STEPPER_WIDTH;
-    block = jlt_memory_array((6 + JLT_DENSE_DEGREE_MAX + 1) * (size_t)self->stride
+    block = jlt_memory_array((7 + JLT_DENSE_DEGREE_MAX + 1) * (size_t)self->stride
                                  + (size_t)field->domain.conditions * field->domain.states, sizeof *block);
     if (block == NULL) {
         st = JLT_ERR_NOMEM;
@@ -82,7 +106,8 @@ jlt_status jlt_stepper_create(jlt_stepper **out, const jlt_method *method, const
     self->x_start = self->f + self->stride;
     self->f_start = self->x_start + self->stride;
     self->scale = self->f_start + self->stride;
-    self->dense = self->scale + self->stride;
+    self->full_scale = self->scale + self->stride;
+    self->dense = self->full_scale + self->stride;
     self->gradients = self->dense + (JLT_DENSE_DEGREE_MAX + 1) * (size_t)self->stride;
     JLT_TRY(method->create(self));
     *out = self;
@@ -140,6 +165,7 @@ jlt_status jlt_stepper_start(jlt_stepper *self, double t, const double *x, doubl
     self->evaluations++;
     forget_step(self);
     set_scales(self);
+    fit_pairs(self);
     self->lost = (jlt_state_set){ 0 };
     note_lost(self);
     self->at_edge = jlt_edge_is_outside(self);
@@ -152,10 +178,11 @@ jlt_status jlt_stepper_start(jlt_stepper *self, double t, const double *x, doubl
 jlt_status jlt_stepper_replace(jlt_stepper *self, const double *x, const double *scale)
 {
     if (!jlt_guard_finite(x, self->field->dim)) return JLT_ERR_NONFINITE;
-    if (scale != NULL) memcpy(self->scale, scale, self->field->dim * sizeof *scale);
+    for (unsigned i = 0; scale != NULL && i < self->field->dim; i++) self->scale[i] = self->full_scale[i] = scale[i];
     for (unsigned i = 0; i < self->field->dim; i++)
         if (x[i] < self->x[i] || x[i] > self->x[i]) self->x_low[i] = 0;
     memcpy(self->x, x, self->field->dim * sizeof *x);
+    fit_pairs(self);
     jlt_field_rates(self->field, self->f, self->x);
     self->evaluations++;
     self->dense_ready = false;
@@ -268,6 +295,7 @@ jlt_status jlt_stepper_advance(jlt_stepper *self, double limit)
     self->tau_low = (tau - self->tau) + move;
     self->steps++;
     note_lost(self);
+    fit_pairs(self);
     if (fabs(self->h) > long_again * fabs(tau)) self->leaps = 0;
     return JLT_OK;
 }

@@ -48,6 +48,8 @@ typedef struct {
     double *gradients;    /* room for those of the field's conditions, (conditions, domain states) */
     double size;          /* jlt_field_size_at the start */
     double *scale;        /* below which a column counts as small; INFINITY: not controlled */
+    double *full_scale;   /* the same where states that vanish together are not small */
+    bool rescaled;        /* the last point changed scales */
     unsigned controlled;  /* columns in the error norm */
     bool watches;         /* jlt_field_watches(field) */
     jlt_state_set lost;   /* kept states that have been below the least scale: nothing is left of them but errors */

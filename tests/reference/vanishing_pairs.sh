@@ -1,0 +1,54 @@
+#!/usr/bin/env bash
+# States that are 0 only together, as both parts of an oscillation's amplitude, keep their digits however small they become.
+source "$JLT_SOURCE_DIR/tests/scratch.sh"
+# z = x + i y is z0 exp(k (cos t - 1) + i w t): it falls to 1e-26 of z0 and is z0 again after 2 pi, w being 3. Another oscillation,
+# u, which z drives, keeps its size. An error of the tolerance, 1e-12, a step is 64 times that beside it, in fewer than 400 steps.
+cat > turned.tt << 'T'
+model turned
+param k
+param w
+default k = 30, w = 3
+state x
+state y
+state u
+state v
+state phase
+angle c s = cos(phase) sin(phase)
+periodic phase = 2*pi
+eq x = - k*s*x - w*y
+eq y = w*x - k*s*y
+eq u = v
+eq v = x - u
+eq phase = 1
+T
+turn=6.283185307179586
+is_back() { # X Y WHAT, the columns of x and y: the last row of `out`
+    awk -F, -v x="$1" -v y="$2" '/^[0-9]/ { off = ($x - 1)^2 + $y^2 } END { exit !(off < (64*400*1e-12)^2) }' out ||
+        fail "z does not come back $3: $(tail -1 out)"
+}
+for method in gauss dop853 taylor rk8pd rkf45 msadams; do
+    expect 0 ',alive$' jellett simulate ./turned.tt --start x=1,y=0,u=0,v=1,phase=0 --times $turn --method $method
+    is_back 2 3 "by $method"
+    expect 0 '^0,1,' jellett section ./turned.tt --section phase=0 --start x=1,y=0,u=0,v=1 --returns 1 --method $method
+    is_back 4 5 "on a section by $method"
+done
+expect 0 '^1,1,' jellett section ./turned.tt --section phase=0 --grid x=0.5:1:2,y=0,u=0,v=1 --returns 1
+is_back 4 5 "in lanes"
+# From x = 0 and y > 0 crossings of x = 0 upwards are where w t is pi, 3 pi, ..., however small z is there.
+for how in "" "--method gauss" "--method dop853"; do
+    expect 0 '^1,6,' jellett section ./turned.tt --section x=0 --grid y=0.5:1:2,u=0,v=1,phase=0 --returns 6 $how
+    awk -F, -v how="$how" '/^[01],[1-6],/ { n++; off = $3 - 3.141592653589793*(2*$2 - 1)/3; bad += !(off*off < 1e-16) }
+        END { exit !(n == 12 && !bad) }' out || fail "crossings of x = 0 ${how:-in lanes}: $(grep -v '^#' out)"
+done
+# Slowly through a Hopf point: the same orbit in polar coordinates, whose radius keeps its sign.
+printf '%s\n' 'model slow' 'state x' 'state y' 'state mu' 'eq x = mu*x - y - x*(x^2 + y^2)' 'eq y = x + mu*y - y*(x^2 + y^2)' \
+    'eq mu = 1/100' > slow.tt
+printf '%s\n' 'model polar' 'state r' 'state mu' 'eq r = mu*r - r^3' 'eq mu = 1/100' > polar.tt
+expect 0 '^200,' jellett simulate ./polar.tt --start r=0.5,mu=-1 --times 200
+radius=$(tail -1 out | cut -d, -f2)
+for method in gauss dop853 taylor rk8pd rkf45 msadams; do
+    expect 0 '^200,' jellett simulate ./slow.tt --start x=0.5,y=0,mu=-1 --times 200 --method $method
+    awk -F, -v r="$radius" '/^200,/ { off = sqrt($2^2 + $3^2)/r - 1 } END { exit !(off*off < 1e-18) }' out ||
+        fail "slowly through a Hopf point by $method: $(tail -1 out), r = $radius"
+done
+exit $status
