@@ -53,7 +53,7 @@ static bool vanish_together(const jlt_field *field, unsigned a, unsigned b)
 
 static bool is_free(const jlt_field *field, unsigned state, const jlt_state_set *paired)
 {
-    return !jlt_field_keeps(field, state) && !jlt_state_set_has(paired, state) && (int)state != field->root;
+    return !jlt_state_set_has(&field->kept, state) && !jlt_state_set_has(paired, state) && (int)state != field->root;
 }
 
 void jlt_signs_find(jlt_field *field)

@@ -52,7 +52,8 @@ static void fit_pairs(jlt_stepper *self)
     for (unsigned k = 0; k < pairs->count; k++) {
         const unsigned i = pairs->of[k].first, j = pairs->of[k].second;
         const double larger = jlt_larger(fabs(self->x[i]), fabs(self->x[j]));
-        self->rescaled |= fit_scale(self, i, larger) | fit_scale(self, j, larger);
+        const bool first = fit_scale(self, i, larger), second = fit_scale(self, j, larger);
+        self->rescaled = self->rescaled || first || second;
     }
 }
 
