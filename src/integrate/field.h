@@ -44,8 +44,8 @@ typedef struct {
     const double *scale;           /* (dim,), >= 0, the size below which a state counts as small: its error is measured
                                       against max(|x_i|, scale_i). NULL: 1, and 0 for the root and the kept states,
                                       whose errors are relative */
-    jlt_state_set kept;            /* those whose interval ends at 0 and that never come there, as their rates go to 0 with
-                                      them; their errors are relative */
+    jlt_state_set kept;            /* those that never come to 0, within their interval or at its end, as their rates go to 0
+                                      with them; their errors are relative */
     jlt_state_set angles;          /* those that may grow by turns: in lanes other states' errors are not relative to them */
     unsigned sized;                /* leading states for which a scale of 1 means jlt_field_size of an orbit's start; 0: none */
 } jlt_field;
