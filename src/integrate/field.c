@@ -76,12 +76,12 @@ double jlt_field_size_at(const jlt_field *field, const double *x)
 
 /* The rate of state i where its value is `at`, and others are in the part `inside` of their intervals, or away from an end by
  * numbers whose ratios are no fractions at both parts: terms with simple factors do not cancel there. */
-static double rate_at(const jlt_field *field, unsigned i, double at, double inside)
+static double rate_at(const jlt_field *field, const jlt_quantity *states, unsigned i, double at, double inside)
 {
     double x[JLT_DOMAIN_STATES_MAX], f[JLT_DOMAIN_STATES_MAX];
 
     for (unsigned j = 0; j < field->dim; j++) {
-        const double low = field->domain.intervals[j].low, high = field->domain.intervals[j].high, away = sqrt(inside + 0.1 * j);
+        const double low = states[j].low, high = states[j].high, away = sqrt(inside + 0.1 * j);
         x[j] = isfinite(low) ? isfinite(high) ? low + inside * (high - low) : low + away : isfinite(high) ? high - away : away;
     }
     x[i] = at;
@@ -91,19 +91,21 @@ static double rate_at(const jlt_field *field, unsigned i, double at, double insi
 
 /* Whether the rate of state i goes to 0 with the state, about as fast: after sqrt(x) x comes to 0. A rate that is 0 beside 0 too
  * may be none of the state's own, as one that underflows far from its pulse, or one that cancels. */
-static bool rests_at_zero(const jlt_field *field, unsigned i, double inside)
+static bool rests_at_zero(const jlt_field *field, const jlt_quantity *states, unsigned i, double inside)
 {
-    const double side = field->domain.intervals[i].low < 0 ? -1 : 1;
-    const double near = rate_at(field, i, side * 0x1p-40, inside), nearer = rate_at(field, i, side * 0x1p-80, inside);
+    const double side = states[i].low < 0 ? -1 : 1;
+    const double near = rate_at(field, states, i, side * 0x1p-40, inside);
+    const double nearer = rate_at(field, states, i, side * 0x1p-80, inside);
 
-    return rate_at(field, i, 0, inside) == 0 && nearer != 0 && fabs(nearer) * 0x1p40 <= 4 * fabs(near);
+    return rate_at(field, states, i, 0, inside) == 0 && nearer != 0 && fabs(nearer) * 0x1p40 <= 4 * fabs(near);
 }
 
-static void find_kept(jlt_field *field)
+/* A root that is a state has a scale of its own. */
+static void find_kept(jlt_field *field, const jlt_quantity *states)
 {
-    for (unsigned i = 0; field->domain.intervals != NULL && i < field->dim; i++)
-        if (field->domain.intervals[i].low <= 0 && field->domain.intervals[i].high >= 0
-            && rests_at_zero(field, i, 0.3) && rests_at_zero(field, i, 0.7))
+    for (unsigned i = 0; i < field->dim; i++)
+        if ((int)i != field->root && states[i].low <= 0 && states[i].high >= 0
+            && rests_at_zero(field, states, i, 0.3) && rests_at_zero(field, states, i, 0.7))
             jlt_state_set_add(&field->kept, i);
 }
 
@@ -139,7 +141,7 @@ jlt_status jlt_field_of(jlt_field *out, const jlt_instance *instance)
         .root = has_root ? (int)last : -1,
         .sized = descriptor->state_count,
     };
-    find_kept(out);
+    find_kept(out, instance->states);
     find_angles(out, descriptor);
     return JLT_OK;
 }
