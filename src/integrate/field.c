@@ -107,7 +107,7 @@ jlt_status jlt_field_of(jlt_field *out, const jlt_instance *instance)
         .root = has_root ? (int)last : -1,
         .sized = descriptor->state_count,
     };
-    jlt_signs_find(out);
+    jlt_signs_find(out, instance->states);
     find_angles(out, descriptor);
     return JLT_OK;
 }
