@@ -18,13 +18,32 @@ static bool grows(const jlt_field *field, unsigned i, double f, double x, double
     return jlt_field_keeps(field, i) && x != 0 && (f * direction > 0) == (x > 0);
 }
 
+/* Whether two states that are 0 only together are not 0, and move away from it: their part of the Jacobian has a positive trace,
+ * as time goes, or is that of a saddle, and they grow. */
+static bool pair_grows(const jlt_field *field, const double *f, const double *x, double direction)
+{
+    double jacobian[JLT_JACOBIAN_DIM_MAX * JLT_JACOBIAN_DIM_MAX];
+
+    if (field->pairs.count == 0 || field->jacobian == NULL || field->dim > JLT_JACOBIAN_DIM_MAX) return false;
+    field->jacobian(x, field->p, jacobian);
+    for (unsigned k = 0; k < field->pairs.count; k++) {
+        const unsigned i = field->pairs.of[k].first, j = field->pairs.of[k].second;
+        const double *first = jacobian + i * field->dim, *second = jacobian + j * field->dim;
+        const double larger = jlt_larger(fabs(x[i]), fabs(x[j])), growth = f[i] * (x[i] / larger) + f[j] * (x[j] / larger);
+        if (!(larger > 0)) continue;
+        if ((first[i] + second[j]) * direction > 0) return true;
+        if (first[i] * second[j] < first[j] * second[i] && growth * direction > 0) return true;
+    }
+    return false;
+}
+
 static bool slower(const jlt_field *field, const double *f, const double *x, double size, double speed, double direction)
 {
     for (unsigned i = 0; i < field->dim; i++) {
         const double own = grows(field, i, f[i], x[i], direction) ? fabs(x[i]) : jlt_larger(fabs(x[i]), size);
         if (!(fabs(f[i]) < speed * own)) return false;
     }
-    return true;
+    return !pair_grows(field, f, x, direction);
 }
 
 bool jlt_rest_is_slower(const jlt_field *field, const double *x, double size, double speed, double direction)
