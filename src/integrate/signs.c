@@ -11,8 +11,8 @@ typedef struct {
     const jlt_quantity *states; /* whose intervals */
 } rates;
 
-/* Compute the rates, shape (dim,), where states a and b are `at`, and others are about in the part `inside` of their intervals, each
- * in another, lest terms cancel; where an interval is infinite, as far from its end, or from 0 on either side. */
+/* Compute the rates, shape (dim,), where states a and b are `at`, and others are about in the part `inside` of their intervals,
+ * each in another, lest terms cancel; where an interval is infinite, as far from its end, or from 0 on either side. */
 static void rates_at(const rates *self, double *f, unsigned a, unsigned b, double at, double inside)
 {
     double x[JLT_DOMAIN_STATES_MAX];

@@ -51,10 +51,10 @@ for method in gauss dop853 taylor rk8pd rkf45 msadams; do
     awk -F, -v r="$radius" '/^200,/ { off = sqrt($2^2 + $3^2)/r - 1 } END { exit !(off*off < 1e-18) }' out ||
         fail "slowly through a Hopf point by $method: $(tail -1 out), r = $radius"
 done
-# Beside a focus that repels, and a saddle, an orbit is not at rest, however near it is, while others of its states are: from 1e-30 it
-# grows as exp(t/10), or as exp(t), beyond all numbers. Where it is exactly there, and where the focus attracts, it is at rest.
-printf '%s\n' 'model beside' 'param a' 'param b' 'param c' 'default a = 1/10, b = -1, c = 1' 'state x' 'state y' 'state u' 'state w' \
-    'eq x = a*x + b*y' 'eq y = c*x + a*y' 'eq u = -u' 'eq w = w*(1 - w)' > beside.tt
+# Beside a focus that repels, and a saddle, an orbit is not at rest, however near it is, while others of its states are: from 1e-30
+# it grows as exp(t/10), or as exp(t), beyond all numbers. Where it is exactly there, and where the focus attracts, it is at rest.
+printf '%s\n' 'model beside' 'param a' 'param b' 'param c' 'default a = 1/10, b = -1, c = 1' 'state x' 'state y' 'state u' \
+    'state w' 'eq x = a*x + b*y' 'eq y = c*x + a*y' 'eq u = -u' 'eq w = w*(1 - w)' > beside.tt
 at_rest() { # START OPTION...: follow an orbit that never comes to the section, and tell whether it comes to rest
     jellett fates ./beside.tt --section u=-1 --start "$1,w=1" --returns 1 "${@:2}" > out 2> err
     grep -q ',equilibrium,' out
