@@ -240,8 +240,9 @@ jlt_status jlt_periodic_polish(jlt_map *map, jlt_periodic *out, const double *po
     memcpy(orbit.points, points, period * chart->dim * sizeof *points);
     JLT_PASS(iterate(map, orbit.points, period, held));
     orbit.period = jlt_periodic_primitive(chart, orbit.points, period);
-    JLT_PASS(jlt_periodic_measure(map, &orbit));
-    if (!jlt_periodic_moves(jlt_map_flow(map), &orbit)) return JLT_ERR_NO_CONVERGENCE;
+    const jlt_status st = jlt_periodic_measure(map, &orbit); /* DOMAIN: the points went to an equilibrium, where nothing returns */
+    if (st == JLT_ERR_DOMAIN || (st == JLT_OK && !jlt_periodic_moves(jlt_map_flow(map), &orbit))) return JLT_ERR_NO_CONVERGENCE;
+    JLT_PASS(st);
     *out = orbit;
     return JLT_OK;
 }
