@@ -116,6 +116,12 @@ for table in tide lifted,g=0; do
     awk -F, '$2 == 0 { start = $4 } /^[0-9]/ && $2 > 0 { n++; bad += !(($4/start - 1)^2 <= 64^2*1e-18) }
         END { exit !(n == 16 && !bad) }' many.csv || fail "x of $table does not come back from either side: $(cat many.csv)"
 done
+# A tangent at x = 0 falls and comes back as x does: of the derivative over a turn the eigenvalues are 1 and exp(-2 pi).
+for how in "--start x=0,y=0" "--grid x=0:0:1,y=0:1:2"; do # the latter in lanes
+    section many.csv ./tide.tt --section phase=0 $how --returns 1 --check
+    awk -F, '/alive,[^,]/ { n++; small = exp(-2*3.141592653589793); bad += !(($7 - 1 - small)^2 + ($8 - small)^2 <= 1e-18) }
+        END { exit bad || !n }' many.csv || fail "the derivative at x = 0, $how: $(cat many.csv)"
+done
 # However near x is to its end, y beside it ends where it does: y + y^2/2 = 3/2 - t from y = 1. An error of a step, 1e-12, counts
 # 1 + y times in that time, and there are fewer than 1000 steps.
 printf '%s\n' 'model beside' 'state x in (0, inf)' 'state y in (0, inf)' 'state z' 'state w' 'eq x = -50*x' 'eq y = -1/(1 + y)' \
