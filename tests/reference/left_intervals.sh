@@ -116,6 +116,12 @@ for table in tide lifted,g=0; do
     awk -F, '$2 == 0 { start = $4 } /^[0-9]/ && $2 > 0 { n++; bad += !(($4/start - 1)^2 <= 64^2*1e-18) }
         END { exit !(n == 16 && !bad) }' many.csv || fail "x of $table does not come back from either side: $(cat many.csv)"
 done
+# A sleigh that goes backwards turns round, however little it turns at first: w = 1e-30, v = tanh(t/2 + ln(w/sqrt 2)).
+for method in gauss dop853 taylor rk8pd rkf45 msadams; do
+    expect 0 ',alive$' jellett simulate chaplygin_sleigh --start v=-1,w=1e-30 --times 138 --method $method
+    awk -F, '/^138/ { e = exp(138)*1e-60/2; exit !(($2 - (e - 1)/(e + 1))^2 <= 1e-18) }' out ||
+        fail "sleigh, $method: $(tail -1 out)"
+done
 # A tangent at x = 0 falls and comes back as x does: of the derivative over a turn the eigenvalues are 1 and exp(-2 pi).
 for how in "--start x=0,y=0" "--grid x=0:0:1,y=0:1:2"; do # the latter in lanes
     section many.csv ./tide.tt --section phase=0 $how --returns 1 --check
