@@ -119,6 +119,7 @@ static jlt_status to_section(jlt_map *self, jlt_outcome *outcome, const double *
                                          self->flow.max_steps };
     const double t_max = self->flow.t_max == 0 ? INFINITY : ldexp(self->flow.t_max, -self->flow.units.time);
 
+    jlt_varied_begin(&self->varied, start);
     JLT_PASS(jlt_orbit_start(self->orbit, 0, start, time_direction));
     if (self->keeps) JLT_PASS(jlt_passage_keep(self->orbit, &self->varied));
     jlt_section_conditions_turn(&self->watched);

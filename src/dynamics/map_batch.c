@@ -8,7 +8,7 @@
 #include "dynamics/linear.h"
 #include "dynamics/map_return.h"
 #include "dynamics/section_flows.h"
-#include "integrate/batch.h"
+#include "dynamics/varied.h"
 
 enum { D = JLT_CHART_DIM_MAX };
 
@@ -187,7 +187,7 @@ static void add(const worker *self, size_t point, const jlt_map_batch_return *ma
 }
 
 /* Store the return of a lane, whose start is replaced by it, after time t in the flow's unit, unless it is doubted: where less than
- * half of the digits asked for agree, or a bound is wanted and the least one does not hold. */
+ * half of the digits asked for agree, a bound is wanted and the least one does not hold, or steps do not see how tangents fall. */
 static void arrive(const worker *self, size_t lane, double t)
 {
     const double *varied = self->starts + lane * self->batch->columns;
@@ -205,7 +205,7 @@ static void arrive(const worker *self, size_t lane, double t)
     const double bound = out->bound == NULL ? INFINITY
                                             : jlt_map_return_bound(&arrival, &(jlt_map_return_steps){ tolerance, 1, 1, 0 }, flow,
                                                                    varied, slope);
-    if (fabs(defect) > fmin(sqrt(tolerance), bound)) self->is[lane] = DOUBTED;
+    if (fabs(defect) > fmin(sqrt(tolerance), bound) || jlt_varied_is_kept(flow->field, varied)) self->is[lane] = DOUBTED;
     if (self->is[lane] == DOUBTED) return;
     memcpy(out->q + point * d, q, d * sizeof *q);
     jlt_map_return_restore(slope, flow->chart);

@@ -1,6 +1,7 @@
 #include "dynamics/passage.h"
 
 #include <math.h>
+#include <stdbool.h>
 #include <string.h>
 
 #include "ext/eigen.h"
@@ -23,6 +24,21 @@ static void fit(double *size, const double *counted, unsigned n)
     for (unsigned i = 0; i < n; i++) size[i] = fmax(size[i] * factor, finest * counted[i]);
 }
 
+/* States that nothing drives but such states, as a clock and what only it drives, are of no kind: balancing leaves their sizes as
+ * they are, whatever others count. */
+static void cap(double *size, const double *counted, const double *jacobian, unsigned n)
+{
+    bool alone[N] = { false };
+
+    for (unsigned at = 0; at < n * n; at++) {
+        const unsigned i = at % n;
+        bool driven = false;
+        for (unsigned j = 0; j < n; j++) driven = driven || (j != i && !alone[j] && jacobian[i * n + j] != 0);
+        alone[i] = !driven;
+        if (alone[i]) size[i] = fmin(size[i], counted[i]);
+    }
+}
+
 jlt_status jlt_passage_keep(jlt_orbit *orbit, const jlt_varied *varied)
 {
     const jlt_stepper *stepper = jlt_orbit_stepper(orbit);
@@ -37,6 +53,7 @@ jlt_status jlt_passage_keep(jlt_orbit *orbit, const jlt_varied *varied)
         counted[i] = fmax(fabs(x[i]), fmax(declared, JLT_STEPPER_SCALE_LEAST));
     }
     fit(size, counted, n);
+    cap(size, counted, both + n, n);
     for (unsigned i = 0; i < n; i++) speed += both[i] / size[i] * (both[i] / size[i]);
     for (unsigned i = 0; i < n; i++) /* relative errors stay so */
         scale[i] = varied->scale[i] > 0 ? size[i] : JLT_STEPPER_SCALE_LEAST;
@@ -48,7 +65,8 @@ jlt_status jlt_passage_keep(jlt_orbit *orbit, const jlt_varied *varied)
             y[i] -= along * both[i];
             largest = fmax(largest, fabs(y[i]) / size[i]);
         }
-        for (unsigned i = 0; i < n; i++) scale[k * n + i] = fmax(largest * size[i], JLT_STEPPER_SCALE_LEAST);
+        for (unsigned i = 0; i < n; i++)
+            scale[k * n + i] = fmax(varied->scale[k * n + i] * largest * size[i], JLT_STEPPER_SCALE_LEAST);
     }
     return jlt_orbit_replace(orbit, x, scale);
 }

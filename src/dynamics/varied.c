@@ -115,6 +115,25 @@ jlt_status jlt_varied_make(jlt_varied *self, const jlt_field *plain, jlt_kernel_
     return JLT_OK;
 }
 
+static bool stays(const jlt_field *plain, const double *x, unsigned i)
+{
+    return x[i] == 0 && jlt_field_keeps(plain, i);
+}
+
+bool jlt_varied_is_kept(const jlt_field *plain, const double *x)
+{
+    for (unsigned i = 0; i < plain->dim; i++)
+        if (stays(plain, x, i)) return true;
+    return false;
+}
+
+void jlt_varied_begin(jlt_varied *self, const double *x)
+{
+    const unsigned n = self->plain->dim;
+
+    for (unsigned i = 0; i < n * self->tangents; i++) self->scale[n + i] = stays(self->plain, x, i % n) ? 0 : 1;
+}
+
 void jlt_varied_clear(jlt_varied *self)
 {
     free(self->spread);

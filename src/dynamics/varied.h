@@ -16,7 +16,8 @@ typedef struct {
     jlt_kernel_batch batch;           /* the varied field on vectors, for the method gauss */
     double *spread;                   /* the plain field's prepared values in every lane; owned; NULL: there is no `batch` */
     jlt_varied_batch *products;  /* computes J Y and the trace on vectors */
-    double scale[JLT_VARIED_DIM_MAX]; /* scale of `field`: that of the plain field for its states, 1 for all else */
+    double scale[JLT_VARIED_DIM_MAX]; /* scale of `field`: that of the plain field for its states, 1 for all else but what
+                                       * jlt_varied_begin says */
 } jlt_varied;
 
 /** Make the field in place, for jlt_varied_clear: it points into *self, which must stay where it is, as must `plain`. It has a
@@ -25,6 +26,13 @@ typedef struct {
 JLT_CHECKED jlt_status jlt_varied_make(jlt_varied *self, const jlt_field *plain, jlt_kernel_function rhs_jacobian,
                                        unsigned tangents);
 void jlt_varied_clear(jlt_varied *self); /* legal on a zeroed one */
+
+/** Whether a state of x, shape (n,), that the plain field keeps is 0. Tangents there may fall along it below what the tolerance
+ *  tells, and grow again. */
+bool jlt_varied_is_kept(const jlt_field *plain, const double *x);
+
+/** Before an orbit begins in x, shape (n,): along states that stay 0 tangents have relative errors, and elsewhere scale 1. */
+void jlt_varied_begin(jlt_varied *self, const double *x);
 
 /** Compute the plain field, then its Jacobian, at x: both, shape (n + n*n,). */
 void jlt_varied_linear(const jlt_varied *self, const double *x, double *both);

@@ -120,6 +120,22 @@ for table in free_ebb lifted,g=0; do
     awk -F, '$2 == 0 { start = $4 } /^[0-9]/ && $2 > 0 { n++; bad += !(($4/start - 1)^2 <= 64^2*1e-18) }
         END { exit !(n == 16 && !bad) }' many.csv || fail "x of $table does not come back from either side: $(cat many.csv)"
 done
+# A sleigh that goes backwards turns round, however little it turns at first: w = 1e-30, v = tanh(t/2 + ln(w/sqrt 2)).
+for method in gauss dop853 taylor rk8pd rkf45 msadams; do
+    expect 0 ',alive$' jellett simulate chaplygin_sleigh --start v=-1,w=1e-30 --times 138 --method $method
+    awk -F, '/^138/ { e = exp(138)*1e-60/2; exit !(($2 - (e - 1)/(e + 1))^2 <= 1e-18) }' out ||
+        fail "sleigh, $method: $(tail -1 out)"
+done
+# A tangent along x falls and comes back as x does, or grows and falls: of the derivative over a turn the eigenvalues are 1 and
+# exp(-2 pi), which is exp of the divergence. The derivative beside a y of 1e19 has few digits.
+for phase in 0 4; do
+    for how in "--start x="{0,0.3}",y=0" "--grid x="{0:0,0.3:0.3}":1,y=0:1:2"; do # the latter in lanes
+        section many.csv ./free_ebb.tt --section phase=$phase $how --returns 1 --check
+        awk -F, '/alive,[^,]/ { n++; t = 2*3.141592653589793; miss = ($7 - 1 - exp(-t))^2 + ($8 - exp(-t))^2
+            bad += !(($9 + t)^2 <= 1e-16) || $5^2 < 4 && !(miss <= 1e-16) } END { exit bad || !n }' many.csv ||
+            fail "derivative, $phase, $how: $(cat many.csv)"
+    done
+done
 # However near x is to its end, y beside it ends where it does: y + y^2/2 = 3/2 - t from y = 1. An error of a step, 1e-12, counts
 # 1 + y times in that time, and there are fewer than 1000 steps.
 printf '%s\n' 'model beside' 'state x in (0, inf)' 'state y in (0, inf)' 'state z' 'state w' 'eq x = -50*x' 'eq y = -1/(1 + y)' \
@@ -229,7 +245,8 @@ for how in "" "--method gauss"; do
     expect 0 '^0,2,' jellett section lotka_volterra --section y=1/2 --direction both --start x=1e-100 --returns 2 $how
     grep '^0,2,' out > row && mv row out && is_over 360.49833325 1e-100 3 4
 done
-# Nor is the saddle an end where the cycle of May and Leonard passes it, on which the time between returns grows with every one.
+# Nor is the saddle an end where the cycle of May and Leonard passes it, on which the time between returns grows with every one,
+# whether or not the table says that states are positive.
 printf '%s\n' 'model cycle' 'state x in (0, inf)' 'state y in (0, inf)' 'state z in (0, inf)' 'eq x = x*(1 - x - 4*y/5 - 13*z/10)' \
     'eq y = y*(1 - 13*x/10 - y - 4*z/5)' 'eq z = z*(1 - 4*x/5 - 13*y/10 - z)' > cycle.tt
 free_of cycle
