@@ -140,8 +140,9 @@ static void complain(const model_files *f, const ttc_kernels *failed)
             place = ttc_catalogue_place(f->catalogue->fields + i, model);
     const char *reason = error != TTC_GRAPH_OK ? ttc_graph_status_text(error) : "memory is out";
     if (f->output->taken != NULL)
-        ttc_command_complain(model, place, NULL, "'%s' would be written twice (expected tables, and variants, times and "
-                             "eliminations of one, to have names of their own)", f->output->taken);
+        ttc_command_complain(model, place, NULL, "'%s' would be written twice, or names in it (expected tables, and variants, "
+                             "times and eliminations of one, to have names of their own, also with '_' between them)",
+                             f->output->taken);
     else if (ttc_find_wide_number(f->catalogue, &place))
         ttc_command_complain(model, place, NULL, "a number is beyond double precision (expected zero, or a size of 2^-1022 to "
                              "2^1023)");

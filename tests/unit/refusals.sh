@@ -187,11 +187,22 @@ refuse 3 "bare.scene:1: error: syntax error \(expected NAME = VALUE; each name o
     jellett run folder/bare.scene
 rm folder/bare.scene
 
+# As many quantities as the limit allows, and one more.
+{ printf 'model wide\nstate x\neq x = x\n'; for i in {2..4096}; do echo "let q$i = 1"; done; } > folder/wide.tt
+ttc check folder/wide.tt 2>&1 | grep -q 'is well formed' || fail "4096 quantities are refused"
+echo 'let more = 1' >> folder/wide.tt
+refuse 3 "too many names \(expected at most 4096\)" ttc check folder/wide.tt
+rm folder/wide.tt
+
 # ttc generate: why it cannot.
 mkdir .tables
 printf 'model large\nstate x\neq x = 1e400*x\n' > .tables/large.tt
 sleigh=$JLT_SOURCE_DIR/codegen/models/chaplygin_sleigh.tt
 refuse 3 "beyond double precision" ttc generate --out folder/out .tables/large.tt
 refuse 3 "'chaplygin_sleigh/table.c' would be written twice" ttc generate --out folder/out "$sleigh" "$sleigh"
+printf 'model a\nparam k\nstate x\neq x = k*x\nvariant b_c : k = 1\n' > .tables/a.tt
+printf 'model a_b\nparam k\nstate x\neq x = k*x\nvariant c : k = 2\n' > .tables/a_b.tt
+refuse 3 "a_b.tt:5:9: error: 'a/b_c.c' would be written twice, or names in it" \
+    ttc generate --out folder/out .tables/a.tt .tables/a_b.tt
 refuse 5 "cannot make the folder none/out: No such file or directory" ttc generate --out none/out "$sleigh"
 exit $status
