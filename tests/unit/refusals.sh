@@ -192,6 +192,13 @@ rm folder/bare.scene
 ttc check folder/wide.tt 2>&1 | grep -q 'is well formed' || fail "4096 quantities are refused"
 echo 'let more = 1' >> folder/wide.tt
 refuse 3 "too many names \(expected at most 4096\)" ttc check folder/wide.tt
+# Nor may powers within powers, which C spells as products, fill the memory.
+power=x
+for _ in {1..16}; do power="(1 + $power)^2"; done
+printf 'model powers\nstate x\neq x = %s\n' "$power" > folder/wide.tt
+ttc check folder/wide.tt 2>&1 | grep -q 'is well formed' || fail "powers in 16 powers are refused"
+printf 'model powers\nstate x\neq x = ((1 + %s)^8)^-8\n' "$power" > folder/wide.tt
+refuse 3 "written out in full is too large \(expected at most 1000000 operands" ttc check folder/wide.tt
 rm folder/wide.tt
 
 # ttc generate: why it cannot.
