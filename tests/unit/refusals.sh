@@ -211,5 +211,14 @@ printf 'model a\nparam k\nstate x\neq x = k*x\nvariant b_c : k = 1\n' > .tables/
 printf 'model a_b\nparam k\nstate x\neq x = k*x\nvariant c : k = 2\n' > .tables/a_b.tt
 refuse 3 "a_b.tt:5:9: error: 'a/b_c.c' would be written twice, or names in it" \
     ttc generate --out folder/out .tables/a.tt .tables/a_b.tt
+# Sections of two tables have names of their own.
+printf 'model half\nstate x\nlift into a.tt with x = x, z = 0\n' > .tables/half.tt
+for section in a.b_c a_b.c; do
+    printf 'model %s\nstate x\nstate z\neq x = x\neq z = 1\nsection %s : by half.tt at z = 0 with x = x\n' \
+        "${section%.*}" "${section#*.}" > ".tables/${section%.*}.tt"
+done
+ttc generate --out .tables/out .tables/a.tt .tables/a_b.tt || fail "sections b_c of a and c of a_b: no kernels"
+[ "$(cat .tables/out/*/table.c | grep -o '^const char jlt_chart_[a-z0-9_]*' | sort -u | wc -l)" -eq 2 ] ||
+    fail "sections b_c of a and c of a_b share a name"
 refuse 5 "cannot make the folder none/out: No such file or directory" ttc generate --out none/out "$sleigh"
 exit $status
