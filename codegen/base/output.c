@@ -21,10 +21,17 @@ void ttc_output_clear(ttc_output *output)
     *output = (ttc_output){ 0 };
 }
 
+/* Whether two paths are one, or differ only by '/' in place of '_', which makes names in C one. */
+static bool is_one(const char *a, const char *b)
+{
+    while (*a != '\0' && (*a == *b || ((*a == '/' || *a == '_') && (*b == '/' || *b == '_')))) a++, b++;
+    return *a == *b;
+}
+
 ttc_text *ttc_output_add(ttc_output *output, const char *path)
 {
     for (size_t i = 0; i < output->count; i++)
-        if (strcmp(output->files[i].path, path) == 0) {
+        if (is_one(output->files[i].path, path)) {
             output->failed = true;
             output->taken = output->files[i].path;
             return NULL;

@@ -13,7 +13,7 @@ typedef struct {
     ttc_output_file *files;
     size_t count;
     bool failed;
-    const char *taken; /* a path that was added twice, borrowed from the set; NULL: none was */
+    const char *taken; /* a path that was added twice, up to '/' for '_', borrowed from the set; NULL: none was */
 } ttc_output;
 
 void ttc_output_clear(ttc_output *output); /* legal on a zeroed set */

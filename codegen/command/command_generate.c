@@ -33,6 +33,26 @@ static char *read_list(const char *folder, const char *name)
     return list;
 }
 
+/* Whether the files in the folder name every table that the model's claims lead to by the digest that it has now. */
+static bool names_targets(const char *folder, const ttc_model *model)
+{
+    ttc_text name = { 0 };
+    ttc_text_format(&name, "%s/table.c", model->name);
+    char *claims = name.failed ? NULL : read_list(folder, ttc_text_string(&name));
+    bool named = claims != NULL;
+    for (size_t i = 0; i < model->claim_count && named; i++) {
+        if (model->claims[i].target == NULL) continue;
+        ttc_diagnostics *ignored = ttc_diagnostics_create();
+        ttc_model *target = ignored == NULL ? NULL : ttc_resolve_beside(NULL, model, model->claims[i].target, ignored);
+        named = target != NULL && strstr(claims, target->sha256) != NULL;
+        ttc_model_destroy(target);
+        ttc_diagnostics_destroy(ignored);
+    }
+    free(claims);
+    ttc_text_clear(&name);
+    return named;
+}
+
 /* What the files of one model are made of. */
 typedef struct {
     ttc_output *output;
@@ -140,8 +160,9 @@ static void complain(const model_files *f, const ttc_kernels *failed)
             place = ttc_catalogue_place(f->catalogue->fields + i, model);
     const char *reason = error != TTC_GRAPH_OK ? ttc_graph_status_text(error) : "memory is out";
     if (f->output->taken != NULL)
-        ttc_command_complain(model, place, NULL, "'%s' would be written twice (expected tables, and variants, times and "
-                             "eliminations of one, to have names of their own)", f->output->taken);
+        ttc_command_complain(model, place, NULL, "'%s' would be written twice, or names in it (expected tables, and variants, "
+                             "times and eliminations of one, to have names of their own, also with '_' between them)",
+                             f->output->taken);
     else if (ttc_find_wide_number(f->catalogue, &place))
         ttc_command_complain(model, place, NULL, "a number is beyond double precision (expected zero, or a size of 2^-1022 to "
                              "2^1023)");
@@ -322,7 +343,8 @@ int ttc_command_generate_models(ttc_model *const *models, size_t count, const tt
     }
     if (options->keep) kept = (kept_lists){ read_list(options->out, "manifest.tsv"), read_list(options->out, "counts.tsv") };
     for (size_t i = 0; i < count && status == TTC_EXIT_DONE; i++) {
-        bool is_kept = kept.manifest != NULL && kept.counts != NULL && ttc_manifest_has(kept.manifest, models[i]);
+        const bool is_kept = kept.manifest != NULL && kept.counts != NULL && ttc_manifest_has(kept.manifest, models[i]) &&
+                             names_targets(options->out, models[i]);
         if (!is_kept) generate_table(&output, catalogues + i, models[i], options, &status);
         for (size_t k = 0; k < i && status == TTC_EXIT_DONE; k++)
             if (strcmp(models[k]->name, models[i]->name) == 0) refuse_name(models[i], models[k], &status);

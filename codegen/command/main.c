@@ -46,8 +46,8 @@ static const struct argp_option show_options[] = {
 static const struct argp_option generate_options[] = {
     { "out", OPTION_OUT, "DIR", 0, "Folder for the generated files, made if it is missing", 0 },
     EFFORT_OPTION,
-    { "keep", OPTION_KEEP, NULL, 0, "Do not rewrite kernels in DIR whose table, by its manifest.tsv, has not changed; for the same "
-                                    "ttc and options only", 0 },
+    { "keep", OPTION_KEEP, NULL, 0, "Do not rewrite kernels in DIR whose table, and those it leads to, have not changed, by its "
+                                    "files; for the same ttc and options only", 0 },
     { "unproved", OPTION_UNPROVED, NULL, 0, "Also write kernels that rest on claims that are not proved, and mark them", 0 },
     END_OF_OPTIONS
 };

@@ -41,13 +41,14 @@ static void add_inline(ttc_text *text, const ttc_kernels *kernels, ttc_kernel_ki
     ttc_text_add(text, "}\n");
 }
 
+/* Two underscores, also below: with one, the jacobian of 'c_rhs' would be the rhs_jacobian of 'c'. */
 static void add_kernel(ttc_text *text, const ttc_kernels *kernels, ttc_kernel_kind kind)
 {
     const ttc_program *program = kernels->kernels[kind].optimized;
     const ttc_field *field = kernels->field;
     ttc_text_add(text, "\nstatic void ");
     ttc_emit_stem(text, field);
-    ttc_text_format(text, "_%s(const double *restrict x, const double *restrict p, double *restrict out, size_t stride)\n{\n",
+    ttc_text_format(text, "__%s(const double *restrict x, const double *restrict p, double *restrict out, size_t stride)\n{\n",
                     ttc_kernel_name(kind));
     if (!ttc_emit_uses(program, TTC_OP_INPUT)) ttc_text_add(text, "    (void)x;\n");
     if (!ttc_emit_uses(program, TTC_OP_PARAMETER)) ttc_text_add(text, "    (void)p;\n");
@@ -62,7 +63,7 @@ static void add_loading(ttc_text *text, const ttc_field *field, const char *name
 {
     ttc_text_add(text, "\nstatic void ");
     ttc_emit_stem(text, field);
-    ttc_text_format(text, "_%s(const double *restrict x, const double *restrict p, double *restrict out, size_t stride)\n{\n    ",
+    ttc_text_format(text, "__%s(const double *restrict x, const double *restrict p, double *restrict out, size_t stride)\n{\n    ",
                     name);
     ttc_emit_stem(text, field);
     ttc_text_format(text, "_%s(", inlined);
@@ -187,7 +188,7 @@ static void add_table(ttc_text *text, const ttc_kernels *kernels)
                     ttc_text_string(&name), ttc_prepared_size(&kernels->prepared));
     for (int kind = 0; kind < TTC_KERNEL_KINDS; kind++)
         if (kernels->kernels[kind].count > 0)
-            ttc_text_format(text, "    .%s = %s_%s,\n", ttc_kernel_name((ttc_kernel_kind)kind), ttc_text_string(&stem),
+            ttc_text_format(text, "    .%s = %s__%s,\n", ttc_kernel_name((ttc_kernel_kind)kind), ttc_text_string(&stem),
                             ttc_kernel_name((ttc_kernel_kind)kind));
     ttc_text_format(text, "    .stages = %s_stages,\n    .stages_clock = %s_stages_clock,\n    .stages_varied = %s_stages_varied,\n"
                           "    .jet = %s_jet,\n};\n",

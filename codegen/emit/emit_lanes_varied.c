@@ -183,7 +183,7 @@ void ttc_emit_stages_varied(ttc_text *text, const ttc_kernels *kernels)
     for (size_t i = 0; i < n; i++) ttc_text_format(text, "            jlt_lanes_store(state + %zu*JLT_LANES, a%zu);\n", i, i);
     ttc_text_add(text, "            ");
     ttc_emit_stem(text, kernels->field);
-    ttc_text_add(text, "_rhs_jacobian(state, own, linear, JLT_LANES);\n");
+    ttc_text_add(text, "__rhs_jacobian(state, own, linear, JLT_LANES);\n");
     add_slopes(text, kernels);
     ttc_text_format(text, "            }\n            for (unsigned v = 1; v <= tangents; v++) {\n"
                           "                const size_t first = %zu*(size_t)v;\n", n);

@@ -89,14 +89,14 @@ static void add_family(ttc_text *text, const ttc_catalogue *catalogue)
     ttc_text_clear(&list);
 }
 
-/* Tables of coordinates, under the names of their sections. */
+/* Tables of coordinates, under the numbers of their sections' claims: section c of a_b is not section b_c of a. */
 static void add_charts(ttc_text *text, const ttc_model *model)
 {
     char reason[256];
     for (size_t i = 0; i < model->section_count; i++) {
         ttc_model *chart = ttc_section_chart(model, model->sections + i, ttc_resolve_beside, NULL, reason, sizeof reason);
         if (chart == NULL) continue;
-        ttc_text_format(text, "\nconst char jlt_chart_%s_%s", model->name, model->claims[model->sections[i].claim].name);
+        ttc_text_format(text, "\nconst char jlt_chart_%s_%u", model->name, (unsigned)model->sections[i].claim);
         add_table(text, chart);
         ttc_model_destroy(chart);
     }
@@ -105,7 +105,7 @@ static void add_charts(ttc_text *text, const ttc_model *model)
 void ttc_emit_model_names(ttc_text *text, const ttc_model *model)
 {
     for (size_t i = 0; i < model->section_count; i++)
-        ttc_text_format(text, "extern const char jlt_chart_%s_%s[];\n", model->name, model->claims[model->sections[i].claim].name);
+        ttc_text_format(text, "extern const char jlt_chart_%s_%u[];\n", model->name, (unsigned)model->sections[i].claim);
     ttc_text_format(text, "extern const char jlt_table_%s[];\nextern const jlt_claim jlt_claims_%s[];\n"
                           "extern const jlt_descriptor *const jlt_family_%s[];\n", model->name, model->name, model->name);
 }

@@ -176,8 +176,8 @@ static void add_entry(ttc_text *table, const section_emitter *e)
                     "    { .name = \"%s\", .chart = \"%s\", .file = \"", e->claim->name, chart->name);
     ttc_text_add_escaped(table, e->claim->target);
     ttc_text_format(table,
-                    "\",\n      .sha256 = \"%s\",\n      .table = jlt_chart_%s_%s,\n      .claim = %u, .column = %u, .level = ",
-                    chart->sha256, e->kernels->field->model->name, e->claim->name, (unsigned)e->section->claim,
+                    "\",\n      .sha256 = \"%s\",\n      .table = jlt_chart_%s_%u,\n      .claim = %u, .column = %u, .level = ",
+                    chart->sha256, e->kernels->field->model->name, (unsigned)e->section->claim, (unsigned)e->section->claim,
                     (unsigned)field->symbols[e->claim->when.items[0].symbol].position);
     ttc_emit_constant(table, ttc_coefficient(field->graph, e->claim->when.items[0].expression));
     ttc_text_format(table,

@@ -236,23 +236,28 @@ bool ttc_parse_measure(ttc_parser *parser, ttc_id id, ttc_place place)
     const ttc_graph *graph = model->graph;
     if (id >= parser->measured_capacity) {
         size_t capacity = 2 * (size_t)id + 64;
-        double *expansions = realloc(parser->expansions, capacity * sizeof *expansions);
+        ttc_expansion *expansions = realloc(parser->expansions, capacity * sizeof *expansions);
         if (expansions == NULL) return ttc_parse_no_memory(parser);
         parser->expansions = expansions;
         parser->measured_capacity = capacity;
     }
     for (ttc_id at = (ttc_id)parser->measured + 1; at <= id; at++) {
-        double operands = 1;
+        ttc_expansion of = { 1, 1 };
         if (ttc_kind_of(graph, at) == TTC_SYMBOL) {
             const ttc_symbol_entry *entry = model->symbols + ttc_symbol_of(graph, at);
-            if (entry->kind == TTC_LET) operands = parser->expansions[entry->definition];
+            if (entry->kind == TTC_LET) of.with_lets = parser->expansions[entry->definition].with_lets;
         }
-        for (size_t i = 0; i < ttc_part_count(graph, at); i++)
-            operands += parser->expansions[ttc_part_at(graph, at, i).id];
-        parser->expansions[at] = operands;
+        for (size_t i = 0; i < ttc_part_count(graph, at); i++) {
+            const ttc_part part = ttc_part_at(graph, at, i);
+            of.with_lets += parser->expansions[part.id].with_lets;
+            const int copies = ttc_kind_of(graph, part.id) == TTC_SYMBOL ? 1 : abs(part.exponent);
+            of.with_powers += copies * parser->expansions[part.id].with_powers;
+        }
+        parser->expansions[at] = of;
     }
     if (id > parser->measured) parser->measured = id;
-    if (parser->expansions[id] <= TTC_EXPANSION_LIMIT) return true;
+    const ttc_expansion *of = parser->expansions + id;
+    if (of->with_lets <= TTC_EXPANSION_LIMIT && of->with_powers <= TTC_EXPANSION_LIMIT) return true;
     return ttc_parse_error(parser, place, "the expression written out in full is too large (expected at most %d operands)",
                            TTC_EXPANSION_LIMIT);
 }

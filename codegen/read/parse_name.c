@@ -47,7 +47,7 @@ bool ttc_parse_define(ttc_parser *parser, const ttc_token *name, ttc_symbol_kind
     if (kind != TTC_LAMBDA && ttc_parse_find(parser, name, symbol))
         return ttc_parse_error(parser, ttc_token_place(name), "'%.*s' is defined twice (first in line %u)", (int)name->length,
                                name->text, (unsigned)model->symbols[*symbol].place.line);
-    if (model->symbol_count >= TTC_SYMBOL_LIMIT)
+    if (model->symbol_count > TTC_SYMBOL_LIMIT) /* symbol 0 is lambda */
         return ttc_parse_error(parser, ttc_token_place(name), "too many names (expected at most %d)", TTC_SYMBOL_LIMIT);
     ttc_symbol_entry entry = { .kind = kind, .place = ttc_token_place(name), .definition = definition };
     *symbol = (uint32_t)model->symbol_count;

@@ -155,7 +155,7 @@ static ttc_model *parse(const char *text, size_t length, const char *file, bool 
     if (!parser.out_of_memory && ttc_parse_define(&parser, &lambda, TTC_LAMBDA, TTC_NONE, &symbol)) {
         parser.tokens = tokens;
         parse_table(&parser);
-        with_pi = with_pi && !parser.out_of_memory && parser.model->symbol_count < TTC_SYMBOL_LIMIT;
+        with_pi = with_pi && !parser.out_of_memory && parser.model->symbol_count <= TTC_SYMBOL_LIMIT;
         if (with_pi && !ttc_parse_find(&parser, &pi, &symbol)) ttc_parse_pi(&parser, &pi, &symbol);
         if (!parser.out_of_memory) ttc_parse_resolve(&parser);
     }

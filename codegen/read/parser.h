@@ -17,11 +17,17 @@ enum {
     TTC_REGION_LIMIT = 256,           /* of `domain` records, of `valid` records, of starts, and of inequalities in one list */
     TTC_KERNEL_LIMIT = 256,           /* of variants, of times, and of eliminations */
     TTC_REFERENCE_LIMIT = 1 << 14,    /* names of claims within records */
-    TTC_EXPANSION_LIMIT = 1000000     /* operands of an expression with its lets written out */
+    TTC_EXPANSION_LIMIT = 1000000     /* operands of an expression with its lets, or powers, written out */
 };
 
 /* The name of a claim in another record. It is looked up after the whole table has been read, so that the claim may stand below. */
 typedef enum { TTC_REFER_FAMILY, TTC_REFER_MODULO, TTC_REFER_MEMBER, TTC_REFER_ELIMINATION } ttc_reference_role;
+
+/* How many operands a node has. */
+typedef struct {
+    double with_lets;   /* when lets are written out */
+    double with_powers; /* when powers of what is in parentheses are written out, as in C */
+} ttc_expansion;
 
 typedef struct {
     ttc_reference_role role;
@@ -57,7 +63,7 @@ typedef struct {
     uint32_t *uses;   /* symbols with a definition (let, root, function) that the current record names */
     size_t use_count;
 
-    double *expansions; /* for each node of the graph its number of operands when lets are written out */
+    ttc_expansion *expansions; /* by node of the graph */
     size_t measured, measured_capacity; /* last node for which this number is known; allocated length */
 } ttc_parser;
 
@@ -88,7 +94,7 @@ ttc_id ttc_parse_expression(ttc_parser *parser);
 size_t ttc_parse_terms(ttc_parser *parser);
 ttc_id ttc_parse_number(ttc_parser *parser, const ttc_token *token);
 ttc_id ttc_parse_graph_error(ttc_parser *parser, ttc_place place); /* reports the graph's error; always TTC_NONE */
-/* Returns false, after a report, if the expression has more than TTC_EXPANSION_LIMIT operands when lets are written out. */
+/* Returns false, after a report, if the expression has more than TTC_EXPANSION_LIMIT operands, counted in either way. */
 bool ttc_parse_measure(ttc_parser *parser, ttc_id id, ttc_place place);
 
 /* Names. */

@@ -37,7 +37,7 @@
 
 #include <math.h>
 
-extern const char jlt_chart_spherical_top_level_turning[];
+extern const char jlt_chart_spherical_top_level_5[];
 extern const char jlt_table_spherical_top_level[];
 extern const jlt_claim jlt_claims_spherical_top_level[];
 extern const jlt_descriptor *const jlt_family_spherical_top_level[];

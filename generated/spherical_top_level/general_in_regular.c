@@ -42,7 +42,7 @@
 
 #include <math.h>
 
-extern const char jlt_chart_spherical_top_level_turning[];
+extern const char jlt_chart_spherical_top_level_5[];
 extern const char jlt_table_spherical_top_level[];
 extern const jlt_claim jlt_claims_spherical_top_level[];
 extern const jlt_descriptor *const jlt_family_spherical_top_level[];
@@ -1195,7 +1195,7 @@ static const jlt_section_point section0_starts[] = {
 static const jlt_section_chart sections[] = {
     { .name = "turning", .chart = "spherical_top_section", .file = "spherical_top_section.tt",
       .sha256 = "bf5c565b976fefec01b0b9870e38f40c17511a13ec5354ac25e436f814722bac",
-      .table = jlt_chart_spherical_top_level_turning,
+      .table = jlt_chart_spherical_top_level_5,
       .claim = 5, .column = 2, .level = 0.0,
       .coordinate_count = 2, .coordinates = section0_coordinates, .is_angle = section0_is_angle,
       .level_count = 1, .levels = section0_levels, .integrals = section0_integrals,

@@ -1,7 +1,7 @@
 /* spherical_top_level: its table byte for byte (SHA-256 5fa0f3f8159ed96ffaf422476001a79c5f28ef178108a7d5ffb7cd0a8be5e04d), what is proved of it, its descriptors. Written by ttc 0.1.0; do not edit. */
 #include "kernel_abi.h"
 
-extern const char jlt_chart_spherical_top_level_turning[];
+extern const char jlt_chart_spherical_top_level_5[];
 extern const char jlt_table_spherical_top_level[];
 extern const jlt_claim jlt_claims_spherical_top_level[];
 extern const jlt_descriptor *const jlt_family_spherical_top_level[];
@@ -88,7 +88,7 @@ const char jlt_table_spherical_top_level[] = {
     '\0'
 };
 
-const char jlt_chart_spherical_top_level_turning[] = {
+const char jlt_chart_spherical_top_level_5[] = {
     '#',' ','T','h','e',' ','s','e','c','t','i','o','n',' ','o','m','e','g','a','_','t','a','u',' ','=',' ','0',' ','o','f',' ','t','h','e',' ','s','p','h','e','r','i','c','a','l',' ','t','o','p',' ','o','n',' ','l','e','v','e','l','s',' ','o','f',' ','e','n','e','r','g','y',' ','a','n','d',' ','o','f',' ','J','e','l','l','e','t','t','\'','s',' ','i','n','t','e','g','r','a','l',',',' ','i','n',' ','t','h','e',' ','p','a','p','e','r','\'','s',' ','c','o','o','r','d','i','n','a','t','e','s','.','\n',
     '#','\n',
     '#',' ','T','h','e',' ','e','n','e','r','g','y',' ','o','n',' ','t','h','e',' ','s','e','c','t','i','o','n',' ','i','s',' ','a','n',' ','e','l','l','i','p','s','e',',',' ','m',' ','v','_','n','u','^','2',' ','+',' ','(','T','h','e','t','a','/','K',')',' ','v','_','t','a','u','^','2',' ','=',' ','m',' ','W','^','2',',',' ','a','n','d',' ','e','t','a',' ','i','s',' ','i','t','s',' ','a','n','g','l','e','.',' ','T','h','i','s',' ','i','s',' ','t','h','e',' ','p','a','p','e','r','\'','s','\n',

@@ -39,7 +39,7 @@ for isa in scalar baseline avx2; do
         END {
             for (name in cost) {
                 short = name
-                sub(/^general_in_regular_/, "", short)
+                sub(/^general_in_regular_+/, "", short)
                 if (short ~ /^(rhs|jacobian|rhs_jacobian|divergence|integral_values|integral_gradients|stages)$/)
                     print isa "\t" short "\t" cost[name] / calls[name]
             }

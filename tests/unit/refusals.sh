@@ -187,11 +187,38 @@ refuse 3 "bare.scene:1: error: syntax error \(expected NAME = VALUE; each name o
     jellett run folder/bare.scene
 rm folder/bare.scene
 
+# As many quantities as the limit allows, and one more.
+{ printf 'model wide\nstate x\neq x = x\n'; for i in {2..4096}; do echo "let q$i = 1"; done; } > folder/wide.tt
+ttc check folder/wide.tt 2>&1 | grep -q 'is well formed' || fail "4096 quantities are refused"
+echo 'let more = 1' >> folder/wide.tt
+refuse 3 "too many names \(expected at most 4096\)" ttc check folder/wide.tt
+# Nor may powers within powers, which C spells as products, fill the memory.
+power=x
+for _ in {1..16}; do power="(1 + $power)^2"; done
+printf 'model powers\nstate x\neq x = %s\n' "$power" > folder/wide.tt
+ttc check folder/wide.tt 2>&1 | grep -q 'is well formed' || fail "powers in 16 powers are refused"
+printf 'model powers\nstate x\neq x = ((1 + %s)^8)^-8\n' "$power" > folder/wide.tt
+refuse 3 "written out in full is too large \(expected at most 1000000 operands" ttc check folder/wide.tt
+rm folder/wide.tt
+
 # ttc generate: why it cannot.
 mkdir .tables
 printf 'model large\nstate x\neq x = 1e400*x\n' > .tables/large.tt
 sleigh=$JLT_SOURCE_DIR/codegen/models/chaplygin_sleigh.tt
 refuse 3 "beyond double precision" ttc generate --out folder/out .tables/large.tt
 refuse 3 "'chaplygin_sleigh/table.c' would be written twice" ttc generate --out folder/out "$sleigh" "$sleigh"
+printf 'model a\nparam k\nstate x\neq x = k*x\nvariant b_c : k = 1\n' > .tables/a.tt
+printf 'model a_b\nparam k\nstate x\neq x = k*x\nvariant c : k = 2\n' > .tables/a_b.tt
+refuse 3 "a_b.tt:5:9: error: 'a/b_c.c' would be written twice, or names in it" \
+    ttc generate --out folder/out .tables/a.tt .tables/a_b.tt
+# Sections of two tables have names of their own.
+printf 'model half\nstate x\nlift into a.tt with x = x, z = 0\n' > .tables/half.tt
+for section in a.b_c a_b.c; do
+    printf 'model %s\nstate x\nstate z\neq x = x\neq z = 1\nsection %s : by half.tt at z = 0 with x = x\n' \
+        "${section%.*}" "${section#*.}" > ".tables/${section%.*}.tt"
+done
+ttc generate --out .tables/out .tables/a.tt .tables/a_b.tt || fail "sections b_c of a and c of a_b: no kernels"
+[ "$(cat .tables/out/*/table.c | grep -o '^const char jlt_chart_[a-z0-9_]*' | sort -u | wc -l)" -eq 2 ] ||
+    fail "sections b_c of a and c of a_b share a name"
 refuse 5 "cannot make the folder none/out: No such file or directory" ttc generate --out none/out "$sleigh"
 exit $status
