@@ -14,6 +14,7 @@
 #include "integrate/watch.h"
 
 static const size_t default_steps = 10000000;
+static const double same_point = 1e-13; /* of a step: so near to the point handed out, a crossing is that point */
 enum { PACE = 1 << 17 }; /* steps after which the pace of an orbit is looked at */
 
 struct jlt_orbit {
@@ -170,8 +171,7 @@ static jlt_status watch_events(jlt_orbit *self, const jlt_event *events, unsigne
     bool same = count == self->watch_count;
     for (unsigned e = 0; same && e < count; e++) same = jlt_event_same(&events[e], &self->watch[e].event);
     if (same) return JLT_OK;
-
-    jlt_status st = JLT_OK;
+    unsigned ahead = 0;
     self->watch_count = count;
     for (unsigned e = 0; e < count; e++) jlt_watch_begin(&self->watch[e], &events[e], self->stepper);
     self->pending_count = self->next_pending = 0;
@@ -180,10 +180,14 @@ static jlt_status watch_events(jlt_orbit *self, const jlt_event *events, unsigne
         const double before = jlt_locate_value(&events[e], self->stepper->x_start);
         self->watch[e].side = (before > 0) - (before < 0);
     }
-    st = locate_step(self);
-    while (self->next_pending < self->pending_count && self->pending[self->next_pending].theta <= self->cursor)
-        self->next_pending++;
-    return st;
+    JLT_PASS(locate_step(self));
+    for (unsigned i = 0; i < self->pending_count; i++) { /* refined, as the point handed out is, which may be one of them */
+        jlt_crossing crossing = self->pending[i];
+        JLT_PASS(jlt_watch_refine(&self->watch[crossing.event], &crossing, self->at, self->slope, self->stepper));
+        if (crossing.theta > self->cursor + same_point) self->pending[ahead++] = self->pending[i];
+    }
+    self->pending_count = ahead;
+    return JLT_OK;
 }
 
 static void hand_out(jlt_orbit *self, jlt_outcome *out, jlt_end end, double theta)
