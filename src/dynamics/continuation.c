@@ -318,7 +318,8 @@ jlt_status jlt_continuation_run(jlt_continuation_end *end, const jlt_family *fam
     bool ends = false, leaves;
     jlt_status st = JLT_OK;
 
-    if (start->orbit.period == 0 || !jlt_continuation_step_allows(&self.options, direction)) st = JLT_ERR_ARG;
+    if (start->orbit.period == 0 || start->value < self.options.low || start->value > self.options.high
+        || !jlt_continuation_step_allows(&self.options, direction)) st = JLT_ERR_ARG;
     else if (on == NULL) st = JLT_ERR_NOMEM;
     if (st != JLT_OK) goto done;
     JLT_TRY(jlt_continuation_step_open(&self, start->value));
