@@ -312,7 +312,8 @@ static void bifurcations_lie_where_multipliers_say(void **unused)
                             .options = { .tolerance = 1e-13, .direction = JLT_RISING } };
     jlt_system_family family = { .make = jlt_system_top_at, .context = &tops };
     const jlt_family maps = { jlt_system_map_at, &family, jlt_system_map_near };
-    const jlt_continuation_options options = { .low = 1.7, .high = 2.2, .points_max = 200 };
+    const volatile sig_atomic_t raised = 1;
+    const jlt_continuation_options options = { .low = 1.7, .high = 2.2, .points_max = 200 }, stopped = { .interrupt = &raised };
     jlt_continuation_point start = { .value = 2.15 }, other;
     jlt_continuation_end end;
     run_record first = { .count = 0 }, second = { .count = 0 };
@@ -321,6 +322,9 @@ static void bifurcations_lie_where_multipliers_say(void **unused)
     (void)unused;
     assert_ok(jlt_system_map_at(&family, &map, 2.15));
     start.orbit = saddle_of(map);
+    assert_ok(jlt_continuation_run(&end, &maps, &start, -1, &stopped, record, &first));
+    assert_int_equal(end, JLT_CONTINUATION_INTERRUPT);
+    assert_int_equal(first.count, 1);
     assert_ok(jlt_continuation_run(&end, &maps, &start, -1, &options, record, &first));
     assert_int_equal(end, JLT_CONTINUATION_RANGE);
     assert_true(first.has_doubling && first.worst < 1e-12);
