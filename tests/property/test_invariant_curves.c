@@ -51,6 +51,8 @@ static void branches_are_invariant(void **unused)
 static void stable_branch_mirrors_the_unstable_one(void **unused)
 {
     const jlt_manifold_options options = { .spacing = 0.004, .length_max = 0.5 };
+    const jlt_manifold_options wrong[] = { { .spacing = 1e-5 }, { .spacing = NAN }, { .finest = -1 }, { .turn = NAN },
+                                           { .length_max = -1 }, { .length_max = NAN }, { .points_max = 1 } };
     jlt_system *system = top_51(1e-12);
     const jlt_chart *chart = system->flow.chart;
     jlt_manifold unstable = { 0 }, stable = { 0 }, mirrored = { 0 };
@@ -61,6 +63,8 @@ static void stable_branch_mirrors_the_unstable_one(void **unused)
     assert_ok(jlt_map_create(&map, &system->flow));
     const jlt_periodic saddle = saddle_of(map);
     assert_ok(jlt_branch_init(&u, map, &saddle, false, 1, 1e-4));
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
+        assert_int_equal(jlt_manifold_grow(&unstable, &(const jlt_branch *){ &u }, 1, &wrong[i]), JLT_ERR_ARG);
     assert_ok(jlt_manifold_grow(&unstable, &(const jlt_branch *){ &u }, 1, &options));
     assert_int_equal(unstable.end, JLT_MANIFOLD_LENGTH);
     assert_ok(jlt_manifold_reflect(&mirrored, &unstable, chart));
