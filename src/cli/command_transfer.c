@@ -233,8 +233,8 @@ static jlt_exit build(study *s)
     for (size_t k = 0; k < o->noise_count; k++) s->transfers[k * o->coarse_count] = built[k];
     if (jlt_motion_interrupted(&o->motion)) return interrupted();
     if (st == JLT_ERR_EMPTY)
-        return jlt_command_fail(JLT_EXIT_INPUT, "--boxes: no point of them has a state of these levels from which the section is "
-                                                "crossed in its --direction");
+        return jlt_command_fail(JLT_EXIT_INPUT, "--boxes: no point of them has a state from which the section is crossed in its "
+                                                "--direction");
     return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, s->system, "--boxes");
 }
 

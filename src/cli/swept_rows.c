@@ -185,9 +185,9 @@ jlt_exit jlt_swept_rows_take(jlt_swept_rows *self, size_t point, const char *tex
 static jlt_exit refuse_picture(const jlt_swept_rows *self, const char *x, const char *y)
 {
     if (!self->has_numbers[0] || !self->has_numbers[1])
-        return jlt_command_fail(JLT_EXIT_INPUT, "--axes: %s has no value in any row: nothing is drawn",
+        return jlt_command_fail(JLT_EXIT_INPUT, "--plot: %s has no number in any row: nothing is drawn",
                                 self->has_numbers[0] ? y : x);
-    return jlt_command_fail(JLT_EXIT_INPUT, "--axes: no row has values of both %s and %s: nothing is drawn", x, y);
+    return jlt_command_fail(JLT_EXIT_INPUT, "--plot: no row has numbers of both %s and %s: nothing is drawn", x, y);
 }
 
 /* Whether this name is one of the strings that stand before it, one behind the other, from `first` on. */

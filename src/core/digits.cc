@@ -86,7 +86,10 @@ extern "C" char *jlt_digits_shortest(char *text, double value)
 
 extern "C" bool jlt_digits_read(double *value, const char *text, const char *end)
 {
-    const std::from_chars_result read = std::from_chars(text, end, *value);
+    double number = 0;
+    const std::from_chars_result read = std::from_chars(text, end, number);
 
-    return read.ec == std::errc() && read.ptr == end;
+    if (read.ec != std::errc() || read.ptr != end) return false;
+    *value = number;
+    return true;
 }

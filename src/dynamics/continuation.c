@@ -246,15 +246,14 @@ static bool resolves(const place *before, const place *here, const place *next, 
 static bool next_place(const runner *self, place *next, double *step, unsigned *iterations, const place *before, const place *here,
                        jlt_status *st, jlt_continuation_end *end)
 {
-    for (; *step >= self->options.step_min; *step /= 2) {
+    for (; *step >= self->options.step_min && !jlt_continuation_locate_interrupted(self); *step /= 2) {
         *st = jlt_continuation_step_to(self, next, here, *step, iterations);
         if (*st == JLT_ERR_NOMEM) return false;
         if (*st == JLT_OK && *iterations <= 7 && follows(self, here, next, *step)
             && (*step < 2 * self->options.step_min || resolves(before, here, next, self->d))) return true;
         *st = JLT_OK;
-        *end = jlt_continuation_locate_interrupted(self) ? JLT_CONTINUATION_INTERRUPT : JLT_CONTINUATION_STUCK;
-        if (*end == JLT_CONTINUATION_INTERRUPT) return false;
     }
+    *end = jlt_continuation_locate_interrupted(self) ? JLT_CONTINUATION_INTERRUPT : JLT_CONTINUATION_STUCK;
     return false;
 }
 
@@ -318,7 +317,8 @@ jlt_status jlt_continuation_run(jlt_continuation_end *end, const jlt_family *fam
     bool ends = false, leaves;
     jlt_status st = JLT_OK;
 
-    if (start->orbit.period == 0 || !jlt_continuation_step_allows(&self.options, direction)) st = JLT_ERR_ARG;
+    if (start->orbit.period == 0 || start->value < self.options.low || start->value > self.options.high
+        || !jlt_continuation_step_allows(&self.options, direction)) st = JLT_ERR_ARG;
     else if (on == NULL) st = JLT_ERR_NOMEM;
     if (st != JLT_OK) goto done;
     JLT_TRY(jlt_continuation_step_open(&self, start->value));

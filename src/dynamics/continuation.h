@@ -70,8 +70,8 @@ typedef jlt_status (*jlt_continuation_sink)(void *context, const jlt_continuatio
 
 /** Follow the orbit from `start` (value and orbit are read; a nonzero tangent gives the direction, otherwise the parameter
  *  first goes up for direction +1 and down for -1). options NULL: all defaults. Errors: ARG, another direction, a negative or NaN
- *  option, or low above high; NOMEM, the sink's, those of map_at and of the map at the
- *  start.
+ *  option, a step or scale that is not finite, low above high, or a start outside of them; NOMEM, the sink's, those of map_at and
+ *  of the map at the start.
  *  Cost: about 4 evaluations of P^period with derivative a point. */
 JLT_CHECKED jlt_status jlt_continuation_run(jlt_continuation_end *end, const jlt_family *family,
                                             const jlt_continuation_point *start, int direction,
@@ -79,8 +79,9 @@ JLT_CHECKED jlt_status jlt_continuation_run(jlt_continuation_end *end, const jlt
                                             void *context);
 
 /** Find the first point of the other branch at a located branch point or period doubling, on the given side (+1, -1) at the
- *  distance `offset` > 0 in u, which is halved, up to eleven times, until Newton's method converges, at a period doubling to
- *  an orbit that lies in the direction in which the other branch begins. Its tangent points away.
+ *  distance `offset` > 0 in u, which is halved, up to eleven times, until Newton's method converges to an orbit between the
+ *  options' low and high, at a period doubling one that lies in the direction in which the other branch begins. Its tangent points
+ *  away.
  *  Errors: ARG, another kind of point, side or offset, or a section of other than two coordinates; NO_CONVERGENCE; those of the
  *  map. */
 JLT_CHECKED jlt_status jlt_continuation_switch(jlt_continuation_point *out, const jlt_family *family,

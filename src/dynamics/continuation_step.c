@@ -265,8 +265,8 @@ jlt_continuation_options jlt_continuation_step_defaults(const jlt_continuation_o
 
 bool jlt_continuation_step_allows(const jlt_continuation_options *options, int direction)
 {
-    return (direction == 1 || direction == -1) && options->scale > 0 && options->step > 0 && options->step_min > 0
-           && options->step_max > 0 && options->low <= options->high;
+    return (direction == 1 || direction == -1) && options->scale > 0 && isfinite(options->scale) && options->step > 0
+           && isfinite(options->step) && options->step_min > 0 && options->step_max > 0 && options->low <= options->high;
 }
 
 jlt_status jlt_continuation_step_open(jlt_continuation_runner *self, double value)
@@ -374,8 +374,7 @@ jlt_status jlt_continuation_switch(jlt_continuation_point *out, const jlt_family
     jlt_continuation_equation here;
     jlt_continuation_point point;
 
-    if ((side != 1 && side != -1) || !(offset > 0)) return JLT_ERR_ARG;
-    if (at->kind != JLT_BIFURCATION_BRANCH && !doubling) return JLT_ERR_ARG;
+    if ((side != 1 && side != -1) || !(offset > 0) || (at->kind != JLT_BIFURCATION_BRANCH && !doubling)) return JLT_ERR_ARG;
     JLT_PASS(jlt_continuation_step_open(&self, at->value));
     if (self.d != 2) return JLT_ERR_ARG;
     jlt_chart_scaled(&self.chart, u, at->orbit.points);
@@ -392,7 +391,8 @@ jlt_status jlt_continuation_switch(jlt_continuation_point *out, const jlt_family
         if (st == JLT_OK) st = jlt_continuation_step_measure(&self, &point, u, direction, 0, JLT_BIFURCATION_NONE);
         if (st == JLT_ERR_NOMEM) return st;
         for (unsigned i = 0; i < 3; i++) way[i] = u[i] - origin[i];
-        if (st != JLT_OK || (doubling && !is_doubled(&self.chart, &point.orbit, way, direction, offset))) continue;
+        if (st != JLT_OK || point.value < self.options.low || point.value > self.options.high) continue;
+        if (doubling && !is_doubled(&self.chart, &point.orbit, way, direction, offset)) continue;
         *out = point;
         return JLT_OK;
     }

@@ -278,7 +278,8 @@ jlt_status jlt_manifold_grow(jlt_manifold *out, const jlt_branch *const *branche
     stretch *all = calloc(count + 1, sizeof *all);
     jlt_status st = all != NULL ? JLT_OK : JLT_ERR_NOMEM;
 
-    if (!(options.spacing > options.finest) || !(options.turn > 0) || options.points_max < 2) st = JLT_ERR_ARG;
+    if (!(options.spacing > options.finest) || !(options.finest > 0) || !(options.turn > 0) || !(options.length_max > 0)
+        || options.points_max < 2) st = JLT_ERR_ARG;
     for (size_t i = 0; st == JLT_OK && i < count; i++) st = begin(&all[i], branches[i], &options);
     while (st == JLT_OK && !all_over(all, count)) {
         st = compute(all, count);

@@ -40,6 +40,23 @@ static bool is_method(const jlt_batch_method *method)
     return jlt_batch_method_at(i) == method;
 }
 
+/* Whether the members of a map are what their comments say. */
+static bool is_in_range(const jlt_batch_map *map)
+{
+    const jlt_batch_watch *watch = map->watch;
+    const jlt_descriptor *project = map->project;
+
+    return map->dim > 0 && map->dim <= JLT_BATCH_STATES_MAX && map->column < map->dim && map->root < (int)map->dim &&
+           map->direction >= -1 && map->direction <= 1 && map->turn >= 0 && isfinite(map->turn) && map->tolerance > 0 &&
+           map->tolerance < 1 && is_method(map->method) && map->kernels != NULL && map->cases != NULL &&
+           map->tangents <= JLT_BATCH_COLUMNS_MAX &&
+           (map->domain == NULL || map->domain->conditions <= JLT_BATCH_CONDITIONS_MAX) &&
+           (watch == NULL || (watch->count > 0 && watch->count <= JLT_BATCH_CONDITIONS_MAX)) &&
+           (project == NULL ||
+            (map->tangents == 0 && map->kernels->integral_gradients != NULL && project->integral_count < JLT_INVARIANTS_MAX &&
+             project->lifted_count == (map->root >= 0)));
+}
+
 jlt_status jlt_batch_section(const jlt_batch_map *map, const double *starts, size_t count, size_t returns,
                              jlt_batch_row row, jlt_batch_end end, void *context, jlt_batch_work *work)
 {
@@ -47,14 +64,9 @@ jlt_status jlt_batch_section(const jlt_batch_map *map, const double *starts, siz
     int stop = 0;
     const unsigned columns = jlt_batch_columns(map);
 
-    if (map->dim == 0 || map->dim > JLT_BATCH_STATES_MAX || map->column >= map->dim || !(map->tolerance > 0) ||
-        !(map->tolerance < 1) || !is_method(map->method) || map->kernels == NULL || map->cases == NULL ||
-        map->tangents > JLT_BATCH_COLUMNS_MAX || columns > JLT_BATCH_COLUMNS_MAX ||
-        (map->watch != NULL && (map->watch->count == 0 || map->watch->count > JLT_BATCH_CONDITIONS_MAX)) ||
-        (map->project != NULL && (map->tangents > 0 || map->kernels->integral_gradients == NULL ||
-                                  map->project->integral_count >= JLT_INVARIANTS_MAX ||
-                                  map->project->lifted_count != (map->root >= 0))))
-        return JLT_ERR_ARG;
+    if (!is_in_range(map) || columns > JLT_BATCH_COLUMNS_MAX || (map->returns_of == NULL && returns == 0)) return JLT_ERR_ARG;
+    for (size_t i = 0; map->returns_of != NULL && i < count; i++)
+        if (map->returns_of[i] == 0) return JLT_ERR_ARG;
     const size_t wide = JLT_BATCH_VECTORS * map->kernels->lanes, filled = (count + wide - 1) / wide;
     const int threads = map->threads < filled ? (int)map->threads : (int)filled; /* others would only wait, spinning */
     size_t steps = 0, rejected = 0, stages = 0;

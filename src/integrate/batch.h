@@ -129,11 +129,11 @@ double jlt_batch_rest(double tolerance);
 /** Columns of the map's starts, rows and ends: dim, and what is carried besides. */
 unsigned jlt_batch_columns(const jlt_batch_map *map);
 
-/** Follow the orbits from starts, shape (count, columns), for `returns` returns each. The error of all that is carried is
- *  controlled: that of the clock and of the divergence's integral like a state's, that of a tangent vector relative to max(1, its
- *  largest entry). A start on the section, x[column] = level, does not count as a crossing.
+/** Follow the orbits from starts, shape (count, columns), for `returns` returns each, 1 or more. The error of all that is carried
+ *  is controlled: that of the clock and of the divergence's integral like a state's, that of a tangent vector relative to max(1,
+ *  its largest entry). A start on the section, x[column] = level, does not count as a crossing.
  *  Out: work, the work done; may be NULL. context is passed to row and end.
- *  Errors: ARG, a member of the map out of its range, `project` with tangent vectors, or more than JLT_BATCH_COLUMNS_MAX columns;
+ *  Errors: ARG, no returns, a member of the map out of its range, `project` with tangent vectors, or too many columns;
  *  UNSUPPORTED, no code here has as many lanes as the kernels; NOMEM.
  *  Cost: 12 or 15 evaluations of the field a step, by method, each on a full row of lanes. Memory does not grow with
  *  `returns`. */

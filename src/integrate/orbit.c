@@ -14,6 +14,7 @@
 #include "integrate/watch.h"
 
 static const size_t default_steps = 10000000;
+static const double same_point = 1e-13; /* of a step: so near to the point handed out, a crossing is that point */
 enum { PACE = 1 << 17 }; /* steps after which the pace of an orbit is looked at */
 
 struct jlt_orbit {
@@ -27,7 +28,7 @@ struct jlt_orbit {
     jlt_crossing pending[JLT_ORBIT_EVENTS_MAX * JLT_CROSSINGS_MAX]; /* of the last step, ascending, from `next_pending` on */
     unsigned pending_count, next_pending;
     double cursor;  /* theta up to which the last step has been handed out */
-    double told;    /* physical time of the start, crossing or t_end handed out last; NaN: the orbit is not started */
+    double told;    /* physical time of the point handed out last, the start at first; NaN: the orbit is not started */
     double *at, *slope; /* (stride,): the state handed out, and work; the watches' arrays follow */
 
     double pace_time, paced; /* where the last PACE steps began, and the time that the PACE steps before them took the orbit */
@@ -170,8 +171,7 @@ static jlt_status watch_events(jlt_orbit *self, const jlt_event *events, unsigne
     bool same = count == self->watch_count;
     for (unsigned e = 0; same && e < count; e++) same = jlt_event_same(&events[e], &self->watch[e].event);
     if (same) return JLT_OK;
-
-    jlt_status st = JLT_OK;
+    unsigned ahead = 0;
     self->watch_count = count;
     for (unsigned e = 0; e < count; e++) jlt_watch_begin(&self->watch[e], &events[e], self->stepper);
     self->pending_count = self->next_pending = 0;
@@ -180,10 +180,14 @@ static jlt_status watch_events(jlt_orbit *self, const jlt_event *events, unsigne
         const double before = jlt_locate_value(&events[e], self->stepper->x_start);
         self->watch[e].side = (before > 0) - (before < 0);
     }
-    st = locate_step(self);
-    while (self->next_pending < self->pending_count && self->pending[self->next_pending].theta <= self->cursor)
-        self->next_pending++;
-    return st;
+    JLT_PASS(locate_step(self));
+    for (unsigned i = 0; i < self->pending_count; i++) { /* refined, as the point handed out is, which may be one of them */
+        jlt_crossing crossing = self->pending[i];
+        JLT_PASS(jlt_watch_refine(&self->watch[crossing.event], &crossing, self->at, self->slope, self->stepper));
+        if (crossing.theta > self->cursor + same_point) self->pending[ahead++] = self->pending[i];
+    }
+    self->pending_count = ahead;
+    return JLT_OK;
 }
 
 static void hand_out(jlt_orbit *self, jlt_outcome *out, jlt_end end, double theta)
@@ -192,7 +196,7 @@ static void hand_out(jlt_orbit *self, jlt_outcome *out, jlt_end end, double thet
     self->cursor = theta;
     *out = (jlt_outcome){ .end = end, .x = self->at };
     out->tau = theta == 1 ? stepper->tau : stepper->tau_start + theta * stepper->h;
-    out->t = stepper->columns > stepper->field->dim ? self->at[stepper->field->dim] : out->tau;
+    self->told = out->t = stepper->columns > stepper->field->dim ? self->at[stepper->field->dim] : out->tau;
 }
 
 static void hand_out_point(jlt_orbit *self, jlt_outcome *out, jlt_end end)
@@ -225,7 +229,7 @@ static jlt_status hand_out_time(jlt_orbit *self, jlt_outcome *out, double t_end)
         JLT_PASS(jlt_locate_refine(&at, self->at, self->slope, &clock, stepper));
         hand_out(self, out, JLT_END_TIME, at.theta);
     }
-    out->t = t_end;
+    self->told = out->t = t_end;
     return JLT_OK;
 }
 
@@ -245,14 +249,12 @@ static jlt_status rest_of_step(jlt_orbit *self, jlt_outcome *out, bool *found, d
             self->next_pending++;
             hand_out(self, out, JLT_END_EVENT, crossing.theta);
             out->crossing = crossing;
-            self->told = out->t;
             *found = true;
             return JLT_OK;
         }
     }
     if ((jlt_stepper_time(stepper) - t_end) * stepper->direction >= 0 || at_time(stepper, t_end)) {
         JLT_PASS(hand_out_time(self, out, t_end));
-        self->told = t_end;
         *found = true;
     }
     return JLT_OK;
@@ -270,7 +272,7 @@ static void hand_out_pole(jlt_orbit *self, jlt_outcome *out)
     hand_out_point(self, out, JLT_END_POLE);
     for (unsigned i = 0; i < self->stepper->field->dim; i++) self->at[i] -= self->pole.approach.left[i];
     self->at[self->stepper->field->root] = 0;
-    out->t = self->pole.t_end;
+    self->told = out->t = self->pole.t_end;
     out->tau = self->stepper->direction * INFINITY;
     out->pole_rates[0] = self->pole.mu;
     out->pole_rates[1] = self->pole.approach.slowest;

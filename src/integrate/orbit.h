@@ -79,7 +79,7 @@ enum { JLT_ORBIT_EVENTS_MAX = 16 };
 
 /** Go on to the next crossing of one of the events, shape (count,), to physical time t_end (+-INFINITY: no end), or into the
  *  pole, whichever comes first; *out says which. Call again to go on from there: with the same events no crossing is lost or
- *  found twice; with others the search begins at the current point.
+ *  found twice; with others the search begins behind the current point.
  *  Errors: ARG, no orbit was started, count > JLT_ORBIT_EVENTS_MAX, a column that the field has not, a level that is not finite,
  *  another direction, or t_end is NaN or lies before the point handed out last; NONFINITE, NO_PROGRESS, BUDGET; NO_CONVERGENCE, of
  *  a crossing (locate.h), a partial step or the eigenvalues near a pole; DOMAIN, the orbit came to the edge of its field's domain.

@@ -89,7 +89,7 @@ static inline double jlt_stepper_unit(const jlt_stepper *self, unsigned i)
  *  evaluation; msadams starts again at order 1. */
 JLT_CHECKED jlt_status jlt_stepper_replace(jlt_stepper *self, const double *x, const double *scale);
 
-/** Make one accepted step, |h| <= limit in tau. On failure the point is that of the last accepted step.
+/** Make one accepted step, |h| <= limit in tau, limit > 0. On failure the point is that of the last accepted step.
  *  Errors: NONFINITE, no step however short gives finite values, or what overflows on the way to them; NO_PROGRESS, tau + h =
  *  tau; NO_CONVERGENCE, of a partial step where the domain's end is looked for; DOMAIN: the orbit is at an end of the field's
  *  domain and would leave it (jlt_edge_reached), it began outside, or no step can be made and the end is ahead

@@ -17,8 +17,8 @@ typedef struct {
  *  evaluated here, once, into the prepared values.
  *  Out: *instance, NULL on failure; destroy it with jlt_instance_destroy. In: descriptor, which must outlive the instance; params,
  *  shape (param_count,), in the order of descriptor->params, copied.
- *  Errors: ARG, an argument is NULL; NONFINITE, a parameter or a prepared value; DOMAIN, the parameters break a condition of the
- *  table, such as m > 0 (jlt_descriptor_check_params and jlt_region_check tell which); NOMEM. */
+ *  Errors: ARG, descriptor or params is NULL; NONFINITE, a parameter or a prepared value; DOMAIN, the parameters break a condition
+ *  of the table, such as m > 0 (jlt_descriptor_check_params and jlt_region_check tell which); NOMEM. */
 JLT_CHECKED jlt_status jlt_instance_create(jlt_instance **instance, const jlt_descriptor *descriptor,
                                            const double *params);
 

@@ -201,6 +201,31 @@ static void methods_are_those_of_the_table(void **unused)
     assert_int_equal(jlt_batch_section(&map, NULL, 0, 1, NULL, NULL, NULL, NULL), JLT_ERR_UNSUPPORTED);
 }
 
+/* A map in range has no code for kernels of three lanes; one out of range is refused before. */
+static void maps_out_of_range_are_refused(void **unused)
+{
+    const jlt_kernel_batch kernels = { .lanes = 3 };
+    const jlt_batch_case of = { .level = 0 };
+    const jlt_domain domain = { .states = 2, .conditions = JLT_BATCH_CONDITIONS_MAX + 1 };
+    const jlt_batch_map map = { .kernels = &kernels, .cases = &of, .dim = 2, .root = -1, .tolerance = 1e-9 };
+    jlt_batch_map maps[8];
+
+    (void)unused;
+    for (unsigned i = 0; i < 8; i++) maps[i] = map;
+    maps[0].direction = 2;
+    maps[1].direction = -2;
+    maps[2].root = 2;
+    maps[3].turn = -1;
+    maps[4].turn = NAN;
+    maps[5].turn = INFINITY;
+    maps[6].domain = &domain;
+    maps[7].returns_of = (const size_t[]){ 1, 0 };
+    for (unsigned i = 0; i < 8; i++)
+        assert_int_equal(jlt_batch_section(&maps[i], NULL, 2, 1, NULL, NULL, NULL, NULL), JLT_ERR_ARG);
+    assert_int_equal(jlt_batch_section(&map, NULL, 2, 0, NULL, NULL, NULL, NULL), JLT_ERR_ARG);
+    assert_int_equal(jlt_batch_section(&map, NULL, 2, 1, NULL, NULL, NULL, NULL), JLT_ERR_UNSUPPORTED);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -208,6 +233,7 @@ int main(void)
         cmocka_unit_test(weights_meet_the_order_conditions_and_no_more),
         cmocka_unit_test(no_stage_needs_a_later_one),
         cmocka_unit_test(methods_are_those_of_the_table),
+        cmocka_unit_test(maps_out_of_range_are_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

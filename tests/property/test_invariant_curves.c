@@ -51,6 +51,8 @@ static void branches_are_invariant(void **unused)
 static void stable_branch_mirrors_the_unstable_one(void **unused)
 {
     const jlt_manifold_options options = { .spacing = 0.004, .length_max = 0.5 };
+    const jlt_manifold_options wrong[] = { { .spacing = 1e-5 }, { .spacing = NAN }, { .finest = -1 }, { .turn = NAN },
+                                           { .length_max = -1 }, { .length_max = NAN }, { .points_max = 1 } };
     jlt_system *system = top_51(1e-12);
     const jlt_chart *chart = system->flow.chart;
     jlt_manifold unstable = { 0 }, stable = { 0 }, mirrored = { 0 };
@@ -61,6 +63,8 @@ static void stable_branch_mirrors_the_unstable_one(void **unused)
     assert_ok(jlt_map_create(&map, &system->flow));
     const jlt_periodic saddle = saddle_of(map);
     assert_ok(jlt_branch_init(&u, map, &saddle, false, 1, 1e-4));
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
+        assert_int_equal(jlt_manifold_grow(&unstable, &(const jlt_branch *){ &u }, 1, &wrong[i]), JLT_ERR_ARG);
     assert_ok(jlt_manifold_grow(&unstable, &(const jlt_branch *){ &u }, 1, &options));
     assert_int_equal(unstable.end, JLT_MANIFOLD_LENGTH);
     assert_ok(jlt_manifold_reflect(&mirrored, &unstable, chart));
@@ -312,7 +316,8 @@ static void bifurcations_lie_where_multipliers_say(void **unused)
                             .options = { .tolerance = 1e-13, .direction = JLT_RISING } };
     jlt_system_family family = { .make = jlt_system_top_at, .context = &tops };
     const jlt_family maps = { jlt_system_map_at, &family, jlt_system_map_near };
-    const jlt_continuation_options options = { .low = 1.7, .high = 2.2, .points_max = 200 };
+    const volatile sig_atomic_t raised = 1;
+    const jlt_continuation_options options = { .low = 1.7, .high = 2.2, .points_max = 200 }, stopped = { .interrupt = &raised };
     jlt_continuation_point start = { .value = 2.15 }, other;
     jlt_continuation_end end;
     run_record first = { .count = 0 }, second = { .count = 0 };
@@ -321,6 +326,9 @@ static void bifurcations_lie_where_multipliers_say(void **unused)
     (void)unused;
     assert_ok(jlt_system_map_at(&family, &map, 2.15));
     start.orbit = saddle_of(map);
+    assert_ok(jlt_continuation_run(&end, &maps, &start, -1, &stopped, record, &first));
+    assert_int_equal(end, JLT_CONTINUATION_INTERRUPT);
+    assert_int_equal(first.count, 1);
     assert_ok(jlt_continuation_run(&end, &maps, &start, -1, &options, record, &first));
     assert_int_equal(end, JLT_CONTINUATION_RANGE);
     assert_true(first.has_doubling && first.worst < 1e-12);

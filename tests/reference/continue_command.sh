@@ -352,5 +352,12 @@ done
 jellett continue restricted_three_body --section y=0 --set mu=0.01 --start x=0.4,vx=0,vy=0.9 --along mu=0.001:0.2 > rows.csv 2> log
 awk -F, '/^branch/ { for (i = 1; i <= NF; i++) at[$i] = i } /^[0-9]/ { n++; bad += $at["mu1_im"] != 0 || !($at["mu2_im"] > 0) ||
     !($at["mu3_im"] < 0) } END { exit !(n > 5 && !bad) }' rows.csv || fail "multipliers change columns: $(cat rows.csv log)"
+
+# A branch that begins at the period doubling just before the end of the range, beyond which steps lead, stays in it, to its end.
+for low in 1.9804 1.980479; do
+    jellett continue --along E=$low:2.15 --branches -o rows.csv 2> log || fail "to $low: status $?"
+    awk -F, -v low=$low '/^1,/ { n++; bad += $2 < low - 1e-12 || $2 > 1.98047908; last = $2 }
+        END { exit !(n > 1 && !bad && last < low + 1e-10) }' rows.csv || fail "to $low: $(grep ^1, rows.csv | cut -d, -f2; cat log)"
+done
 [ $failures = 0 ] || exit 1
 echo "bifurcations are the same at all steps"

@@ -370,8 +370,8 @@ grep -q energy observing.svg || fail "what the table observes is not on its axis
 draws 0 '' --sweep k=1:2:2 --axes k,energy
 draws 3 '--axes: nothing has no value in any row: nothing is drawn' --axes t,nothing
 draws 3 '--axes: nothing has no value in any row: nothing is drawn' --axes nothing,energy
-draws 3 '--axes: nothing has no value in any row: nothing is drawn' --sweep k=1:2:2 --axes k,nothing
-draws 3 '--axes: fate has no value in any row: nothing is drawn' --sweep k=1:2:2 --axes k,fate
+draws 3 '--plot: nothing has no number in any row: nothing is drawn' --sweep k=1:2:2 --axes k,nothing
+draws 3 '--plot: fate has no number in any row: nothing is drawn' --sweep k=1:2:2 --axes k,fate
 base=(jellett fates --sweep E=1:2:2) && refuse --axes --axes=eta,gamma3
 # The range of an axis in which nothing lies is told, and the table is there; gnuplot's own words are not shown.
 rm -f ./*

@@ -144,6 +144,8 @@ refuse 3 "--family, one of spin, spin_weightless, precession" jellett certify eq
 refuse 2 "'2' is not from 0 to 1" jellett transfer --boxes 10x10 --noise 2
 refuse 2 "--noise: no value" jellett transfer --boxes 10x10 --noise ""
 refuse 2 "leave out --eigenvalues 0" jellett transfer --boxes 10x10 --eigenvalues 0 --plot folder/p.svg
+refuse 3 "no point of them has a state from which the section is crossed" \
+    jellett transfer lorenz --section z=27 --boxes x=-1:1:4,y=-1:1:4
 refuse 3 "2 have states; eigenvalues are of 3 boxes or more" jellett transfer --boxes eta=0:1e-3:2,gamma3=-0.9:-0.899:1
 refuse 3 "nothing stays in them, for no box leads back to itself" jellett transfer --boxes eta=0:1e-3:4,gamma3=-0.9:-0.899:4
 refuse 2 "'4/3': shards are counted from 1 to 3" jellett sweep none --shard 4/3

@@ -75,6 +75,32 @@ static void restarting_from_crossings_neither_repeats_nor_skips(void **unused)
     jlt_orbit_destroy(orbit);
 }
 
+static double twice_x(void *context, const double *x)
+{
+    (void)context;
+    return 2 * x[0];
+}
+
+/* Another list of events begins at the crossing that was handed out, which it does not hand out again, under any function. */
+static void another_list_neither_repeats_nor_skips(void **unused)
+{
+    const jlt_event zero = { .column = 0 }, same = { .value = twice_x }, other = { .column = 1, .level = 0.8 };
+    const jlt_event lists[3][2] = { { zero, other }, { other, zero }, { same, other } };
+    const double crossings[] = { pi / 2, pi + asin(0.8), 3 * pi / 2, 2 * pi - asin(0.8) }; /* of a period */
+    (void)unused;
+
+    for (unsigned m = 0; m < METHODS; m++) {
+        const double slack = strcmp(methods[m], "msadams") == 0 ? 1e-6 : 1e-8;
+        jlt_orbit *orbit = oscillator_orbit(methods[m], 1e-11, 0, +1);
+        jlt_outcome at;
+        for (int k = 0; k < 80; k++) {
+            assert_ok(jlt_orbit_next(orbit, INFINITY, lists[k % 3], 2, &at));
+            assert_near(at.t, crossings[k % 4] + k / 4 * 2 * pi, slack);
+        }
+        jlt_orbit_destroy(orbit);
+    }
+}
+
 /* cos t = 1 - d has two zeros 2 sqrt(2 d) apart at each multiple of 2 pi, both inside a step. Their places have the condition
  * 1/sqrt(2 d), so errors of the state of 1e-12 become 1e-12/sqrt(2 d). */
 static void two_zeros_within_a_step_are_two_crossings(void **unused)
@@ -330,6 +356,7 @@ int main(void)
         cmocka_unit_test(a_backward_run_meets_the_same_crossings_with_the_same_directions),
         cmocka_unit_test(a_start_on_the_section_is_no_crossing),
         cmocka_unit_test(restarting_from_crossings_neither_repeats_nor_skips),
+        cmocka_unit_test(another_list_neither_repeats_nor_skips),
         cmocka_unit_test(two_zeros_within_a_step_are_two_crossings),
         cmocka_unit_test(a_touch_is_grazing_and_a_near_miss_is_nothing),
         cmocka_unit_test(near_tangencies_come_in_pairs_or_not_at_all_at_any_tolerance),

@@ -31,6 +31,7 @@ static int stop_after(void *context, jlt_orbit *orbit)
     return --*(int *)context == 0;
 }
 
+/* The point of an end is handed out: what lies before it, even by many steps, cannot be asked for any more. */
 static void runs_end_by_budget_observer_and_interrupt_with_the_last_point(void **unused)
 {
     (void)unused;
@@ -48,11 +49,13 @@ static void runs_end_by_budget_observer_and_interrupt_with_the_last_point(void *
     assert_int_equal(stepper->steps + stepper->rejected, 20);
     assert_near(at.t, stepper->tau, 0);
     assert_near(at.x[0], cos(at.t), 1e-8);
+    assert_int_equal(jlt_orbit_next(orbit, at.t / 2, NULL, 0, &at), JLT_ERR_ARG);
 
     jlt_orbit_observe(orbit, stop_after, &left);
     assert_ok(jlt_orbit_next(orbit, 1e6, NULL, 0, &at));
     assert_int_equal(at.end, JLT_END_OBSERVER);
     assert_int_equal(stepper->steps + stepper->rejected, 27);
+    assert_int_equal(jlt_orbit_next(orbit, at.t - 1, NULL, 0, &at), JLT_ERR_ARG);
 
     jlt_orbit_observe(orbit, NULL, NULL);
     flag = 1;

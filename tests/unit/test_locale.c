@@ -166,6 +166,16 @@ static void digits_are_as_few_as_read_back(void **unused)
     }
 }
 
+static void what_is_no_number_leaves_the_value(void **unused)
+{
+    static const char *const texts[] = { "", "-", "+1", " 1", "1 ", "1e", "1,5", "0x1p3", "1e400", "1e-400" };
+    double value = 7;
+
+    (void)unused;
+    for (size_t k = 0; k < sizeof texts / sizeof *texts; k++)
+        assert_false(jlt_digits_read(&value, texts[k], texts[k] + strlen(texts[k])) || value != 7);
+}
+
 /* A machine that has no locale with commas gets one for this run, by the program that comes with the C library. */
 static bool set_commas(char *folder)
 {
@@ -196,6 +206,7 @@ int main(void)
         cmocka_unit_test(numbers_with_points_are_read),
         cmocka_unit_test(scenes_are_read),
         cmocka_unit_test(digits_are_as_few_as_read_back),
+        cmocka_unit_test(what_is_no_number_leaves_the_value),
     };
     int failed = cmocka_run_group_tests_name("C", tests, NULL, NULL);
 

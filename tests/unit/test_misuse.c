@@ -210,7 +210,8 @@ static jlt_status forget(void *count, const jlt_continuation_point *point)
 static void continuation_takes_its_options_as_they_are(void **unused)
 {
     const jlt_continuation_options wrong[] = { { .low = 2.2, .high = 2 }, { .low = NAN, .high = 3 }, { .step = -1 },
-                                               { .step = NAN }, { .step_min = -1 }, { .step_max = NAN }, { .scale = -1 } };
+                                               { .step = NAN }, { .step_min = -1 }, { .step_max = NAN }, { .scale = -1 },
+                                               { .low = 2.2, .high = 3 }, { .step = INFINITY }, { .scale = INFINITY } };
     static jlt_continuation_point first = { .value = 2.15 };
     static jlt_surface_family top;
     jlt_system_family systems = { .make = jlt_surface_at, .context = &top };
