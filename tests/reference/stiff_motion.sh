@@ -31,8 +31,8 @@ done
 "${orbit[@]}" --times 20 > out 2> err || fail "20: $(cat err)"
 tail -1 out | awk -F, '{ d = log($2/2) - $2^2/2 + 2 - 20/1e4; exit !($4 == "alive" && d < 1e-7 && d > -1e-7) }' || fail "$(cat out)"
 
-# Dry friction stops a body at t = |v|/mu = 1, which is where the domain ends, and found there: u and v keep their signs before. On a
-# slope they do not, and what is said ends the orbit where 1e-6 of velocity are left, on the plane at t = 1 - 2e-6.
+# Dry friction stops a body at t = |v|/mu = 1, which is where the domain ends, and found there: u and v keep their signs before. On
+# a slope they do not, and what is said ends the orbit where 1e-6 of velocity are left, on the plane at t = 1 - 2e-6.
 printf '%s\n' 'model friction' 'state x' 'state u' 'state v' 'root w = sqrt(u^2 + v^2)' 'eq x = u' 'eq u = - u/w/2' \
     'eq v = - v/w/2' 'domain moving : u^2 + v^2 > 0' > friction.tt
 for method in gauss dop853 taylor rk8pd rkf45 msadams; do
