@@ -15,7 +15,6 @@
 #include "integrate/field.h"
 #include "kernel/instance.h"
 
-
 /** Longer tangent vectors may be those of a close passage, in which lanes lose more digits than a return may. */
 enum { JLT_BATCH_STRETCHED = 10000 };
 
@@ -88,9 +87,9 @@ typedef struct {
     const struct jlt_batch_method *method; /* one of jlt_batch_method_at; NULL: the usual one for the tolerance */
     double tolerance;                /* of the local error, in (0, 1): the root mean square over states, the clock added. A state's
                                         error is relative to M = max(size, largest |x_j| but for root and angles), or
-                                        JLT_FIELD_SPREAD times max(size, |x_i|) if that is less, size being jlt_field_size of the
-                                        orbit's start; an angle's to M, but it may be 64 roundings; the clock's to M over the
-                                        size; the root's to the root */
+                                        JLT_FIELD_SPREAD times max(size, |x_i|) if that is less, or times the larger of a pair,
+                                        size being jlt_field_size of the orbit's start; an angle's to M, but it may be 64
+                                        roundings; the clock's to M over the size; the root's to the root */
     size_t max_steps;                /* of one return, accepted and rejected; one at a bend of the rates, and the few after it,
                                         count an eighth each */
     unsigned threads;                /* 0 and 1: the caller's alone */
