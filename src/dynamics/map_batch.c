@@ -110,7 +110,7 @@ jlt_status jlt_map_batch_create(jlt_map_batch **out, const jlt_flow *flow, const
         .column = flow->chart->column, .turn = flow->chart->turn,
         .direction = (int)flow->direction,
         .root = flow->field->root,
-        .kept = flow->field->kept.words[0], .pairs = &flow->field->pairs, .angles = flow->field->angles.words[0],
+        .kept = flow->field->kept.words[0], .groups = &flow->field->groups, .angles = flow->field->angles.words[0],
         .root_floor = root_floor,
         .domain = jlt_field_watches(flow->field) ? &flow->field->domain : NULL,
         .method = method,

@@ -72,7 +72,7 @@ jlt_status jlt_section_batch_create(jlt_section_batch **out, const jlt_flow *flo
         .kernels = jlt_section_flows_obstacle(flow, kernels) == NULL ? kernels : NULL, .dim = flow->chart->states, .clock = true,
         .column = flow->chart->column, .turn = flow->chart->turn, .direction = (int)flow->direction,
         .backwards = options->backwards, .root = flow->field->root, .root_floor = root_floor, .root_least = root_least,
-        .root_rest = jlt_batch_rest(tolerance), .kept = flow->field->kept.words[0], .pairs = &flow->field->pairs,
+        .root_rest = jlt_batch_rest(tolerance), .kept = flow->field->kept.words[0], .groups = &flow->field->groups,
         .angles = flow->field->angles.words[0], .tolerance = tolerance, .threads = options->threads, .interrupt = flow->interrupt,
         .domain = jlt_field_watches(flow->field) ? &flow->field->domain : NULL,
         .max_steps = flow->max_steps != 0 && flow->max_steps < steps_max ? flow->max_steps : steps_max,

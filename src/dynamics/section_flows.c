@@ -88,7 +88,7 @@ bool jlt_section_flows_fit(const jlt_flow *first, const jlt_flow *flow)
     g = flow->field;
     return a->dim == b->dim && a->states == b->states && a->column == b->column && a->turn == b->turn && f->call == g->call
            && f->dim == g->dim && f->root == g->root && memcmp(&f->kept, &g->kept, sizeof f->kept) == 0
-           && memcmp(&f->angles, &g->angles, sizeof f->angles) == 0 && memcmp(&f->pairs, &g->pairs, sizeof f->pairs) == 0
+           && memcmp(&f->angles, &g->angles, sizeof f->angles) == 0 && memcmp(&f->groups, &g->groups, sizeof f->groups) == 0
            && jlt_field_watches(f) == jlt_field_watches(g)
            && f->domain.conditions == g->domain.conditions && f->domain.intervals == g->domain.intervals
            && first->method == flow->method && first->tolerance == flow->tolerance && first->direction == flow->direction

@@ -98,7 +98,7 @@ jlt_status jlt_varied_make(jlt_varied *self, const jlt_field *plain, jlt_kernel_
                                .domain = plain->domain,
                                .scale = self->scale,
                                .kept = plain->kept,
-                               .pairs = plain->pairs,
+                               .groups = plain->groups,
                                .sized = plain->sized };
     if (kernels != NULL && kernels->rhs_jacobian != NULL && plain->dim <= JLT_BATCH_STATES_MAX) {
         self->batch = (jlt_kernel_batch){ .isa = kernels->isa,

@@ -75,7 +75,7 @@ typedef struct {
                                         zeroed structure makes x[0] the root */
     uint64_t kept;                   /* bit i: state i is kept, as of jlt_field: its error is compared with at most
                                         JLT_FIELD_SPREAD times itself, however small it is */
-    const jlt_state_pairs *pairs;    /* as of jlt_field; NULL: none */
+    const jlt_state_groups *groups;  /* as of jlt_field; NULL: none */
     uint64_t angles;                 /* bit i: state i is an angle, as of jlt_field: no other state's error is relative to it */
     double root_floor;               /* end near a pole when root <= this and every |x_i'| <= root_rest max(size, |x_i|) */
     double root_rest;                /* 0: rates are not tested; otherwise a root <= root_floor also ends the lane once max_steps
@@ -87,7 +87,7 @@ typedef struct {
     const struct jlt_batch_method *method; /* one of jlt_batch_method_at; NULL: the usual one for the tolerance */
     double tolerance;                /* of the local error, in (0, 1): the root mean square over states, the clock added. A state's
                                         error is relative to M = max(size, largest |x_j| but for root and angles), or
-                                        JLT_FIELD_SPREAD times max(size, |x_i|) if that is less, or times the larger of a pair,
+                                        JLT_FIELD_SPREAD times max(size, |x_i|) if that is less, or times the largest of its group,
                                         size being jlt_field_size of the orbit's start; an angle's to M, but it may be 64
                                         roundings; the clock's to M over the size; the root's to the root */
     size_t max_steps;                /* of one return, accepted and rejected; one at a bend of the rates, and the few after it,

@@ -48,8 +48,8 @@ typedef struct {
                                       against max(|x_i|, scale_i). NULL: 1, and 0 for the root and the kept states,
                                       whose errors are relative */
     jlt_state_set kept;            /* those that keep their sign, as their rates go to 0 with them; their errors are relative */
-    jlt_state_pairs pairs;         /* of states that are 0 only together: their errors are relative to JLT_FIELD_SPREAD times the
-                                      larger of the two, where that is less than their scales */
+    jlt_state_groups groups;       /* of states that are 0 only together: their errors are relative to JLT_FIELD_SPREAD times the
+                                      largest of the group, where that is less than their scales */
     jlt_state_set angles;          /* those that may grow by turns: in lanes other states' errors are not relative to them */
     unsigned sized;                /* leading states for which a scale of 1 means jlt_field_size of an orbit's start; 0: none */
 } jlt_field;
@@ -104,7 +104,7 @@ unsigned jlt_field_unbounded(const jlt_field *field, const double *x, double t);
 
 /** Make the field of a generated kernel, in the units of its instance, which must live as long as the field. It watches the
  *  conditions of the table's domain and the intervals of its states; the latter not in a time that lifts roots to states, where it
- *  need not. All states are sized; those are angles whose period the table proves; which ones are kept, or paired, is judged by
+ *  need not. All states are sized; those are angles whose period the table proves; which ones are kept, or in groups, is judged by
  *  rates (signs.h). The last state is taken for the root that vanishes at a pole when the kernel has a time of its own
  *  and that state is bounded below by 0. Errors: ARG, NULL; UNSUPPORTED, the descriptor has no right-hand side, or more than
  *  JLT_FIELD_DIM_MAX states. */

@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "ext/eigen.h"
 #include "integrate/locate.h"
 #include "integrate/step_control.h"
 
@@ -18,22 +19,38 @@ static bool grows(const jlt_field *field, unsigned i, double f, double x, double
     return jlt_field_keeps(field, i) && x != 0 && (f * direction > 0) == (x > 0);
 }
 
-/* Whether two states that are 0 only together are not 0, and move away from it: their part of the Jacobian has a positive trace,
- * as time goes, or is that of a saddle, and they grow. */
-static bool pair_grows(const jlt_field *field, const double *f, const double *x, double direction)
+/* Whether states that are 0 only together are not 0, and move away from it: their part of the Jacobian has an eigenvalue of
+ * positive real part, as time goes. */
+static bool group_grows(const jlt_field *field, unsigned group, const double *x, const double *jacobian, double direction)
+{
+    double part[JLT_JACOBIAN_DIM_MAX * JLT_JACOBIAN_DIM_MAX], re[JLT_JACOBIAN_DIM_MAX], im[JLT_JACOBIAN_DIM_MAX];
+    double fastest = 0, growth = 0;
+    unsigned members[JLT_JACOBIAN_DIM_MAX], n = 0;
+    bool is_zero = true;
+
+    for (unsigned i = 0; i < field->dim; i++) {
+        if (field->groups.of[i] != group) continue;
+        is_zero = is_zero && x[i] == 0;
+        members[n++] = i;
+    }
+    for (unsigned i = 0; i < n; i++)
+        for (unsigned j = 0; j < n; j++) part[i * n + j] = jacobian[members[i] * field->dim + members[j]];
+    if (is_zero || jlt_eigen_values(re, im, part, n) != JLT_OK) return false;
+    for (unsigned i = 0; i < n; i++) {
+        fastest = fmax(fastest, hypot(re[i], im[i]));
+        growth = fmax(growth, re[i] * direction);
+    }
+    return growth > 1e-8 * fastest; /* less may be a defective 0 */
+}
+
+static bool any_group_grows(const jlt_field *field, const double *x, double direction)
 {
     double jacobian[JLT_JACOBIAN_DIM_MAX * JLT_JACOBIAN_DIM_MAX];
 
-    if (field->pairs.count == 0 || field->jacobian == NULL || field->dim > JLT_JACOBIAN_DIM_MAX) return false;
+    if (field->groups.count == 0 || field->jacobian == NULL || field->dim > JLT_JACOBIAN_DIM_MAX) return false;
     field->jacobian(x, field->p, jacobian);
-    for (unsigned k = 0; k < field->pairs.count; k++) {
-        const unsigned i = field->pairs.of[k].first, j = field->pairs.of[k].second;
-        const double *first = jacobian + i * field->dim, *second = jacobian + j * field->dim;
-        const double larger = jlt_larger(fabs(x[i]), fabs(x[j])), growth = f[i] * (x[i] / larger) + f[j] * (x[j] / larger);
-        if (!(larger > 0)) continue;
-        if ((first[i] + second[j]) * direction > 0) return true;
-        if (first[i] * second[j] < first[j] * second[i] && growth * direction > 0) return true;
-    }
+    for (unsigned group = 1; group <= field->groups.count; group++)
+        if (group_grows(field, group, x, jacobian, direction)) return true;
     return false;
 }
 
@@ -43,7 +60,7 @@ static bool slower(const jlt_field *field, const double *f, const double *x, dou
         const double own = grows(field, i, f[i], x[i], direction) ? fabs(x[i]) : jlt_larger(fabs(x[i]), size);
         if (!(fabs(f[i]) < speed * own)) return false;
     }
-    return !pair_grows(field, f, x, direction);
+    return !any_group_grows(field, x, direction);
 }
 
 bool jlt_rest_is_slower(const jlt_field *field, const double *x, double size, double speed, double direction)

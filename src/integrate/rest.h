@@ -3,7 +3,7 @@
  *  Time never ends there, but what is left of the motion drowns in the errors of the method. Speeds are changes in a unit of
  *  physical time, relative to the state or the size of the orbit's start (jlt_field_size): near a pole everything slows down in
  *  tau, and that is no rest. Nor is it one where a state that the field keeps grows, as from 1e-20 an epidemic does: its speed is
- *  relative to the state alone; nor where two states that are 0 only together do. `direction` is that of time, +1 or -1. */
+ *  relative to the state alone; nor where states that are 0 only together do. `direction` is that of time, +1 or -1. */
 #ifndef JLT_INTEGRATE_REST_H
 #define JLT_INTEGRATE_REST_H
 

@@ -4,72 +4,141 @@
 
 /* Places, as parts of intervals or of the way to infinity: near to 0 and far from it. */
 static const double places[] = { 0.3, 0.7, 0.02, 0.98 };
-enum { PLACES = sizeof places / sizeof *places };
+enum { PLACES = sizeof places / sizeof *places, N = JLT_DOMAIN_STATES_MAX };
 
 typedef struct {
     const jlt_field *field;
     const jlt_quantity *states; /* whose intervals */
 } rates;
 
-/* Compute the rates, shape (dim,), where states a and b are `at`, and others are about in the part `inside` of their intervals,
- * each in another, lest terms cancel; where an interval is infinite, as far from its end, or from 0 on either side. */
-static void rates_at(const rates *self, double *f, unsigned a, unsigned b, double at, double inside)
+/* Compute the rates, shape (dim,), where the states of the set are `at`, and others are about in the part `inside` of their
+ * intervals, each in another, lest terms cancel; where an interval is infinite, as far from its end, or from 0 on either side. */
+static void rates_at(const rates *self, double *f, const jlt_state_set *set, double at, double inside)
 {
-    double x[JLT_DOMAIN_STATES_MAX];
+    double x[N];
 
     for (unsigned j = 0; j < self->field->dim; j++) {
         const double low = self->states[j].low, high = self->states[j].high, part = pow(inside, 1 + (double)j / self->field->dim);
         const double away = part / (1 - part), side = (j & 1) != (inside < 0.5) ? -1 : 1;
-        x[j] = isfinite(low)    ? isfinite(high) ? low + part * (high - low) : low + away
-               : isfinite(high) ? high - away
-                                : side * away;
+        x[j] = jlt_state_set_has(set, j) ? at
+               : isfinite(low)           ? isfinite(high) ? low + part * (high - low) : low + away
+               : isfinite(high)          ? high - away
+                                         : side * away;
     }
-    x[a] = x[b] = at;
     self->field->call(x, self->field->p, f);
 }
 
-/* Whether the rates of states a and b, which may be one, go to 0 with them, about as fast: after sqrt(x) x comes to 0. *moves
- * becomes true where one is not 0 before. */
-static bool rest_at_zero(const rates *self, unsigned a, unsigned b, double side, double inside, bool *moves)
+/* The sum of |f_i| over the set; NaN if one is. */
+static double size(const rates *self, const double *f, const jlt_state_set *set)
 {
-    double near[JLT_DOMAIN_STATES_MAX], nearer[JLT_DOMAIN_STATES_MAX], there[JLT_DOMAIN_STATES_MAX];
+    double sum = 0;
 
-    rates_at(self, there, a, b, 0, inside);
-    if (!(there[a] == 0 && there[b] == 0)) return false;
-    rates_at(self, near, a, b, side * 0x1p-40, inside);
-    rates_at(self, nearer, a, b, side * 0x1p-80, inside);
-    *moves |= near[a] != 0 || near[b] != 0;
-    return (fabs(nearer[a]) + fabs(nearer[b])) * 0x1p40 <= 4 * (fabs(near[a]) + fabs(near[b]));
+    for (unsigned i = 0; i < self->field->dim; i++)
+        if (jlt_state_set_has(set, i)) sum += fabs(f[i]);
+    return sum;
+}
+
+/* Whether the rates of the set's states go to 0 with them, about as fast: after sqrt(x) x comes to 0. *moves becomes true where one
+ * is not 0 before. */
+static bool rest_at_zero(const rates *self, const jlt_state_set *set, double side, double inside, bool *moves)
+{
+    double f[N];
+
+    rates_at(self, f, set, 0, inside);
+    if (!(size(self, f, set) == 0)) return false;
+    rates_at(self, f, set, side * 0x1p-40, inside);
+    const double near = size(self, f, set);
+    rates_at(self, f, set, side * 0x1p-80, inside);
+    *moves |= near > 0;
+    return size(self, f, set) * 0x1p40 <= 4 * near;
 }
 
 /* Whether they do so wherever the others are. */
-static bool vanish_together(const rates *self, unsigned a, unsigned b)
+static bool vanish_together(const rates *self, const jlt_state_set *set)
 {
-    const jlt_quantity *first = &self->states[a], *second = &self->states[b];
-    const double low = fmax(first->low, second->low), high = fmin(first->high, second->high);
+    double low = -INFINITY, high = INFINITY;
     bool moves = false;
 
+    for (unsigned i = 0; i < self->field->dim; i++) {
+        if (!jlt_state_set_has(set, i)) continue;
+        low = fmax(low, self->states[i].low);
+        high = fmin(high, self->states[i].high);
+    }
     if (low > 0 || high < 0) return false;
     for (size_t k = 0; k < PLACES; k++)
         for (int side = -1; side <= 1; side += 2)
-            if ((side < 0 ? low < 0 : high > 0) && !rest_at_zero(self, a, b, side, places[k], &moves)) return false;
+            if ((side < 0 ? low < 0 : high > 0) && !rest_at_zero(self, set, side, places[k], &moves)) return false;
     return moves;
+}
+
+/* Take from the set those states whose rates are not 0 where all of the set are, until there are none. A rate that has no value
+ * there, as beside a centre of attraction, is taken for 0: what is found by that is tried elsewhere. */
+static void shrink(const rates *self, jlt_state_set *set)
+{
+    double f[N];
+
+    for (bool shrinks = true; shrinks;) {
+        shrinks = false;
+        for (size_t k = 0; k < PLACES; k++) {
+            rates_at(self, f, set, 0, places[k]);
+            for (unsigned i = 0; i < self->field->dim; i++) {
+                if (!jlt_state_set_has(set, i) || !(fabs(f[i]) > 0)) continue;
+                jlt_state_set_remove(set, i);
+                shrinks = true;
+            }
+        }
+    }
+}
+
+/* Find by which states of `all` each of them is driven: by j if its rate is not 0 where j is the only one that is not. Then add what
+ * drives those. drivers: shape (dim,). */
+static void find_drivers(const rates *self, jlt_state_set *drivers, const jlt_state_set *all)
+{
+    const unsigned dim = self->field->dim;
+    double f[N];
+
+    for (unsigned j = 0; j < dim; j++) {
+        if (!jlt_state_set_has(all, j)) continue;
+        jlt_state_set others = *all;
+        jlt_state_set_remove(&others, j);
+        jlt_state_set_add(&drivers[j], j);
+        for (size_t k = 0; k < PLACES; k++) {
+            rates_at(self, f, &others, 0, places[k]);
+            for (unsigned i = 0; i < dim; i++)
+                if (jlt_state_set_has(all, i) && fabs(f[i]) > 0) jlt_state_set_add(&drivers[i], j);
+        }
+    }
+    for (unsigned via = 0; via < dim; via++)
+        for (unsigned i = 0; i < dim; i++)
+            if (jlt_state_set_has(&drivers[i], via)) jlt_state_set_join(&drivers[i], &drivers[via]);
+}
+
+/* Make a group of the set if it vanishes together, and none of its states is in one. */
+static void add_group(const rates *self, jlt_state_groups *groups, const jlt_state_set *set)
+{
+    for (unsigned i = 0; i < self->field->dim; i++)
+        if (jlt_state_set_has(set, i) && groups->of[i] != 0) return;
+    if (!vanish_together(self, set)) return;
+    groups->count++;
+    for (unsigned i = 0; i < self->field->dim; i++)
+        if (jlt_state_set_has(set, i)) groups->of[i] = (unsigned char)groups->count;
 }
 
 void jlt_signs_find(jlt_field *field, const jlt_quantity *states)
 {
     const rates self = { field, states };
-    jlt_state_set taken;
+    jlt_state_set all = { 0 }, drivers[N] = { 0 };
 
-    for (unsigned i = 0; i < field->dim; i++)
-        if ((int)i != field->root && vanish_together(&self, i, i)) jlt_state_set_add(&field->kept, i);
-    taken = field->kept;
-    if (field->root >= 0) jlt_state_set_add(&taken, (unsigned)field->root); /* it has a scale of its own */
-    for (unsigned i = 0; i < field->dim && field->dim > 2; i++)
-        for (unsigned j = i + 1; j < field->dim; j++) {
-            if (jlt_state_set_has(&taken, i) || jlt_state_set_has(&taken, j) || !vanish_together(&self, i, j)) continue;
-            field->pairs.of[field->pairs.count++] = (jlt_state_pair){ (unsigned char)i, (unsigned char)j };
-            jlt_state_set_add(&taken, i);
-            jlt_state_set_add(&taken, j);
-        }
+    for (unsigned i = 0; i < field->dim; i++) {
+        jlt_state_set alone = { 0 };
+        jlt_state_set_add(&alone, i);
+        if ((int)i == field->root) continue; /* it has a scale of its own */
+        if (vanish_together(&self, &alone)) jlt_state_set_add(&field->kept, i);
+        else if (states[i].low <= 0 && states[i].high >= 0) jlt_state_set_add(&all, i);
+    }
+    shrink(&self, &all);
+    find_drivers(&self, drivers, &all);
+    for (unsigned count = 2; count < field->dim; count++) /* small groups first */
+        for (unsigned i = 0; i < field->dim; i++)
+            if (jlt_state_set_count(&drivers[i]) == count) add_group(&self, &field->groups, &drivers[i]);
 }

@@ -1,4 +1,4 @@
-/** Sets and pairs of states of a field, by their indices. */
+/** Sets and groups of states of a field, by their indices. */
 #ifndef JLT_INTEGRATE_STATE_SET_H
 #define JLT_INTEGRATE_STATE_SET_H
 
@@ -17,17 +17,28 @@ static inline bool jlt_state_set_has(const jlt_state_set *set, unsigned i)
     return i < JLT_STATE_SET_MAX && (set->words[i / 64] >> i % 64 & 1) != 0;
 }
 
-typedef struct {
-    unsigned char first, second;
-} jlt_state_pair;
-
-/* No state is in two of them. */
+/* Disjoint groups of states: state i is in group of[i], 1 to count, or in none, 0. */
 typedef struct {
     unsigned count;
-    jlt_state_pair of[JLT_STATE_SET_MAX / 2];
-} jlt_state_pairs;
+    unsigned char of[JLT_STATE_SET_MAX];
+} jlt_state_groups;
 
 /* i < JLT_STATE_SET_MAX. */
 static inline void jlt_state_set_add(jlt_state_set *set, unsigned i) { set->words[i / 64] |= (uint64_t)1 << i % 64; }
+
+static inline void jlt_state_set_remove(jlt_state_set *set, unsigned i) { set->words[i / 64] &= ~((uint64_t)1 << i % 64); }
+
+static inline void jlt_state_set_join(jlt_state_set *set, const jlt_state_set *with)
+{
+    for (unsigned k = 0; k < JLT_STATE_SET_WORDS; k++) set->words[k] |= with->words[k];
+}
+
+static inline unsigned jlt_state_set_count(const jlt_state_set *set)
+{
+    unsigned count = 0;
+
+    for (unsigned i = 0; i < JLT_STATE_SET_MAX; i++) count += jlt_state_set_has(set, i);
+    return count;
+}
 
 #endif

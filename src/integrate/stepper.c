@@ -33,28 +33,28 @@ static void set_scales(jlt_stepper *self)
     memcpy(self->full_scale, self->scale, self->stride * sizeof *self->scale);
 }
 
-/* Fit the scale of state i, if it is controlled, to the larger of it and the state that it vanishes with. Returns whether it
- * changes. */
-static bool fit_scale(jlt_stepper *self, unsigned i, double larger)
+/* Fit the scale of state i, if it is controlled, to the largest of its group. Returns whether it changes. */
+static bool fit_scale(jlt_stepper *self, unsigned i, double largest)
 {
-    const double before = self->scale[i], fitted = jlt_larger(JLT_FIELD_SPREAD * larger, JLT_STEPPER_SCALE_LEAST);
+    const double before = self->scale[i], fitted = jlt_larger(JLT_FIELD_SPREAD * largest, JLT_STEPPER_SCALE_LEAST);
 
     if (self->full_scale[i] < INFINITY) self->scale[i] = jlt_smaller(self->full_scale[i], fitted);
     return self->scale[i] < before || self->scale[i] > before;
 }
 
 /* Set the scales of states that vanish together to what they are beside. */
-static void fit_pairs(jlt_stepper *self)
+static void fit_groups(jlt_stepper *self)
 {
-    const jlt_state_pairs *pairs = &self->field->pairs;
+    const jlt_state_groups *groups = &self->field->groups;
+    const unsigned dim = self->field->dim < JLT_STATE_SET_MAX ? self->field->dim : JLT_STATE_SET_MAX;
+    double largest[JLT_STATE_SET_MAX];
 
     self->rescaled = false;
-    for (unsigned k = 0; k < pairs->count; k++) {
-        const unsigned i = pairs->of[k].first, j = pairs->of[k].second;
-        const double larger = jlt_larger(fabs(self->x[i]), fabs(self->x[j]));
-        const bool first = fit_scale(self, i, larger), second = fit_scale(self, j, larger);
-        self->rescaled = self->rescaled || first || second;
-    }
+    if (groups->count == 0) return;
+    for (unsigned g = 0; g <= groups->count; g++) largest[g] = 0;
+    for (unsigned i = 0; i < dim; i++) largest[groups->of[i]] = jlt_larger(largest[groups->of[i]], fabs(self->x[i]));
+    for (unsigned i = 0; i < dim; i++)
+        if (groups->of[i] != 0 && fit_scale(self, i, largest[groups->of[i]])) self->rescaled = true;
 }
 
 /* Whether the domain is one that steps can watch: of states that the field has, and with gradients of its conditions. */
@@ -166,7 +166,7 @@ jlt_status jlt_stepper_start(jlt_stepper *self, double t, const double *x, doubl
     self->evaluations++;
     forget_step(self);
     set_scales(self);
-    fit_pairs(self);
+    fit_groups(self);
     self->lost = (jlt_state_set){ 0 };
     note_lost(self);
     self->at_edge = jlt_edge_is_outside(self);
@@ -183,7 +183,7 @@ jlt_status jlt_stepper_replace(jlt_stepper *self, const double *x, const double 
     for (unsigned i = 0; i < self->field->dim; i++)
         if (x[i] < self->x[i] || x[i] > self->x[i]) self->x_low[i] = 0;
     memcpy(self->x, x, self->field->dim * sizeof *x);
-    fit_pairs(self);
+    fit_groups(self);
     jlt_field_rates(self->field, self->f, self->x);
     self->evaluations++;
     self->dense_ready = false;
@@ -296,7 +296,7 @@ jlt_status jlt_stepper_advance(jlt_stepper *self, double limit)
     self->tau_low = (tau - self->tau) + move;
     self->steps++;
     note_lost(self);
-    fit_pairs(self);
+    fit_groups(self);
     if (fabs(self->h) > long_again * fabs(tau)) self->leaps = 0;
     return JLT_OK;
 }
