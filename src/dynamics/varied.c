@@ -99,6 +99,7 @@ jlt_status jlt_varied_make(jlt_varied *self, const jlt_field *plain, jlt_kernel_
                                .scale = self->scale,
                                .kept = plain->kept,
                                .pairs = plain->pairs,
+                               .tangents = tangents,
                                .sized = plain->sized };
     if (kernels != NULL && kernels->rhs_jacobian != NULL && plain->dim <= JLT_BATCH_STATES_MAX) {
         self->batch = (jlt_kernel_batch){ .isa = kernels->isa,
@@ -122,9 +123,12 @@ static bool stays(const jlt_field *plain, const double *x, unsigned i)
 
 bool jlt_varied_is_kept(const jlt_field *plain, const double *x)
 {
-    for (unsigned i = 0; i < plain->dim; i++)
-        if (stays(plain, x, i)) return true;
-    return false;
+    const jlt_state_pairs *pairs = &plain->pairs;
+    bool is_kept = false;
+
+    for (unsigned i = 0; i < plain->dim; i++) is_kept |= stays(plain, x, i);
+    for (unsigned k = 0; k < pairs->count; k++) is_kept |= x[pairs->of[k].first] == 0 && x[pairs->of[k].second] == 0;
+    return is_kept;
 }
 
 void jlt_varied_begin(jlt_varied *self, const double *x)

@@ -43,17 +43,26 @@ static bool fit_scale(jlt_stepper *self, unsigned i, double larger)
     return self->scale[i] < before || self->scale[i] > before;
 }
 
-/* Set the scales of states that vanish together to what they are beside. */
+/* Set the scales of states i and j, which vanish together, to what they are beside. Returns the larger of them. */
+static double fit_pair(jlt_stepper *self, unsigned i, unsigned j)
+{
+    const double larger = jlt_larger(fabs(self->x[i]), fabs(self->x[j]));
+    const bool first = fit_scale(self, i, larger), second = fit_scale(self, j, larger);
+
+    self->rescaled = self->rescaled || first || second;
+    return larger;
+}
+
 static void fit_pairs(jlt_stepper *self)
 {
-    const jlt_state_pairs *pairs = &self->field->pairs;
+    const jlt_field *field = self->field;
+    const jlt_state_pairs *pairs = &field->pairs;
 
     self->rescaled = false;
     for (unsigned k = 0; k < pairs->count; k++) {
-        const unsigned i = pairs->of[k].first, j = pairs->of[k].second;
-        const double larger = jlt_larger(fabs(self->x[i]), fabs(self->x[j]));
-        const bool first = fit_scale(self, i, larger), second = fit_scale(self, j, larger);
-        self->rescaled = self->rescaled || first || second;
+        const unsigned i = pairs->of[k].first, j = pairs->of[k].second, stride = field->domain.states;
+        if (fit_pair(self, i, j) > 0) continue;
+        for (unsigned v = 1; v <= field->tangents; v++) fit_pair(self, v * stride + i, v * stride + j);
     }
 }
 
