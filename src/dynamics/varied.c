@@ -99,6 +99,7 @@ jlt_status jlt_varied_make(jlt_varied *self, const jlt_field *plain, jlt_kernel_
                                .scale = self->scale,
                                .kept = plain->kept,
                                .groups = plain->groups,
+                               .tangents = tangents,
                                .sized = plain->sized };
     if (kernels != NULL && kernels->rhs_jacobian != NULL && plain->dim <= JLT_BATCH_STATES_MAX) {
         self->batch = (jlt_kernel_batch){ .isa = kernels->isa,
@@ -122,9 +123,15 @@ static bool stays(const jlt_field *plain, const double *x, unsigned i)
 
 bool jlt_varied_is_kept(const jlt_field *plain, const double *x)
 {
-    for (unsigned i = 0; i < plain->dim; i++)
-        if (stays(plain, x, i)) return true;
-    return false;
+    bool is_zero[JLT_STATE_SET_MAX], is_kept = false; /* is_zero: of groups */
+
+    for (unsigned g = 0; g <= plain->groups.count; g++) is_zero[g] = g > 0;
+    for (unsigned i = 0; i < plain->dim; i++) {
+        is_kept = is_kept || stays(plain, x, i);
+        if (x[i] != 0) is_zero[plain->groups.of[i]] = false;
+    }
+    for (unsigned g = 1; g <= plain->groups.count; g++) is_kept = is_kept || is_zero[g];
+    return is_kept;
 }
 
 void jlt_varied_begin(jlt_varied *self, const double *x)

@@ -27,8 +27,8 @@ JLT_CHECKED jlt_status jlt_varied_make(jlt_varied *self, const jlt_field *plain,
                                        unsigned tangents);
 void jlt_varied_clear(jlt_varied *self); /* legal on a zeroed one */
 
-/** Whether a state of x, shape (n,), that the plain field keeps is 0. Tangents there may fall along it below what the tolerance
- *  tells, and grow again. */
+/** Whether a state of x, shape (n,), that the plain field keeps is 0, or all of a group are. Tangents there may fall along them
+ *  below what the tolerance tells, and grow again. */
 bool jlt_varied_is_kept(const jlt_field *plain, const double *x);
 
 /** Before an orbit begins in x, shape (n,): along states that stay 0 tangents have relative errors, and elsewhere scale 1. */

@@ -50,6 +50,8 @@ typedef struct {
     jlt_state_set kept;            /* those that keep their sign, as their rates go to 0 with them; their errors are relative */
     jlt_state_groups groups;       /* of states that are 0 only together: their errors are relative to JLT_FIELD_SPREAD times the
                                       largest of the group, where that is less than their scales */
+    unsigned tangents;             /* vectors along the domain's states, which follow them: where a group is 0, their components
+                                      along it are 0 only together */
     jlt_state_set angles;          /* those that may grow by turns: in lanes other states' errors are not relative to them */
     unsigned sized;                /* leading states for which a scale of 1 means jlt_field_size of an orbit's start; 0: none */
 } jlt_field;

@@ -42,19 +42,24 @@ static bool fit_scale(jlt_stepper *self, unsigned i, double largest)
     return self->scale[i] < before || self->scale[i] > before;
 }
 
-/* Set the scales of states that vanish together to what they are beside. */
+/* Set the scales of states that vanish together to what they are beside; where they are 0, those of tangents along them. */
 static void fit_groups(jlt_stepper *self)
 {
     const jlt_state_groups *groups = &self->field->groups;
-    const unsigned dim = self->field->dim < JLT_STATE_SET_MAX ? self->field->dim : JLT_STATE_SET_MAX;
+    const unsigned dim = self->field->domain.states;
     double largest[JLT_STATE_SET_MAX];
+    bool is_zero[JLT_STATE_SET_MAX] = { false };
 
     self->rescaled = false;
-    if (groups->count == 0) return;
-    for (unsigned g = 0; g <= groups->count; g++) largest[g] = 0;
-    for (unsigned i = 0; i < dim; i++) largest[groups->of[i]] = jlt_larger(largest[groups->of[i]], fabs(self->x[i]));
-    for (unsigned i = 0; i < dim; i++)
-        if (groups->of[i] != 0 && fit_scale(self, i, largest[groups->of[i]])) self->rescaled = true;
+    for (unsigned v = 0; groups->count > 0 && v <= self->field->tangents; v++) {
+        const double *x = self->x + (size_t)v * dim;
+        for (unsigned g = 0; g <= groups->count; g++) largest[g] = 0;
+        for (unsigned i = 0; i < dim; i++) largest[groups->of[i]] = jlt_larger(largest[groups->of[i]], fabs(x[i]));
+        for (unsigned g = 0; v == 0 && g <= groups->count; g++) is_zero[g] = !(largest[g] > 0);
+        for (unsigned i = 0; i < dim; i++)
+            if (groups->of[i] != 0 && (v == 0 || is_zero[groups->of[i]]) && fit_scale(self, v * dim + i, largest[groups->of[i]]))
+                self->rescaled = true;
+    }
 }
 
 /* Whether the domain is one that steps can watch: of states that the field has, and with gradients of its conditions. */

@@ -34,6 +34,15 @@ for method in gauss dop853 taylor rk8pd rkf45 msadams; do
 done
 expect 0 '^1,1,' jellett section ./turned.tt --section phase=0 --grid x=0.5:1:2,y=0,u=0,v=1 --returns 1
 is_back 4 5 "in lanes"
+# Nor do tangents along the pair lose theirs where it is 0, though steps do not see it: the derivative over a turn is a rotation.
+sed '/^state [uv]$/d; /^eq [uv] /d' turned.tt > alone.tt
+for how in "--start x=0,y=0" "--grid x=0:0:1,y=0:0:1" "--start x=0,y=0 --method "{dop853,rk8pd,rkf45,msadams}; do
+    for w in 3.25,0 3.1,1.618033988749895; do
+        expect 0 '^0,1,' jellett section ./alone.tt --set w=${w%,*} --section phase=0 $how --returns 1 --check
+        awk -F, -v trace="${w#*,}" '/^0,1,/ { exit !(($7 - trace)^2 + ($8 - 1)^2 < 1e-16) }' out ||
+            fail "derivative, w = ${w%,*}, $how: $(tail -1 out)"
+    done
+done
 # From x = 0 and y > 0 crossings of x = 0 upwards are where w t is pi, 3 pi, ..., however small z is there.
 for how in "" "--method gauss" "--method dop853"; do
     expect 0 '^1,6,' jellett section ./turned.tt --section x=0 --grid y=0.5:1:2,u=0,v=1,phase=0 --returns 6 $how
