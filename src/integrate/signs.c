@@ -90,8 +90,8 @@ static void shrink(const rates *self, jlt_state_set *set)
     }
 }
 
-/* Find by which states of `all` each of them is driven: by j if its rate is not 0 where j is the only one that is not. Then add what
- * drives those. drivers: shape (dim,). */
+/* Find by which states of `all` each of them is driven: by j if its rate is not 0 where j is the only one that is not. Then add
+ * what drives those. drivers: shape (dim,). */
 static void find_drivers(const rates *self, jlt_state_set *drivers, const jlt_state_set *all)
 {
     const unsigned dim = self->field->dim;

@@ -1,8 +1,8 @@
 /** What a field's rates say of signs: which states never change theirs, and which states are 0 only together.
  *
- *  Where a state's rate is 0 whenever the state is, as in I' = (b S - g) I, no orbit takes the state to 0. Where several states have
- *  this together, as in x' = a x - y and y' = a y + x, only all of them together may be small. However small such states are, they
- *  may grow again, so that their errors must be small beside them. */
+ *  Where a state's rate is 0 whenever the state is, as in I' = (b S - g) I, no orbit takes the state to 0. Where several states
+ *  have this together, as in x' = a x - y and y' = a y + x, only all of them together may be small. However small such states are,
+ *  they may grow again, so that their errors must be small beside them. */
 #ifndef JLT_INTEGRATE_SIGNS_H
 #define JLT_INTEGRATE_SIGNS_H
 

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# States that are 0 only together, as both parts of an oscillation's amplitude, keep their digits however small they become.
+# States that are 0 only together, as both parts of an oscillation's amplitude, or the infected of all stages of an epidemic, keep
+# their digits however small they become.
 source "$JLT_SOURCE_DIR/tests/scratch.sh"
 # z = x + i y is z0 exp(k (cos t - 1) + i w t): it falls to 1e-26 of z0 and is z0 again after 2 pi, w being 3. Another oscillation,
 # u, which z drives, keeps its size. An error of the tolerance, 1e-12, a step is 64 times that beside it, in fewer than 400 steps.
@@ -73,4 +74,26 @@ for how in "" "--set a=0,b=1"; do
     ! at_rest x=1e-30,y=0 $how || fail "near ${how:-a focus}: $(tail -1 out)"
 done
 at_rest x=1,y=0 --set a=-1/10 || fail "a focus that attracts: $(tail -1 out)"
+# The infected of an epidemic, in three stages that feed each other, fall to 1e-29 between two outbreaks: the same orbit in their
+# logarithms. `who` turns beside it, so that the orbit has a section.
+printf '%s\n' 'model staged' 'state S' 'state E' 'state F' 'state I' 'state who' 'state turns' 'eq S = (1 - S)/50 - 100*S*I' \
+    'eq E = 100*S*I - 20*E' 'eq F = 20*E - 20*F' 'eq I = 20*F - 30*I' 'eq who = turns' 'eq turns = -who' > staged.tt
+printf '%s\n' 'model logs' 'state S' 'state e' 'state f' 'state i' 'exp N = exp(i - e)' 'exp P = exp(e - f)' 'exp Q = exp(f - i)' \
+    'exp J = exp(i)' 'eq S = (1 - S)/50 - 100*S*J' 'eq e = 100*S*N - 20' 'eq f = 20*P - 20' 'eq i = 20*Q - 30' > logs.tt
+start=$(awk 'BEGIN { x = log(1e-3); printf "S=0.99,e=%.17g,f=%.17g,i=%.17g", x, x, x }')
+expect 0 'alive$' jellett simulate ./logs.tt --start "$start" --times 18.84955592153876 # 6 pi
+infected=$(tail -1 out | cut -d, -f3-5)
+is_small() { # COLUMN HOW: e, f and i are the logarithms of the three columns from this one on, in the rows of 6 pi
+    awk -F, -v at="$1" -v right="$infected" 'BEGIN { split(right, log_of) } /18[.]84955592/ { n++
+        for (k = 1; k <= 3; k++) { off = log($(at + k - 1)) - log_of[k]; bad += !(off*off < 1e-18) } }
+        END { exit bad || !n }' out ||
+        fail "an epidemic in stages $2: $(tail -1 out), and the logarithms are $infected"
+}
+for method in gauss dop853 taylor rk8pd rkf45 msadams; do
+    expect 0 'alive$' jellett simulate ./staged.tt --start S=0.99,E=1e-3,F=1e-3,I=1e-3,who=0,turns=1 --times 18.84955592153876 \
+        --method $method
+    is_small 3 "by $method"
+done
+expect 0 'alive$' jellett section ./staged.tt --section who=0 --grid S=0.99:0.99:1,E=1e-3,F=1e-3,I=1e-3,turns=1:2:2 --returns 3
+is_small 5 "in lanes"
 exit $status
