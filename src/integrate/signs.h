@@ -8,7 +8,7 @@
 
 #include "integrate/field.h"
 
-/** Find field->kept and field->pairs, judging by rates at eight places in the intervals of states, shape (dim,). The root is none
+/** Find field->kept and field->pairs, judging by rates at 32 places in the intervals of states, shape (dim,). The root is none
  *  of them. A pair is of two states that are not kept, of three or more; a state is in one pair at most. Cost: some dim^2/2
  *  evaluations of the field. */
 void jlt_signs_find(jlt_field *field, const jlt_quantity *states);
