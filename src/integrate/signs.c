@@ -2,28 +2,31 @@
 
 #include <math.h>
 
-/* Places, as parts of intervals or of the way to infinity: near to 0 and far from it. */
-static const double places[] = { 0.3, 0.7, 0.02, 0.98 };
-enum { PLACES = sizeof places / sizeof *places, N = JLT_DOMAIN_STATES_MAX };
+enum {
+    PLACES = 32,
+    FIRST = 4, /* places that are enough to look for groups: what is found is tried at all */
+    N = JLT_DOMAIN_STATES_MAX
+};
 
 typedef struct {
     const jlt_field *field;
     const jlt_quantity *states; /* whose intervals */
 } rates;
 
-/* Compute the rates, shape (dim,), where the states of the set are `at`, and others are about in the part `inside` of their
- * intervals, each in another, lest terms cancel; where an interval is infinite, as far from its end, or from 0 on either side. */
-static void rates_at(const rates *self, double *f, const jlt_state_set *set, double at, double inside)
+/* Compute the rates, shape (dim,), where the states of the set are `at`, and others all over their intervals, each in another part,
+ * lest terms cancel; where an interval is infinite, at distances of all sizes from its end, or from 0 on either side. */
+static void rates_at(const rates *self, double *f, const jlt_state_set *set, double at, unsigned place)
 {
+    static const double golden = 0.6180339887498949;
     double x[N];
 
     for (unsigned j = 0; j < self->field->dim; j++) {
-        const double low = self->states[j].low, high = self->states[j].high, part = pow(inside, 1 + (double)j / self->field->dim);
-        const double away = part / (1 - part), side = (j & 1) != (inside < 0.5) ? -1 : 1;
+        const double low = self->states[j].low, high = self->states[j].high, part = fmod((place + 1) * (j + 1) * golden, 1);
+        const double either = 2 * part - 1, away = exp2(20 * part - 12);
         x[j] = jlt_state_set_has(set, j) ? at
                : isfinite(low)           ? isfinite(high) ? low + part * (high - low) : low + away
                : isfinite(high)          ? high - away
-                                         : side * away;
+                                         : copysign(exp2(20 * fabs(either) - 12), either);
     }
     self->field->call(x, self->field->p, f);
 }
@@ -39,18 +42,19 @@ static double size(const rates *self, const double *f, const jlt_state_set *set)
 }
 
 /* Whether the rates of the set's states go to 0 with them, about as fast: after sqrt(x) x comes to 0. *moves becomes true where one
- * is not 0 before. */
-static bool rest_at_zero(const rates *self, const jlt_state_set *set, double side, double inside, bool *moves)
+ * is not 0 before. Outside the domain there may be no rates. */
+static bool rest_at_zero(const rates *self, const jlt_state_set *set, double side, unsigned place, bool *moves)
 {
     double f[N];
 
-    rates_at(self, f, set, 0, inside);
-    if (!(size(self, f, set) == 0)) return false;
-    rates_at(self, f, set, side * 0x1p-40, inside);
+    rates_at(self, f, set, 0, place);
+    if (isnan(size(self, f, set))) return true;
+    if (size(self, f, set) > 0) return false;
+    rates_at(self, f, set, side * 0x1p-40, place);
     const double near = size(self, f, set);
-    rates_at(self, f, set, side * 0x1p-80, inside);
+    rates_at(self, f, set, side * 0x1p-80, place);
     *moves |= near > 0;
-    return size(self, f, set) * 0x1p40 <= 4 * near;
+    return !(size(self, f, set) * 0x1p40 > 4 * near);
 }
 
 /* Whether they do so wherever the others are. */
@@ -65,9 +69,10 @@ static bool vanish_together(const rates *self, const jlt_state_set *set)
         high = fmin(high, self->states[i].high);
     }
     if (low > 0 || high < 0) return false;
-    for (size_t k = 0; k < PLACES; k++)
-        for (int side = -1; side <= 1; side += 2)
-            if ((side < 0 ? low < 0 : high > 0) && !rest_at_zero(self, set, side, places[k], &moves)) return false;
+    for (unsigned place = 0; place < PLACES; place++) {
+        const double side = low == 0 || (high > 0 && place % 2 == 0) ? 1 : -1;
+        if (!rest_at_zero(self, set, side, place, &moves)) return false;
+    }
     return moves;
 }
 
@@ -79,8 +84,8 @@ static void shrink(const rates *self, jlt_state_set *set)
 
     for (bool shrinks = true; shrinks;) {
         shrinks = false;
-        for (size_t k = 0; k < PLACES; k++) {
-            rates_at(self, f, set, 0, places[k]);
+        for (unsigned place = 0; place < FIRST; place++) {
+            rates_at(self, f, set, 0, place);
             for (unsigned i = 0; i < self->field->dim; i++) {
                 if (!jlt_state_set_has(set, i) || !(fabs(f[i]) > 0)) continue;
                 jlt_state_set_remove(set, i);
@@ -102,8 +107,8 @@ static void find_drivers(const rates *self, jlt_state_set *drivers, const jlt_st
         jlt_state_set others = *all;
         jlt_state_set_remove(&others, j);
         jlt_state_set_add(&drivers[j], j);
-        for (size_t k = 0; k < PLACES; k++) {
-            rates_at(self, f, &others, 0, places[k]);
+        for (unsigned place = 0; place < FIRST; place++) {
+            rates_at(self, f, &others, 0, place);
             for (unsigned i = 0; i < dim; i++)
                 if (jlt_state_set_has(all, i) && fabs(f[i]) > 0) jlt_state_set_add(&drivers[i], j);
         }

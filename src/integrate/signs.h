@@ -8,9 +8,9 @@
 
 #include "integrate/field.h"
 
-/** Find field->kept and field->groups, judging by rates at four places in the intervals of states, shape (dim,), on either side
- *  of 0. A group is the least one that contains all states which drive its own, of two states or more, but not of all; neither the
- *  root nor a state that is kept is in one. Cost: some 40 dim evaluations of the field at most, mostly few, and dim^3/8. */
+/** Find field->kept and field->groups, judging by rates at 32 places in the intervals of states, shape (dim,). A group is the least
+ *  one that contains all states which drive its own, of two states or more, but not of all; neither the root nor a state that is
+ *  kept is in one. Cost: some 100 dim evaluations of the field at most, mostly few, and dim^3/8. */
 void jlt_signs_find(jlt_field *field, const jlt_quantity *states);
 
 #endif

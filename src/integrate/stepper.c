@@ -27,7 +27,9 @@ static void set_scales(jlt_stepper *self)
     self->size = jlt_field_size_at(field, self->x);
     for (unsigned i = 0; i < self->stride; i++) self->scale[i] = 1;
     for (unsigned i = 0; i < field->dim; i++) {
-        const double small = jlt_field_small(field, i, self->size), moved = 100 * shortest_step(self) * fabs(self->f[i]);
+        const bool stays = jlt_field_keeps(field, i) && self->x[i] == 0; /* if not, it is none that the field keeps */
+        const double small = stays ? self->size : jlt_field_small(field, i, self->size);
+        const double moved = 100 * shortest_step(self) * fabs(self->f[i]);
         self->scale[i] = i >= controlled ? INFINITY : small > 0 ? fmax(small, fmin(1, moved)) : JLT_STEPPER_SCALE_LEAST;
     }
     memcpy(self->full_scale, self->scale, self->stride * sizeof *self->scale);
@@ -36,9 +38,10 @@ static void set_scales(jlt_stepper *self)
 /* Fit the scale of state i, if it is controlled, to the largest of its group. Returns whether it changes. */
 static bool fit_scale(jlt_stepper *self, unsigned i, double largest)
 {
-    const double before = self->scale[i], fitted = jlt_larger(JLT_FIELD_SPREAD * largest, JLT_STEPPER_SCALE_LEAST);
+    const double before = self->scale[i], full = self->full_scale[i];
+    const double fitted = largest > 0 ? jlt_larger(JLT_FIELD_SPREAD * largest, JLT_STEPPER_SCALE_LEAST) : full;
 
-    if (self->full_scale[i] < INFINITY) self->scale[i] = jlt_smaller(self->full_scale[i], fitted);
+    if (full < INFINITY) self->scale[i] = jlt_smaller(full, fitted);
     return self->scale[i] < before || self->scale[i] > before;
 }
 
@@ -142,12 +145,20 @@ static void forget_step(jlt_stepper *self)
     memcpy(self->f_start, self->f, size);
 }
 
+/* Whether kept state i is below the least scale, and not because it grows from 0, where no rate keeps it. */
+static bool is_lost(const jlt_stepper *self, unsigned i)
+{
+    const double before = fabs(self->x_start[i]), now = fabs(self->x[i]);
+
+    return now < JLT_STEPPER_SCALE_LEAST && before > 0 && before >= now;
+}
+
 static void note_lost(jlt_stepper *self)
 {
     for (unsigned at = 0; at < JLT_STATE_SET_MAX; at += 64) {
         const uint64_t kept = self->field->kept.words[at / 64];
         for (unsigned i = 0; i < 64 && kept >> i != 0; i++)
-            if ((kept >> i & 1) != 0 && fabs(self->x[at + i]) < JLT_STEPPER_SCALE_LEAST) jlt_state_set_add(&self->lost, at + i);
+            if ((kept >> i & 1) != 0 && is_lost(self, at + i)) jlt_state_set_add(&self->lost, at + i);
     }
 }
 

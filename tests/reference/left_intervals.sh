@@ -215,6 +215,21 @@ for method in gauss dop853 taylor rk8pd rkf45 msadams; do
     tail -1 out | awk -F, '{ off = $1 - 3.0752547425164227; exit !(off*off < 9e-16 && /left_domain/) }' ||
         fail "c comes to 0, $method: $(tail -1 out)"
 done
+# Nor is a state kept at 0 that is driven late, by a short pulse, or where two others are positive. Values are by quadrature.
+printf '%s\n' 'model late' 'param a' 'param b' 'state x' 'state y' 'exp e = exp(-a*(y - b)^2)' 'eq x = e - x' 'eq y = 1' > late.tt
+printf '%s\n' 'model signs' 'state x' 'state y' 'state z' 'root r = sqrt(y^2)' 'root s = sqrt(z^2)' \
+    'eq x = (y + r)*(z + s)/4 - x' 'eq y = 1' 'eq z = 1' > signs.tt
+is_driven() { # VALUE WHAT
+    tail -1 out | awk -F, -v x="$1" '{ exit !(($2/x - 1)^2 < 1e-18) }' || fail "driven late, $2: $(tail -1 out)"
+}
+for method in gauss dop853 taylor rk8pd; do
+    expect 0 ',alive$' jellett simulate ./late.tt --set a=20,b=10 --start x=0,y=0 --times 12 --method $method
+    is_driven 0.0543124827342887819 "$method"
+    expect 0 ',alive$' jellett simulate ./late.tt --set a=2e4,b=5 --start x=0,y=0 --times 4.98,6 --method $method
+    is_driven 0.0046107426784022128 "in a short time, $method"
+done
+expect 0 ',alive$' jellett simulate ./signs.tt --start x=0,y=-1,z=-2 --times 3
+is_driven 0.6321205588285577 "by two"
 # All orbits of x' = -k z x return to where they began, and so do those beside them: exponents are 0. In lanes errors are 64e-12 a
 # step at most, as above, and t is 8 pi. An orbit that leaves the domain, at c > 0, changes nothing for others.
 printf '%s\n' 'model ebbing' 'param c' 'default c = 0' 'state x in (0, inf)' 'state z' 'state w' 'eq x = -30*z*x - c' 'eq z = w' \
