@@ -15,8 +15,7 @@ static bool is_executable(const char *path)
 char *ttc_executable_find(const char *name)
 {
     if (strchr(name, '/') != NULL) return is_executable(name) ? strdup(name) : NULL;
-    const char *path = getenv("PATH");
-    for (const char *at = path != NULL ? path : "/bin:/usr/bin", *next; at != NULL; at = next) { /* without it, as execvp */
+    for (const char *at = getenv("PATH"), *next; at != NULL; at = next) {
         const size_t length = strcspn(at, ":");
         next = at[length] == ':' ? at + length + 1 : NULL;
         ttc_text file = { 0 };
