@@ -167,12 +167,17 @@ static bool speak_of_memory(const char *words)
     return false;
 }
 
-/* Why a worker that ended with this status did not send all. SIGKILL is the kernel's, for memory, or the parent's. */
+/* Whether the system ended the worker: for memory, or for processor time that whoever called this program has bounded. */
+static bool is_ended_by_system(int status)
+{
+    return WIFSIGNALED(status) && (WTERMSIG(status) == SIGKILL || WTERMSIG(status) == SIGXCPU);
+}
+
+/* Why a worker that ended with this status did not send all. One that is late is killed by the parent. */
 static ttc_proof_ending ending_of(read_result result, int status, const char *words)
 {
     if (result == READ_LATE) return TTC_ENDED_LATE;
-    if (WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL) return TTC_ENDED_OUT_OF_MEMORY;
-    return speak_of_memory(words) ? TTC_ENDED_OUT_OF_MEMORY : TTC_ENDED_BY_FAULT;
+    return is_ended_by_system(status) || speak_of_memory(words) ? TTC_ENDED_OUT_OF_MEMORY : TTC_ENDED_BY_FAULT;
 }
 
 static int table_seconds(int claim_seconds) { return 5 * claim_seconds / 2; }
@@ -192,6 +197,8 @@ static void give_up(ttc_proof_run *run, bool *settled, int claim_seconds, ttc_pr
     if (ending == TTC_ENDED_LATE)
         snprintf(text, sizeof text, "its proof passes the limit of %d s of processor time a claim, or of %d s a table",
                  claim_seconds, table_seconds(claim_seconds));
+    else if (is_ended_by_system(status))
+        snprintf(text, sizeof text, "its proof was ended by the system, where memory or processor time is out");
     else if (ending == TTC_ENDED_OUT_OF_MEMORY)
         snprintf(text, sizeof text, "its proof passes the limit of %d MiB", MEMORY_MIB);
     else

@@ -22,13 +22,13 @@ static const double on_axis = 1e-6;
 const char *jlt_linearization_verdict(jlt_verdict verdict)
 {
     static const char *const texts[] = { "stable", "unstable", "centre", "not settled" };
-    return texts[verdict];
+    return (unsigned)verdict < sizeof texts / sizeof *texts ? texts[verdict] : "unknown verdict";
 }
 
 const char *jlt_linearization_motion(jlt_motion motion)
 {
     static const char *const texts[] = { "not settled", "asymptotically stable", "stable", "unstable" };
-    return texts[motion];
+    return (unsigned)motion < sizeof texts / sizeof *texts ? texts[motion] : "unknown motion";
 }
 
 /* The least change of x_j that exceeds, in some component of the field, the effect of rounding all states. It matters for a state

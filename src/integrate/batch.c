@@ -22,7 +22,7 @@ static jlt_status run(const jlt_batch_job *job)
 size_t jlt_batch_most_steps(double tolerance)
 {
     const double steps = 400 * pow(tolerance / 1e-12, -0.2);
-    return steps > 400 ? 400 : steps < 100 ? 100 : (size_t)steps;
+    return !(steps < 400) ? 400 : steps < 100 ? 100 : (size_t)steps;
 }
 
 double jlt_batch_rest(double tolerance) { return fmax(0.002 * sqrt(tolerance), 10 * tolerance); }

@@ -204,6 +204,7 @@ static jlt_status measure(jlt_rod *out, const double *x)
     double u, turned;
 
     if (top->I3 != 0) return JLT_ERR_ARG;
+    if (!isfinite(gamma3)) return JLT_ERR_NONFINITE;
     if (!(s > 0)) return JLT_ERR_DOMAIN;
     rod.G = jlt_top_jellett(top, x);
     if (rod.G == 0) return JLT_ERR_DOMAIN;

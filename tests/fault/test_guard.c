@@ -5,6 +5,7 @@
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <sys/resource.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -36,6 +37,12 @@ static void crash(void)
 }
 static void give_up_itself(void) { abort(); }
 #endif
+static void be_killed(void) { raise(SIGKILL); }
+static void run_out_of_time(void)
+{
+    setrlimit(RLIMIT_CPU, &(struct rlimit){ 1, 2 });
+    for (;;) raise(0);
+}
 static void leave(void) { exit(3); }
 static void outgrow(void)
 {
@@ -158,6 +165,14 @@ static void memory_is_bounded(void **unused)
     expect(outgrow, TTC_GUARD_SECONDS, TTC_ENDED_OUT_OF_MEMORY, "passes the limit of 1536 MiB");
 }
 
+/* Whoever calls the program may bound it more narrowly. */
+static void the_system_has_bounds_of_its_own(void **unused)
+{
+    (void)unused;
+    expect(be_killed, TTC_GUARD_SECONDS, TTC_ENDED_OUT_OF_MEMORY, "by the system, where memory or processor time is out");
+    expect(run_out_of_time, TTC_GUARD_SECONDS, TTC_ENDED_OUT_OF_MEMORY, "by the system, where memory or processor time is out");
+}
+
 /* What else runs takes the clock's time, not the proof's. */
 static void a_claim_that_waits_is_not_late(void **unused)
 {
@@ -177,6 +192,7 @@ int main(void)
         cmocka_unit_test(a_fault_is_no_bound),
         cmocka_unit_test(a_proof_that_a_point_contradicts_is_none),
         cmocka_unit_test(memory_is_bounded),
+        cmocka_unit_test(the_system_has_bounds_of_its_own),
         cmocka_unit_test(time_is_bounded),
         cmocka_unit_test(late_claims_leave_time_for_others),
         cmocka_unit_test(time_that_others_took_is_not_kept_for_them),

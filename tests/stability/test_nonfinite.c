@@ -2,6 +2,7 @@
  * hangs. (For equilibria see test_linearization.c.) */
 #include "ride.h"
 
+#include "analysis/linearization.h"
 #include "dynamics/branch.h"
 #include "dynamics/fates.h"
 #include "dynamics/lyapunov.h"
@@ -86,13 +87,22 @@ static void kernels_and_quadratures_refuse_them(void **unused)
             assert_int_equal(jlt_instance_rhs(instance, out, changed), JLT_ERR_NONFINITE);
             assert_int_equal(jlt_instance_jacobian(instance, out, changed), JLT_ERR_NONFINITE);
             assert_int_equal(jlt_instance_divergence(instance, out, changed), JLT_ERR_NONFINITE);
-            assert_refused(open_rod(&rod, d, &rod_top, changed));
+            assert_int_equal(open_rod(&rod, d, &rod_top, changed), JLT_ERR_NONFINITE);
         }
         double x[JLT_TOP_STATES];
         assert_ok(open_rod(&rod, d, &rod_top, start));
         assert_refused(jlt_rod_at(&rod, x, *value));
     }
     jlt_instance_destroy(instance);
+}
+
+/* A value that is none has a word, and a tolerance that is none a number of steps. */
+static void words_and_steps_are_there(void **unused)
+{
+    (void)unused;
+    assert_string_equal(jlt_linearization_verdict((jlt_verdict)77), "unknown verdict");
+    assert_string_equal(jlt_linearization_motion((jlt_motion)-1), "unknown motion");
+    FOR_BAD(value) assert_in_range(jlt_batch_most_steps(*value), 100, 400);
 }
 
 static void sections_and_maps_refuse_them(void **unused)
@@ -237,6 +247,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(orbits_refuse_them),
         cmocka_unit_test(kernels_and_quadratures_refuse_them),
+        cmocka_unit_test(words_and_steps_are_there),
         cmocka_unit_test(sections_and_maps_refuse_them),
         cmocka_unit_test(batches_end_such_lanes_by_name),
         cmocka_unit_test(scenes_refuse_them),

@@ -57,6 +57,10 @@ for command in prove "generate --out folder" discover build; do
     [ $? -eq 5 ] || fail "ttc $command without qepcad: not status 5"
     grep -q 'install it' err || fail "ttc $command without qepcad: says '$(cat err)'"
 done
+# Without PATH, programs are found where the system has its own.
+if [ -x /usr/bin/qepcad ] || [ -x /bin/qepcad ]; then
+    env -u PATH "$ttc" build asked.tt > out 2> err || fail "ttc build without PATH: $(cat err)"
+fi
 # Signs alone say that the claim's opposite has no point where x is not 0, the solver that the domain has none at x = 0, where
 # x/(1 + r) = (r - 1)/x has a value and its normal form has none.
 cat > at_denominator.tt <<'TABLE'
