@@ -50,6 +50,13 @@ for how in "" "--method gauss" "--method dop853"; do
     awk -F, -v how="$how" '/^[01],[1-6],/ { n++; off = $3 - 3.141592653589793*(2*$2 - 1)/3; bad += !(off*off < 1e-16) }
         END { exit !(n == 12 && !bad) }' out || fail "crossings of x = 0 ${how:-in lanes}: $(grep -v '^#' out)"
 done
+# So it is at a level of 1e-20, to which z falls between the second and the third crossing of x = 0: y exp(k cos t - k) sin w t.
+for how in "" "--method gauss"; do
+    expect 0 '^1,2,' \
+        jellett section ./turned.tt --section x=1e-20 --direction both --grid y=0.5:1:2,u=0,v=1,phase=0 --returns 2 $how
+    awk -F, -v how="$how" '/^[01],2,/ { n++; off = $3 - (/^0/ ? 2.039464456611461 : 2.05400518132331); bad += !(off*off < 1e-16) }
+        END { exit !(n == 2 && !bad) }' out || fail "crossings of x = 1e-20 ${how:-in lanes}: $(grep -v '^#' out)"
+done
 # Slowly through a Hopf point: the same orbit in polar coordinates, whose radius keeps its sign.
 printf '%s\n' 'model slow' 'state x' 'state y' 'state mu' 'eq x = mu*x - y - x*(x^2 + y^2)' 'eq y = x + mu*y - y*(x^2 + y^2)' \
     'eq mu = 1/100' > slow.tt
