@@ -8,6 +8,10 @@
 
 #include <math.h>
 
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
+#error "kernels need IEEE arithmetic: compile them without -ffast-math, -Ofast and the like"
+#endif
+
 #ifdef FP_FAST_FMA
 #define JLT_FMA(a, b, c) fma((a), (b), (c))
 #define JLT_FMS(a, b, c) fma((a), (b), -(c))

@@ -6,7 +6,8 @@
 
 bool jlt_surface_nearest_level(const jlt_surface *surface, const double *values, double *level)
 {
-    enum { HALVINGS = 60 };
+    enum { HALVINGS = 1000 };
+    const double close = 1e-12, least = 1e-300; /* as a part of the level; what is less is 0 */
     const double given = values[surface->params];
     double arranged[JLT_CHART_VALUES_MAX], size = fmax(1e-3, fabs(given)), empty = given, full = NAN;
     jlt_chart_section chart;
@@ -21,11 +22,11 @@ bool jlt_surface_nearest_level(const jlt_surface *surface, const double *values,
         if (i % 2 == 1) size *= 2;
     }
     if (isnan(full)) return false;
-    for (int i = 0; i < HALVINGS; i++) {
+    for (int i = 0; i < HALVINGS && fabs(full - empty) > close * fabs(full); i++) {
         *entry = empty + (full - empty) / 2;
         if (jlt_section_points_any(&chart)) full = *entry;
         else empty = *entry;
     }
-    *level = full;
+    *level = fabs(full) > least ? full : 0;
     return true;
 }

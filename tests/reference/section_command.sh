@@ -79,6 +79,12 @@ orbit_is 5 17.06521656015796 1e-11 4 -2.001585106379082 1e-12 jellett orbits res
 # What cannot be used says so.
 expect 3 jellett section --level E=-5 --start eta=0,gamma3=0
 grep -q 'raise E' err || fail "an empty level: $(cat err)"
+# In units of 1e-27 kg, 1 nm and 1 us the least energy is 1e-33 times as large.
+jellett section --set m=1e-27,R=1e-9,g=1000,a3=0.51e-9,I1=1e-45,I3=1e-45 --level E=1e-34,G=-1.68e-48 --start eta=0.1,gamma3=-0.6 \
+    2> err
+small=$(sed -n 's/.*raise E above \([^,]*\)e-33,.*/\1/p' err)
+jellett section --set I1=1,I3=1 --level E=0.1,G=-1.68 --start eta=0.1,gamma3=-0.6 2> err
+[ -n "$small" ] && grep -q "raise E above ${small:0:8}" err || fail "an empty level in small units: $small, not $(cat err)"
 expect 3 jellett section --level E=0.4 --start eta=0,gamma3=0.5
 expect 3 jellett section --start eta=0,gamma3=1
 expect 3 jellett section --start eta=x,gamma3=0
