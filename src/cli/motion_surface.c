@@ -40,7 +40,7 @@ static jlt_exit refuse_empty(const jlt_surface *surface, const double *values, c
         return jlt_command_fail(JLT_EXIT_INPUT, "%s%s: change a level or parameter", what, text);
     return jlt_command_fail(JLT_EXIT_INPUT, "%s%s: %s %s %s %.10g, or change another level or parameter", what, text,
                             level > values[surface->params] ? "raise" : "lower", surface->names[surface->params],
-                            level > values[surface->params] ? "above" : "below", level);
+                            level > values[surface->params] ? "above" : "below", fabs(level) > 1e-300 ? level : 0);
 }
 
 enum { OWN_SECTION = 128 };

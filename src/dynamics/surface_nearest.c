@@ -7,7 +7,7 @@
 bool jlt_surface_nearest_level(const jlt_surface *surface, const double *values, double *level)
 {
     enum { HALVINGS = 1000 };
-    const double close = 1e-12, least = 1e-300; /* as a part of the level; what is less is 0 */
+    const double close = 1e-12; /* as a part of the level */
     const double given = values[surface->params];
     double arranged[JLT_CHART_VALUES_MAX], size = fmax(1e-3, fabs(given)), empty = given, full = NAN;
     jlt_chart_section chart;
@@ -27,6 +27,6 @@ bool jlt_surface_nearest_level(const jlt_surface *surface, const double *values,
         if (jlt_section_points_any(&chart)) full = *entry;
         else empty = *entry;
     }
-    *level = fabs(full) > least ? full : 0;
+    *level = full;
     return true;
 }

@@ -85,6 +85,15 @@ jellett section --set m=1e-27,R=1e-9,g=1000,a3=0.51e-9,I1=1e-45,I3=1e-45 --level
 small=$(sed -n 's/.*raise E above \([^,]*\)e-33,.*/\1/p' err)
 jellett section --set I1=1,I3=1 --level E=0.1,G=-1.68 --start eta=0.1,gamma3=-0.6 2> err
 [ -n "$small" ] && grep -q "raise E above ${small:0:8}" err || fail "an empty level in small units: $small, not $(cat err)"
+# A level on which an oscillator has states is above 0, also where 0 is asked for.
+printf '%s\n' 'model oscillator' 'state x' 'state y' 'state z in (-1, 1)' 'eq x = y' 'eq y = -x' 'eq z = 0' \
+    'integral E = (x^2 + y^2)/2' 'section rising : by rising.tt at x = 0 with w = z, E = E' > oscillator.tt
+printf '%s\n' 'model rising' 'param E' 'default E = 1' 'state w in (-1, 1)' 'domain moving : E > 0' 'root v = sqrt(2*E)' \
+    'lift into oscillator.tt with x = 0, y = v, z = w' > rising.tt
+for level in -1 0; do
+    expect 3 jellett section ./oscillator.tt --section rising --level E=$level --start w=0.1
+    grep -q "has E = $level: raise E above 0," err || fail "the level $level of an oscillator: $(cat err)"
+done
 expect 3 jellett section --level E=0.4 --start eta=0,gamma3=0.5
 expect 3 jellett section --start eta=0,gamma3=1
 expect 3 jellett section --start eta=x,gamma3=0
