@@ -12,8 +12,10 @@ bool jlt_field_watches(const jlt_field *field)
     const jlt_domain *domain = &field->domain;
     bool watches = domain->conditions > 0;
 
-    for (unsigned i = 0; domain->intervals != NULL && i < domain->states; i++)
-        watches |= isfinite(domain->intervals[i].low) || isfinite(domain->intervals[i].high) || jlt_field_keeps(field, i);
+    for (unsigned i = 0; i < domain->states; i++) {
+        const jlt_quantity *interval = domain->intervals != NULL ? &domain->intervals[i] : NULL;
+        watches |= jlt_field_keeps(field, i) || (interval != NULL && (isfinite(interval->low) || isfinite(interval->high)));
+    }
     return watches;
 }
 

@@ -38,19 +38,18 @@ void jlt_leg_close(jlt_leg *self)
     *self = (jlt_leg){ .t = 0 };
 }
 
-static double end_of(const jlt_quantity *interval, const jlt_edge_part *end)
+static double end_of(const jlt_quantity *intervals, const jlt_edge_part *end)
 {
-    return end->is_lost ? 0 : end->is_upper ? interval->high : interval->low;
+    return end->is_lost ? 0 : end->is_upper ? intervals[end->index].high : intervals[end->index].low;
 }
 
 /* Whether the rate of a state is 0 at this end of its interval, the other states as they are. */
 static bool rests_at(const jlt_leg *self, const jlt_edge_part *end)
 {
-    const jlt_quantity *interval = &self->field.domain.intervals[end->index];
     double x[JLT_WAY_VALUES_MAX], f[JLT_WAY_VALUES_MAX];
 
     memcpy(x, jlt_orbit_stepper(self->orbit)->x, self->field.dim * sizeof *x);
-    x[end->index] = end_of(interval, end);
+    x[end->index] = end_of(self->field.domain.intervals, end);
     self->field.call(x, self->field.p, f);
     return f[end->index] == 0;
 }
@@ -92,9 +91,9 @@ void jlt_leg_end_text(char *text, const jlt_leg *self, unsigned edge)
         snprintf(text + used, left, ": %s needs %s", kernel->domains[part.index].name, kernel->domains[part.index].text);
         return;
     }
-    const jlt_quantity *state = &kernel->states[part.index];
-    const double end = end_of(state, &part);
-    const int told = snprintf(text + used, left, ": %s is at the end %.10g of its interval", state->name, end);
+    const char *name = kernel->states[part.index].name;
+    const double end = end_of(kernel->states, &part);
+    const int told = snprintf(text + used, left, ": %s is at the end %.10g of its interval", name, end);
     if (rests_at(self, &part) && told >= 0 && (size_t)told < left)
         snprintf(text + used + told, left - (size_t)told, ", as near as digits tell: it may never come there, as its rate is 0 at "
                  "that end; to go on, take %s as the state", end == 0 ? "the logarithm of its size" : "the distance from it");

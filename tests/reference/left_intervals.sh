@@ -119,6 +119,12 @@ for table in free_ebb lifted,g=0; do
     section many.csv ./$table.tt --section phase=0 --grid x=-0.4:0.5:4,y=0:1:2${rest:+$rest:0:1} --returns 2
     awk -F, '$2 == 0 { start = $4 } /^[0-9]/ && $2 > 0 { n++; bad += !(($4/start - 1)^2 <= 64^2*1e-18) }
         END { exit !(n == 16 && !bad) }' many.csv || fail "x of $table does not come back from either side: $(cat many.csv)"
+    # Of exp(-700) nothing is left.
+    expect 4 'x is at the end 0 .*the logarithm of its size' \
+        jellett simulate ./$table.tt --set k=350 --start x=-1,y=0,phase=0$rest --times $turn
+    section many.csv ./$table.tt --set k=350 --section phase=0 --grid x=-0.4:0.5:4,y=0:1:2${rest:+$rest:0:1} --returns 1
+    awk -F, '$2 == 1 { n++; bad += $NF != "left_domain" } END { exit !(n == 8 && !bad) }' many.csv ||
+        fail "what is left of x of $table: $(cat many.csv)"
 done
 # A sleigh that goes backwards turns round, however little it turns at first: w = 1e-30, v = tanh(t/2 + ln(w/sqrt 2)).
 for method in gauss dop853 taylor rk8pd rkf45 msadams; do
