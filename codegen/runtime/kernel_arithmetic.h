@@ -9,7 +9,7 @@
 #include <math.h>
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
-#error "kernels need IEEE arithmetic: compile them without -ffast-math, -Ofast and the like"
+#error "kernels need IEEE arithmetic: compile them without fast-math options"
 #endif
 
 #ifdef FP_FAST_FMA

@@ -36,6 +36,7 @@ static bool check(trial *t, const family *f, const jlt_method *method, const cha
         return family_check(f, t, how, number, row);
     const bool spent = strcmp(fate, "budget") == 0, creeps = spent && number > f->certain && f->truth.count > f->certain;
     if (creeps || ((alive || plus || minus) && number > f->certain && !f->ends)) sum.unsure++;
+    else if (strcmp(fate, "left_domain") == 0 && family_may_lose_v_tau(f, t, number)) sum.left++;
     else if (spent) section_with_more_steps(t, f, method, how, RETURNS);
     else trial_complain(t, "%s, row %d: %s, and the oracle has %d rows, then %d", how, number, fate, f->truth.count, f->truth.end);
     return false;

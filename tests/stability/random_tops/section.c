@@ -60,6 +60,10 @@ static bool check(trial *t, const family *f, const char *how, int number, jlt_fa
         sum.unsure++;
         return false;
     }
+    if (fate == JLT_FATE_LEFT_DOMAIN && family_may_lose_v_tau(f, t, number)) {
+        sum.left++;
+        return false;
+    }
     if (fate != JLT_FATE_ALIVE && !at_end) {
         trial_complain(t, "%s, row %d: ends by %s, and the oracle has %d rows, then %d", how, number, jlt_section_fate_name(fate),
                        returns, f->truth.end);

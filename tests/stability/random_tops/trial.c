@@ -130,6 +130,11 @@ void family_follow(family *out, trial *t, const oracle_question *question, oracl
     family_disturb(out, t, noise);
 }
 
+bool family_may_lose_v_tau(const family *f, const trial *t, int number)
+{
+    return t->top.a3 == 0 && t->top.G == 0 && (number > f->certain || 3 * f->stray[number] > 1e-3L);
+}
+
 bool family_check(const family *f, const trial *t, const char *how, int number, const double row[ROW_SIZE])
 {
     long double wide[ROW_SIZE];

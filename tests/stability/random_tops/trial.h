@@ -46,6 +46,10 @@ typedef struct {
 
 void family_follow(family *out, trial *t, const oracle_question *question, oracle_noise noise);
 
+/* Whether row `number` is not certain, or far from the shadows', of a top whose v_tau keeps its sign, a3 = G = 0: v_tau may fall
+ * below what doubles hold, which ends the orbit, where the oracle and its shadows come back each with errors of its own. */
+bool family_may_lose_v_tau(const family *f, const trial *t, int number);
+
 /* Replace the shadows by new ones with this noise. */
 void family_disturb(family *f, trial *t, oracle_noise noise);
 
