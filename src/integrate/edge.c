@@ -27,17 +27,19 @@ static double end_of(const jlt_field *field, unsigned state, double end, double 
 }
 
 /* This state's interval; the whole line where intervals are not watched. */
-static jlt_quantity interval_of(const jlt_domain *domain, unsigned state)
+static const jlt_quantity *interval_of(const jlt_domain *domain, unsigned state)
 {
-    return domain->intervals != NULL ? domain->intervals[state] : (jlt_quantity){ .low = -INFINITY, .high = INFINITY };
+    static const jlt_quantity whole = { .low = -INFINITY, .high = INFINITY };
+
+    return domain->intervals != NULL ? &domain->intervals[state] : &whole;
 }
 
 /* Whether nothing is left of this state, and `end` is the end of its interval that it was kept from, or any where 0 is none. */
 static bool is_lost_at(const jlt_stepper *stepper, unsigned state, double end)
 {
     if (!jlt_state_set_has(&stepper->lost, state)) return false;
-    const jlt_quantity interval = interval_of(&stepper->field->domain, state);
-    return end == 0 || (interval.low < 0 && interval.high > 0);
+    const jlt_quantity *interval = interval_of(&stepper->field->domain, state);
+    return end == 0 || (interval->low < 0 && interval->high > 0);
 }
 
 /* What is lost may not come back as errors that have grown: its end is where it would. */
@@ -65,8 +67,8 @@ static double least_of_intervals(const jlt_stepper *stepper, const double *x)
     double least = INFINITY;
 
     for (unsigned i = 0; i < domain->states; i++) {
-        const jlt_quantity interval = interval_of(domain, i);
-        const double above = distance(stepper, i, x[i], interval.low, 1), below = distance(stepper, i, x[i], interval.high, -1);
+        const jlt_quantity *interval = interval_of(domain, i);
+        const double above = distance(stepper, i, x[i], interval->low, 1), below = distance(stepper, i, x[i], interval->high, -1);
         if (!(above >= least)) least = above;
         if (!(below >= least)) least = below;
     }
@@ -158,8 +160,8 @@ static double time_ahead(jlt_edge_part *out, const jlt_stepper *stepper)
     double values[JLT_REGION_CONDITIONS_MAX], first = INFINITY;
 
     for (unsigned i = 0; i < domain->states; i++) {
-        const jlt_quantity interval = interval_of(domain, i);
-        const double below = time_to_end(stepper, i, interval.low, 1), above = time_to_end(stepper, i, interval.high, -1);
+        const jlt_quantity *interval = interval_of(domain, i);
+        const double below = time_to_end(stepper, i, interval->low, 1), above = time_to_end(stepper, i, interval->high, -1);
         if (!(fmin(below, above) < first)) continue;
         first = fmin(below, above);
         *out = (jlt_edge_part){ .index = i, .is_upper = above < below, .is_lost = jlt_state_set_has(&stepper->lost, i) };

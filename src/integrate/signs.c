@@ -125,8 +125,11 @@ static void add_group(const rates *self, jlt_state_groups *groups, const jlt_sta
         if (jlt_state_set_has(set, i) && groups->of[i] != 0) return;
     if (!vanish_together(self, set)) return;
     groups->count++;
-    for (unsigned i = 0; i < self->field->dim; i++)
-        if (jlt_state_set_has(set, i)) groups->of[i] = (unsigned char)groups->count;
+    for (unsigned i = 0; i < self->field->dim; i++) {
+        if (!jlt_state_set_has(set, i)) continue;
+        groups->of[i] = (unsigned char)groups->count;
+        groups->member[groups->members++] = (unsigned char)i;
+    }
 }
 
 void jlt_signs_find(jlt_field *field, const jlt_quantity *states)

@@ -17,10 +17,11 @@ static inline bool jlt_state_set_has(const jlt_state_set *set, unsigned i)
     return i < JLT_STATE_SET_MAX && (set->words[i / 64] >> i % 64 & 1) != 0;
 }
 
-/* Disjoint groups of states: state i is in group of[i], 1 to count, or in none, 0. */
+/* Disjoint groups of states: state i is in group of[i], 1 to count, or in none, 0. The states of each stand together in the list
+ * of all members. */
 typedef struct {
-    unsigned count;
-    unsigned char of[JLT_STATE_SET_MAX];
+    unsigned count, members;
+    unsigned char of[JLT_STATE_SET_MAX], member[JLT_STATE_SET_MAX];
 } jlt_state_groups;
 
 /* i < JLT_STATE_SET_MAX. */

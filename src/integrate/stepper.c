@@ -45,23 +45,28 @@ static bool fit_scale(jlt_stepper *self, unsigned i, double largest)
     return self->scale[i] < before || self->scale[i] > before;
 }
 
-/* Set the scales of states that vanish together to what they are beside; where they are 0, those of tangents along them. */
+/* Set the scales of the group's states to what they are beside; where they are all 0, those of tangents along them. */
+static void fit_group(jlt_stepper *self, const unsigned char *member, unsigned members)
+{
+    for (unsigned v = 0; v <= self->field->tangents; v++) {
+        const unsigned first = v * self->field->domain.states;
+        double largest = 0;
+        for (unsigned k = 0; k < members; k++) largest = jlt_larger(largest, fabs(self->x[first + member[k]]));
+        for (unsigned k = 0; k < members; k++) self->rescaled |= fit_scale(self, first + member[k], largest);
+        if (largest > 0 && v == 0) return;
+    }
+}
+
+/* Set the scales of states that vanish together. */
 static void fit_groups(jlt_stepper *self)
 {
     const jlt_state_groups *groups = &self->field->groups;
-    const unsigned dim = self->field->domain.states;
-    double largest[JLT_STATE_SET_MAX];
-    bool is_zero[JLT_STATE_SET_MAX] = { false };
 
     self->rescaled = false;
-    for (unsigned v = 0; groups->count > 0 && v <= self->field->tangents; v++) {
-        const double *x = self->x + (size_t)v * dim;
-        for (unsigned g = 0; g <= groups->count; g++) largest[g] = 0;
-        for (unsigned i = 0; i < dim; i++) largest[groups->of[i]] = jlt_larger(largest[groups->of[i]], fabs(x[i]));
-        for (unsigned g = 0; v == 0 && g <= groups->count; g++) is_zero[g] = !(largest[g] > 0);
-        for (unsigned i = 0; i < dim; i++)
-            if (groups->of[i] != 0 && (v == 0 || is_zero[groups->of[i]]) && fit_scale(self, v * dim + i, largest[groups->of[i]]))
-                self->rescaled = true;
+    for (unsigned k = 0, count; k < groups->members; k += count) {
+        count = 1;
+        while (k + count < groups->members && groups->of[groups->member[k + count]] == groups->of[groups->member[k]]) count++;
+        fit_group(self, groups->member + k, count);
     }
 }
 
