@@ -93,7 +93,9 @@ ldconfig=$(PATH=$PATH:/sbin:/usr/sbin ldconfig -p)
 # shellcheck disable=SC2086
 "$JLT_CC" "${flags[@]}" "${sources[@]}" generated/lorenz/lorenz_ball.c generated/kernel_ball.c $arb -lm -o "$scratch/with_balls"
 "$scratch/with_balls" | diff - <("$scratch/alone") || fail "with balls the other kernels differ"
-if "$JLT_CC" "${flags[@]}" -f'fast-math' -c generated/lorenz/general.c -o "$scratch/fast.o" 2> "$scratch/log" ||
-    ! grep -q 'kernels need IEEE arithmetic' "$scratch/log"; then fail "kernels with fast math: $(cat "$scratch/log")"; fi
+for macro in __FAST_MATH__ __ASSOCIATIVE_MATH__ __RECIPROCAL_MATH__; do # as compilers define them for such options
+    if "$JLT_CC" "${flags[@]}" -D$macro -c generated/lorenz/general.c -o "$scratch/fast.o" 2> "$scratch/log" ||
+        ! grep -q 'kernels need IEEE arithmetic' "$scratch/log"; then fail "kernels with $macro: $(cat "$scratch/log")"; fi
+done
 [ $status -ne 0 ] || echo "four examples, one in C++, kernels alone and with balls"
 exit $status
