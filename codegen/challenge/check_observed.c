@@ -7,7 +7,7 @@
 
 enum { PLACES = 8, NEAR_BITS = 60 };
 
-/* A bit above or below, never nowhere; parameters only above. */
+/* Move a symbol by a random multiple of 2^-60 that is not zero: a state up or down, a parameter up. */
 static void move(ttc_check *check, uint32_t symbol)
 {
     fmpq_t number;

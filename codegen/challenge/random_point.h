@@ -45,8 +45,8 @@ typedef struct {
 bool ttc_random_point_init(ttc_random_point *point, const ttc_situation *situation); /* false when memory is out */
 void ttc_random_point_clear(ttc_random_point *point); /* legal on a zeroed one */
 
-/* Draw numbers for all free symbols, and half of the times that they are special, a sum that is to vanish. Returns false if the
- * levels depend on too few symbols. */
+/* Draw numbers for all free symbols and, one time in two if they are special, a sum that is to vanish. Returns false if the levels
+ * depend on too few symbols. */
 bool ttc_random_point_draw(ttc_random_point *point, const ttc_situation *situation, ttc_random *random, ttc_sample_range range);
 
 typedef enum { TTC_INSIDE, TTC_OUTSIDE, TTC_UNCLEAR } ttc_place_in_domain;

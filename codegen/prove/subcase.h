@@ -46,8 +46,8 @@ ttc_id ttc_subcase_without_functions(const ttc_model *model, ttc_id level);
 
 /* level = a polynomial that is zero where a value is. As a rule this is the norm of the value, free of roots, which is zero where
  * some conjugate of the value is, and shows squares that roots hide. The numerator itself is taken if it has roots and can be
- * solved for a state on which no function depends, with a leading coefficient that cannot vanish, and moreover is linear in that
- * state, has more than two roots, or its norm cannot be solved. */
+ * solved for a state on which no function but roots depends, with a leading coefficient that cannot vanish, and moreover is linear
+ * in that state, has more than two roots, or its norm cannot be solved. */
 void ttc_subcase_level(ttc_task *task, fmpz_mpoly_t level, const ttc_ratio *value);
 
 /** Restrict the subcase to the present signs of roots whose radicands are squares, and of sines that are plus or minus a root.
