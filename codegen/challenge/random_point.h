@@ -1,9 +1,9 @@
 /** Random points of a model's domain that meet a claim's conditions, each enclosed in balls of any precision.
  *
  *  A point is a list of rational numbers, one for each free symbol. What `when` and a family bind is evaluated from them; zero
- *  levels are met by solving for as many symbols, with a proof that the balls contain a solution (Krawczyk's test), or exactly, be
- *  it where they are singular. Special points lie where a proof that holds at most points may fail: at zeros of quantities, and of
- *  sums that the table forms.
+ *  levels are met by solving for as many symbols, with a proof that the balls contain a solution (Krawczyk's test), or exactly,
+ *  even where they are singular. Special points lie where a proof that holds at most points may fail: at zeros of quantities, and
+ *  of sums that the table forms.
  *  Source: R. Krawczyk, Computing 4, 1969; A. Neumaier, Interval Methods for Systems of Equations, 5.1. */
 #ifndef TTC_RANDOM_POINT_H
 #define TTC_RANDOM_POINT_H
