@@ -167,7 +167,7 @@ static void end(ttc_question *q)
     free(q->variables);
 }
 
-/* Some versions of Z3 (4.8.12 is one) lose points beside zeros of what they eliminate: where a polynomial in the next variable
+/* Some versions of Z3 (4.8.12 is one) lose points near zeros of what they eliminate: where a polynomial in the next variable
  * has a double root, they may learn that it has none. Hence that there is no point is believed only if QEPCAD finds the same. */
 ttc_solver_answer ttc_solver_ask(ttc_witness *point, const ttc_conditions *conditions, bool with_functions)
 {

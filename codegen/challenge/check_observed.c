@@ -1,4 +1,4 @@
-/* Checks what is observed beside the equations, around one point: no divisor is zero at all states near it. With functions of
+/* Checks the divisors of records other than the equations, around one point: none is zero at all states near it. With functions of
  * states, parameters vary as well: exp(k*x) - 1 is zero at all states for one k only. */
 #include "challenge/check.h"
 #include "prove/observed.h"

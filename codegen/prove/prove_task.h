@@ -27,7 +27,7 @@ typedef enum {
 struct ttc_task {
     const ttc_model *model;
     const ttc_claim *claim;
-    ttc_divisor_role role; /* with owner: the record whose divisors belong to the domain, beside those of the field */
+    ttc_divisor_role role; /* with owner: the record whose divisors belong to the domain, as those of the field do */
     uint32_t owner;
     ttc_id divisor;        /* a further divisor, or TTC_NONE */
     ttc_resolver resolver;
