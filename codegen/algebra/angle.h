@@ -13,8 +13,9 @@ typedef enum {
 } ttc_angle_relation;
 
 /** Find the relation of `angle` to `basis`, shape (count,), which is linearly independent over the rationals.
- *  Out: multiples, shape (count,), the weights if WHOLE. The ring fails for one above TTC_ANGLE_MULTIPLE_LIMIT.
- *  quarters: NULL, or the basis begins with a quarter turn, whose weight goes here, and counts as whole if ttc_angle_has_roots. */
+ *  Out: multiples, shape (count,), the weights if WHOLE. The ring fails if one is above TTC_ANGLE_MULTIPLE_LIMIT in size.
+ *  quarters: NULL; or the first angle of the basis is a quarter turn: if its weight has roots (ttc_angle_has_roots), the weight
+ *  goes here, may be a fraction, and its multiple is 0. */
 ttc_angle_relation ttc_angle_relate(ttc_ring *ring, long *multiples, fmpq *quarters, const ttc_ratio *angle, const ttc_ratio *basis,
                                     size_t count);
 

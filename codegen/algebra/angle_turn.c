@@ -71,7 +71,7 @@ static void root_of(ttc_ring *ring, ttc_ratio *out, slong a, slong b, const ttc_
     fmpq_set_si(factor, 1, n);
     ttc_ratio_scale(ring, &radicand, &radicand, factor);
     ttc_ring_root(ring, out, &radicand, -1, true);
-    if (ring->choice_count != choices) ttc_ring_fail(ring, TTC_RING_ANGLE_FRACTION); /* of a sign that is not seen */
+    if (ring->choice_count != choices) ttc_ring_fail(ring, TTC_RING_ANGLE_FRACTION); /* the root's sign is not evident */
     ttc_ratio_clear(ring, &radicand);
     fmpq_clear(factor);
 }

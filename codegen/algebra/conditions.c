@@ -144,7 +144,7 @@ unsigned ttc_conditions_signs_in(ttc_relation relation)
     return TTC_CAN_BE_ZERO;
 }
 
-/* The signs that a polynomial can have where the conditions hold that say something of it or its opposite. */
+/* The signs that a polynomial can have by the signs of its variables, and by conditions on the polynomial or its opposite. */
 static unsigned told_signs(const ttc_conditions *c, const fmpz_mpoly_struct *polynomial)
 {
     unsigned signs = ttc_conditions_signs(c, polynomial);

@@ -23,7 +23,8 @@ typedef struct {
     ttc_condition *items;
     size_t count;
     bool contradictory; /* the signs of terms show that no point meets the conditions */
-    bool at_denominator; /* by ttc_conditions_at_denominator: of a root whose square may be divided by zero only the sign counts */
+    bool at_denominator; /* made by ttc_conditions_at_denominator; the solver is then not told the square of a root if this has a
+                            denominator that may be zero, only the root's sign */
     bool failed;        /* memory is out; the list is incomplete */
 } ttc_conditions;
 
@@ -37,19 +38,21 @@ void ttc_conditions_add(ttc_conditions *conditions, const ttc_ratio *ratio, ttc_
 /* ttc_conditions_add for -ratio. */
 void ttc_conditions_add_negative(ttc_conditions *conditions, const ttc_ratio *ratio, ttc_relation relation);
 
-/** Make the list of conditions for points at which denominator number `index` vanishes: that it is zero, and those conditions that
- *  do not come from quotients. Denominators are those of conditions, then those of squares of roots that are used. Returns the
- *  denominator, borrowed, or NULL if there is none of this number. out is to be cleared in either case. */
+/** Make the list of conditions for points at which denominator number `index` vanishes: that it is zero; those conditions that do
+ *  not come from quotients; and A B >= 0 for each condition A/B > 0 or A/B >= 0. Denominators are those of conditions, then those
+ *  of squares of roots that are used. Returns the denominator, borrowed, or NULL if there is none of this number: the list then has
+ *  the other conditions alone. out is to be cleared in either case. */
 const fmpz_mpoly_struct *ttc_conditions_at_denominator(ttc_conditions *out, const ttc_conditions *conditions, size_t index);
 
-/* Copy the conditions that say more than that something is not zero. out: to be cleared. */
+/* Copy all conditions but those of relation NONZERO; of these only denominators (is_denominator) are copied. out: to be cleared. */
 void ttc_conditions_of_signs(ttc_conditions *out, const ttc_conditions *conditions);
 
 /* The length of the list; and removal of the conditions after that length, which were added to ask a question. */
 size_t ttc_conditions_mark(const ttc_conditions *conditions);
 void ttc_conditions_rewind(ttc_conditions *conditions, size_t mark, bool contradictory);
 
-/** The signs that a polynomial can have, by the signs of its variables alone: bits of ttc_sign_set. */
+/** A set of signs. The functions below return sets: the signs that a relation allows, that of a number, those of products, sums and
+ *  powers of values with signs in given sets, and those that a polynomial can have by the signs of its variables alone. */
 typedef enum { TTC_CAN_BE_NEGATIVE = 1, TTC_CAN_BE_ZERO = 2, TTC_CAN_BE_POSITIVE = 4, TTC_CAN_BE_ANY = 7 } ttc_sign_set;
 unsigned ttc_conditions_signs_in(ttc_relation relation);
 unsigned ttc_conditions_sign_of(const fmpq_t value);

@@ -10,7 +10,7 @@ static const size_t NONE = SIZE_MAX;
 
 typedef struct {
     ttc_conditions known;
-    int looks; /* that are left */
+    int looks; /* polynomials that may still be examined */
 } elimination;
 
 static bool is_shown(elimination *e, const fmpz_mpoly_struct *f, bool strictly, int depth);
@@ -43,7 +43,7 @@ static void take_coefficient(const elimination *e, fmpz_mpoly_t coefficient, con
     fmpz_mpoly_get_coeff_vars_ui(coefficient, f, &variable, &power, 1, context_of(e));
 }
 
-/* Replace squares of generators by what they are, where this does not divide. */
+/* Replace squares of those generators whose square is a polynomial. */
 static void reduce(const elimination *e, fmpz_mpoly_t f)
 {
     const ttc_ring *ring = e->known.ring;
@@ -67,7 +67,7 @@ static void reduce(const elimination *e, fmpz_mpoly_t f)
     fmpz_mpoly_clear(square, ring->context);
 }
 
-/* By its discriminant in a variable in which it is quadratic. */
+/* is_shown for f by its discriminant in a variable in which it is quadratic. */
 static bool is_shown_by_discriminant(elimination *e, const fmpz_mpoly_struct *f, bool strictly, slong variable, int depth)
 {
     const fmpz_mpoly_ctx_struct *context = context_of(e);
@@ -97,8 +97,8 @@ static bool is_shown_by_discriminant(elimination *e, const fmpz_mpoly_struct *f,
     return shown;
 }
 
-/* rest = m f - k g, without the highest power of a variable in f and g, for m > 0.
- * item: of g; NONE: g is that power itself, which is even. Returns the signs that k can have, 0 if that of m is not known. */
+/* rest = m f - k g, where m > 0 and the highest powers of a variable cancel. item: the condition on g; NONE: g is that power
+ * itself, which is even. Returns the signs that k can have, 0 if the sign of m is not known. */
 static unsigned cancel(const elimination *e, fmpz_mpoly_t rest, fmpz_mpoly_t k, const fmpz_mpoly_struct *f, slong variable,
                        size_t item)
 {
@@ -136,7 +136,7 @@ static unsigned cancel(const elimination *e, fmpz_mpoly_t rest, fmpz_mpoly_t k, 
     return is_known ? signs_of(e, k) : 0;
 }
 
-/* By a condition on g, in which a variable has the same highest power. */
+/* is_shown for f by a condition on g, in which a variable has the same highest power as in f. */
 static bool is_shown_by_condition(elimination *e, const fmpz_mpoly_struct *f, bool strictly, slong variable, size_t item, int depth)
 {
     const ttc_relation relation = item == NONE ? TTC_IS_NONNEGATIVE : e->known.items[item].relation;
@@ -159,7 +159,7 @@ static bool has_power(const elimination *e, size_t item, slong variable, slong p
            power == fmpz_mpoly_degree_si(e->known.items[item].polynomial, variable, context_of(e));
 }
 
-/* By any condition, if this has a sign: of the coefficient of the highest power of a variable. */
+/* is_shown for f by any condition, where the coefficient of the highest power of a variable is >= 0 or, if `negative`, <= 0. */
 static bool is_shown_if(elimination *e, const fmpz_mpoly_struct *f, bool strictly, slong variable, slong power, bool negative,
                         int depth)
 {
@@ -180,7 +180,7 @@ static bool is_shown_if(elimination *e, const fmpz_mpoly_struct *f, bool strictl
     return shown;
 }
 
-/* Of a polynomial without factors. */
+/* is_shown for an irreducible f. */
 static bool is_shown_by_elimination(elimination *e, const fmpz_mpoly_struct *f, bool strictly, int depth)
 {
     const fmpz_mpoly_ctx_struct *context = context_of(e);
@@ -200,7 +200,8 @@ static bool is_shown_by_elimination(elimination *e, const fmpz_mpoly_struct *f, 
     return shown;
 }
 
-/* The variables that must be zero where a sum of terms of one sign is zero: those without which a term is not. For free(). */
+/* The variables that must be zero where a sum of terms of one sign is zero, because a term has no other factor that can be zero.
+ * Returns flags, by variable, for free(). */
 static bool *vanishing_with(const elimination *e, const fmpz_mpoly_struct *f)
 {
     const fmpz_mpoly_ctx_struct *context = context_of(e);
@@ -223,7 +224,7 @@ static bool *vanishing_with(const elimination *e, const fmpz_mpoly_struct *f)
     return vanishes;
 }
 
-/* Whether a sum of terms of one sign cannot be zero because, where all terms are, a condition does not hold. */
+/* Returns true if f is a sum of terms of one sign, and a condition excludes that all its terms are zero. */
 static bool is_never_zero(const elimination *e, const fmpz_mpoly_struct *f)
 {
     const fmpz_mpoly_ctx_struct *context = context_of(e);
@@ -246,7 +247,7 @@ static bool is_never_zero(const elimination *e, const fmpz_mpoly_struct *f)
     return contradicts;
 }
 
-/* By the signs of factors; of all but those that are known, by elimination. */
+/* is_shown for a product by the signs of its factors; one factor whose sign is not known is left to the rules of elimination. */
 static bool is_shown_by_factors(elimination *e, const fmpz_mpoly_factor_struct *factors, bool strictly, int depth)
 {
     const fmpz_mpoly_ctx_struct *context = context_of(e);
@@ -275,7 +276,8 @@ static bool is_shown_by_factors(elimination *e, const fmpz_mpoly_factor_struct *
     return shown;
 }
 
-/* Whether f is seen to be positive, or not negative, where the conditions hold. depth: how many conditions may be used for it. */
+/* Returns true if f is shown to be positive, or if not `strictly` not negative, where the conditions hold. depth: number of
+ * conditions that may still be used, one after the other. */
 static bool is_shown(elimination *e, const fmpz_mpoly_struct *f, bool strictly, int depth)
 {
     const fmpz_mpoly_ctx_struct *context = context_of(e);

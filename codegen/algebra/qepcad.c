@@ -24,7 +24,7 @@ bool ttc_qepcad_is_there(void)
 /* Where a variable occurs: its largest exponent, the largest degree of a term that has it, and the number of these terms. */
 typedef struct {
     size_t variable, exponent, degree, terms;
-    double place; /* in the order, if that is not to depend on these */
+    double place; /* position in the order; 0 for all: the counts above decide */
 } occurrence;
 
 static Z3_decl_kind kind_of(Z3_context z3, Z3_ast e)
@@ -37,7 +37,7 @@ static size_t variable_of(Z3_context z3, Z3_ast e)
     return (size_t)Z3_get_symbol_int(z3, Z3_get_decl_name(z3, Z3_get_app_decl(z3, Z3_to_app(z3, e))));
 }
 
-/* Of a variable, or of a product, in which equal variables stand side by side. */
+/* Count the variables of a term: of a variable alone, or of a product in which equal variables are neighbours. */
 static void count_term(Z3_context z3, Z3_ast term, occurrence *of)
 {
     const bool is_product = kind_of(z3, term) == Z3_OP_MUL;
@@ -169,7 +169,8 @@ static void run(FILE *question, FILE *answer, unsigned seconds)
     while (child > 0 && waitpid(child, NULL, 0) < 0 && errno == EINTR) {}
 }
 
-/* QEPCAD writes in words where its decomposition may not be valid. */
+/* Returns true if the answer is FALSE. An answer with an error, or with a warning that the decomposition may not be valid, does not
+ * count. */
 static bool says_false(FILE *answer)
 {
     static const char *const doubts[] = { "rror", "ERROR", "arning", "WARNING", "not be valid" };

@@ -9,9 +9,9 @@
 #include "algebra/ratio.h"
 
 /** Returns true if QEPCAD finds that no real point meets all `count` conditions: sums of products of numbers and variables
- *  compared with numbers, and what `not` and `or` make of these. Variables are integer symbols, their numbers in the ring. Two
- *  orders of elimination are tried, each for `seconds` of a processor at most. False if there is a point, if QEPCAD does not know
- *  in time, or if it is not there. */
+ *  compared with numbers, combined by `not` and `or`. Variables are integer symbols, their numbers in the ring. If the ring has
+ *  roots, and one order of elimination fails, a second one is tried; each takes `seconds` of processor time at most. Returns false
+ *  if there is a point, if QEPCAD does not know in time, or if it is not installed. */
 bool ttc_qepcad_finds_none(Z3_context z3, const ttc_ring *ring, const Z3_ast *conditions, size_t count, unsigned seconds);
 
 /** Returns true if PATH leads to QEPCAD. */

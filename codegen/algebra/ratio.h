@@ -74,7 +74,7 @@ typedef struct {
     /* A root whose radicand is a square q^2 in the field is q or -q. If the sign is not evident, bit number choice_count
      * of `choices` determines it, and the count is incremented: a proof must cover every value of these bits. */
     unsigned choices, choice_count;
-    bool has_sign_of_quotient; /* one sign was evident of a quotient: where its denominator vanishes it may be the other */
+    bool has_sign_of_quotient; /* a root's sign was evident from a quotient: where its denominator vanishes it may be the other */
     ttc_ring_status status;
     fmpq_t minus_one;
 } ttc_ring;
@@ -115,7 +115,7 @@ bool ttc_ratio_uses(const ttc_ring *ring, const ttc_ratio *a, slong variable);
 int ttc_ratio_sign(const ttc_ring *ring, const ttc_ratio *a);
 /* The sign of a polynomial in positive roots of numbers alone, by balls; 0 if it uses anything else, or is too close to zero. */
 int ttc_ring_sign_of_number(const ttc_ring *ring, const fmpz_mpoly_t polynomial);
-/* "x + root[1], root[1] = sqrt(2)": of a root without a name in the table it is said what it is. For free(); NULL when memory is
+/* "x + root[1], root[1] = sqrt(2)": roots that have no name in the table are defined at the end. For free(); NULL when memory is
  * out. */
 char *ttc_ratio_text(const ttc_ring *ring, const ttc_ratio *a);
 

@@ -117,7 +117,7 @@ bool ttc_search_with(ttc_witness *point, const ttc_conditions *conditions, slong
     return false;
 }
 
-/* Whether a variable can be zero, and no more than one condition says more of it than that something is not zero. */
+/* Whether a variable can be zero, and at most one condition of another relation than NONZERO contains it. */
 static bool is_at_large(const ttc_conditions *conditions, slong variable)
 {
     size_t count = 0;
@@ -151,7 +151,7 @@ ttc_search_result ttc_search_point(ttc_witness *point, const ttc_conditions *con
     if (conditions->failed) return TTC_POINT_NOT_DECIDED;
     unsigned attempt = 0;
     if (try_numbers(point, conditions, &attempt, EARLY_ATTEMPTS) || try_rest(point, conditions)) return TTC_POINT_FOUND;
-    if (ttc_solver_has_excluded(point, conditions)) return TTC_POINT_EXCLUDED; /* where elimination did not */
+    if (ttc_solver_has_excluded(point, conditions)) return TTC_POINT_EXCLUDED; /* elimination did not decide it then */
     if (ttc_elimination_excludes(conditions)) return TTC_POINT_IMPOSSIBLE;
     choose(point, 0); /* simple values for variables that no condition uses, which the solver leaves as they are */
     ttc_solver_answer answer = ttc_solver_ask(point, conditions, false);
@@ -160,7 +160,7 @@ ttc_search_result ttc_search_point(ttc_witness *point, const ttc_conditions *con
     if (ttc_search_next(point, conditions, &attempt)) return TTC_POINT_FOUND;
     if (answer == TTC_SOLVER_SILENT) return TTC_POINT_NOT_DECIDED;
     choose(point, 0);
-    answer = ttc_solver_ask(point, conditions, true); /* what it named was a point but for the values of functions */
+    answer = ttc_solver_ask(point, conditions, true); /* its first answer was wrong in the values of functions */
     if (answer == TTC_SOLVER_NO_POINT) return TTC_POINT_EXCLUDED;
     return answer == TTC_SOLVER_POINT && ttc_search_meets(point, conditions) ? TTC_POINT_FOUND : TTC_POINT_NOT_DECIDED;
 }

@@ -26,8 +26,8 @@ static int sign_with(ttc_witness *point, const ttc_ratio *value, slong variable,
     return sign_at(point, value, NULL);
 }
 
-/* Divide the interval from the variable's value to `other`, at which the sign is another, until it is as narrow as the variable is
- * made wide, and see whether the conditions hold there. */
+/* Bisect the interval from the variable's value to `other`, where the sign is opposite, until it is shorter than
+ * 2^TTC_WITNESS_WIDTH; then let `wide` cover it, and test the conditions on all of it. */
 static bool enclose_zero(ttc_witness *point, const ttc_conditions *conditions, const ttc_ratio *value, slong variable, int sign,
                          const fmpq_t other)
 {
@@ -64,7 +64,7 @@ static bool enclose_zero(ttc_witness *point, const ttc_conditions *conditions, c
     return found;
 }
 
-/* Look on both sides of a point of the domain, near it and far from it. */
+/* Look for the opposite sign at distances 2^-6 to 2^5 on both sides of a point of the domain. */
 static bool look_along(ttc_witness *point, const ttc_conditions *conditions, const ttc_ratio *value, slong variable, int sign,
                        int *enclosures)
 {
@@ -112,7 +112,7 @@ bool ttc_search_zero(ttc_witness *point, const ttc_conditions *conditions, const
     ttc_ratio value;
     fmpz_mpoly_factor_t factors;
     bool found = false;
-    /* A variable that is told by an angle jumps. */
+    /* A variable that an angle tells may jump by whole turns as another variable changes. */
     for (slong v = 0; v < (slong)ring->variable_count; v++)
         if (point->angles[v] != 0) return false;
     if (point->has_obscure_angle || fmpz_mpoly_length(polynomial, ring->context) > LONGEST) return false;

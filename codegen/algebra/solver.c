@@ -41,7 +41,7 @@ static Z3_context context_of(ttc_ring *ring)
 /* In Z3's own units, of which a second has some ten thousand to some million; in seconds. */
 enum { WORK = 4000000, SECONDS_TO_FIND = 6, SECONDS_OF_QEPCAD = 3 };
 
-/* It works as long as it may, at most so many milliseconds if these are not zero. */
+/* A solver that gives up after WORK units, and after so many milliseconds unless that is 0. */
 static Z3_solver make_solver(Z3_context z3, unsigned milliseconds)
 {
     Z3_solver solver = Z3_mk_solver_for_logic(z3, Z3_mk_string_symbol(z3, "QF_NRA"));
@@ -84,8 +84,9 @@ static bool contradict(Z3_context z3, const condition *conditions, size_t count,
     return none;
 }
 
-/* Find conditions that contradict each other, short ones first, and put them first: with all that stand before it, the last that is
- * needed for a contradiction is one of them; then those before it are searched with it alone. Returns their number. */
+/* Find conditions that contradict each other, and put them first. Conditions are sorted by length; the last one of the shortest
+ * list, from the start, that is contradictory is needed, and is moved to the front; the search is repeated with those before it.
+ * Returns the number of conditions that are kept: more than needed where time is up. */
 static size_t find_contradiction(Z3_context z3, condition *conditions, size_t count, double seconds)
 {
     const double end = seconds_now() + SECONDS_TO_FIND;
@@ -104,7 +105,8 @@ static size_t find_contradiction(Z3_context z3, condition *conditions, size_t co
     return count;
 }
 
-/* What contradicts itself has few variables once the rest is left out, few enough for QEPCAD in nearly all cases. */
+/* Returns true if QEPCAD finds that the contradictory conditions alone have no point. They have few variables in nearly all cases,
+ * as QEPCAD needs. */
 static bool qepcad_agrees(const ttc_question *q, double seconds)
 {
     Z3_ast_vector stated = Z3_solver_get_assertions(q->z3, q->solver);
@@ -165,7 +167,7 @@ static void end(ttc_question *q)
     free(q->variables);
 }
 
-/* Some versions of Z3 (4.8.12 is one) lose points beside zeros of what they eliminate: where a polynomial in the next variable
+/* Some versions of Z3 (4.8.12 is one) lose points near zeros of what they eliminate: where a polynomial in the next variable
  * has a double root, they may learn that it has none. Hence that there is no point is believed only if QEPCAD finds the same. */
 ttc_solver_answer ttc_solver_ask(ttc_witness *point, const ttc_conditions *conditions, bool with_functions)
 {

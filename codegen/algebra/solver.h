@@ -12,7 +12,8 @@ typedef enum { TTC_SOLVER_POINT, TTC_SOLVER_NO_POINT, TTC_SOLVER_SILENT } ttc_so
  *  there is none. Exponentials and logarithms may have any value with their sign, cosines and sines any with c^2 + s^2 = 1, and
  *  functions of numbers the values that agree with theirs to fifty digits; with_functions: but only within the bounds that their
  *  arguments a give, 1 + a <= exp(a) <= 1/(1 - a), the latter where a < 1,
- *  cos(a) >= 1 - a^2/2 and |sin(a)| <= |a|, strictly if a is not zero. Cost: bounded in the solver's own units of work. */
+ *  cos(a) >= 1 - a^2/2 and |sin(a)| <= |a|, strictly if a is not zero. Cost: bounded by Z3's own units of work, which take seconds;
+ *  for NO_POINT also some 6 s, in which the conditions that QEPCAD gets are chosen, and up to 6 s of QEPCAD. */
 ttc_solver_answer ttc_solver_ask(ttc_witness *point, const ttc_conditions *conditions, bool with_functions);
 
 /* Returns true if this question, without functions, was asked before, and the answer, NO_POINT, is remembered. */

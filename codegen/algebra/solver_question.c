@@ -268,7 +268,7 @@ static void state_circular(ttc_question *q, const ttc_ratio *a, const ttc_ratio 
     ttc_ratio_clear(ring, &bound);
 }
 
-/* Of a variable that is a function: a = log(e), returns TTC_EXP; e = cos(a) or sin(a), returns its kind. Else returns TTC_PI. */
+/* Set a and e of a function: a = log(e), returns TTC_EXP; or e = cos(a) or sin(a), returns its kind. Else returns TTC_PI. */
 static ttc_symbol_kind read_function(ttc_question *q, slong v, ttc_ratio *a, ttc_ratio *e)
 {
     ttc_valuation *valuation = q->point->valuation;
@@ -280,7 +280,7 @@ static ttc_symbol_kind read_function(ttc_question *q, slong v, ttc_ratio *a, ttc
     return entry->kind == TTC_LOG ? TTC_EXP : entry->kind;
 }
 
-/* Bounds of log(e/f) = a - b; and of log(e/f^k) = a - k b where f is the variable w, up to the power with which e grows. */
+/* State bounds of log(e/f) = a - b; if f is the variable w, also of log(e/f^k) = a - k b, for k up to 4 and e's degree in w. */
 static void state_quotient(ttc_question *q, const ttc_ratio *a, const ttc_ratio *e, const ttc_ratio *b, const ttc_ratio *f, slong w)
 {
     enum { HIGHEST = 4 };
@@ -302,7 +302,7 @@ static void state_quotient(ttc_question *q, const ttc_ratio *a, const ttc_ratio 
     ttc_ratio_clear(ring, &logarithm);
 }
 
-/* Bounds of a function, and of its quotients with others: of two exponentials that is greater whose exponent is. */
+/* State bounds of the function v, and, if it is an exponential or a logarithm, of its quotients with others that are stated. */
 static void state_function(ttc_question *q, slong v, const bool *stated)
 {
     ttc_ring *ring = q->point->ring;
@@ -325,7 +325,7 @@ static void state_function(ttc_question *q, slong v, const bool *stated)
     ttc_ratio_clear(ring, &a);
 }
 
-/* Of functions, and of those that their arguments use. */
+/* State bounds of all functions that are used, and of those that their arguments use. */
 static void state_functions(ttc_question *q)
 {
     const size_t count = q->point->ring->variable_count;

@@ -33,7 +33,7 @@ ttc_ring *ttc_valuation_ring(ttc_valuation *valuation);
 const ttc_model *ttc_valuation_model(const ttc_valuation *valuation);
 
 void ttc_valuation_bind(ttc_valuation *valuation, uint32_t symbol, ttc_id expression);
-void ttc_valuation_bind_square(ttc_valuation *valuation, uint32_t symbol, ttc_id square);
+void ttc_valuation_bind_square(ttc_valuation *valuation, uint32_t symbol, ttc_id square); /* to a square root of either sign */
 void ttc_valuation_bind_root(ttc_valuation *valuation, uint32_t symbol, ttc_id radicand); /* to the positive square root */
 /* Give a spare symbol a name for texts, which is borrowed; and get its name, NULL if it was given none. */
 void ttc_valuation_name(ttc_valuation *valuation, uint32_t symbol, const char *name);
@@ -41,7 +41,7 @@ const char *ttc_valuation_name_of(const ttc_valuation *valuation, uint32_t symbo
 /* Make a root or a let, unless it is bound, a free variable, as a lifted root is a state. Call this before anything is evaluated.
  * Returns false, with nothing done, for a let for which there is no spare variable. */
 bool ttc_valuation_free(ttc_valuation *valuation, uint32_t symbol);
-/* The same of an expression, where it stands as a whole. Returns false as well if it is free already. */
+/* The same for an expression, wherever it occurs as a node of the graph. Returns false as well if it has a value already. */
 bool ttc_valuation_free_expression(ttc_valuation *valuation, ttc_id id);
 bool ttc_valuation_is_free(const ttc_valuation *valuation, slong variable); /* true if one of these made it free */
 /* Do not evaluate a function, nor its definition, to choose a basis; only when its own value is used. */

@@ -341,8 +341,8 @@ static ttc_truth values_have_their_signs(ttc_witness *point, const ttc_condition
     return truth;
 }
 
-/* What is bound must have a value: where a denominator of its normal form vanishes, no value need meet the levels by which it is
- * bound. So must the sine of a bound cosine: it is no function of its angle then. */
+/* Bound symbols must have values: where a denominator of their normal form vanishes, it is not known that any value meets the
+ * levels that bind them. The same holds for the sine of a bound cosine, which is not computed from its angle. */
 static ttc_truth bound_values_exist(ttc_witness *point)
 {
     ttc_truth truth = TTC_HOLDS;

@@ -1,6 +1,8 @@
 /** A real point of a ring, given by rational values of its free variables, and rigorous evaluation of conditions at it.
  *
- *  Roots and functions follow from the free variables. Signs are decided exactly if all values are rational, else by balls. */
+ *  Roots and functions follow from the free variables. If a zero level binds the cosine of an angle, the angle is known up to whole
+ *  turns; it then *tells* the value of one variable in which it is linear. Signs are decided exactly if all values are rational,
+ *  else by balls. */
 #ifndef TTC_WITNESS_H
 #define TTC_WITNESS_H
 
@@ -52,9 +54,9 @@ ttc_truth ttc_witness_sines(ttc_witness *point);
 /* The angle that tells this variable is slope*variable + rest. */
 void ttc_witness_split_angle(fmpq_t slope, ttc_ratio *rest, const ttc_witness *point, slong variable);
 
-/* Add the turns, whole ones of an angle with this slope, with which the value of a state or parameter is the first above the lower
- * end of its interval, or the last below the upper one if there is no lower one. It stays as it is where it has no such end; it is
- * not finite where it may lie on it, for all that is known with this precision. */
+/* Add a multiple of a whole turn, 2 pi/|slope|, to the value of a state or parameter that an angle tells, so that it is the first
+ * above the lower end of its interval or, if there is no lower end, the last below the upper one. Without such an end the value
+ * stays as it is; where this precision cannot tell the number of turns it becomes not finite. */
 void ttc_witness_add_turns(arb_t value, const fmpq_t slope, const ttc_model *model, size_t symbol, slong precision);
 
 /* Enclose a ratio in a ball of `precision` bits, which is not finite if the denominator may be zero. */

@@ -51,7 +51,7 @@ void ttc_witness_find_angles(ttc_witness *point)
     ttc_ratio_clear(point->ring, &angle);
 }
 
-/* A number that the symbol's value exceeds, or that it stays below; NULL if none is known. */
+/* The interval's ends count if they are numbers; a parameter that is not negative has the lower end 0. */
 void ttc_witness_add_turns(arb_t value, const fmpq_t slope, const ttc_model *model, size_t symbol, slong precision)
 {
     const ttc_symbol_entry *entry = &model->symbols[symbol];

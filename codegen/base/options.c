@@ -40,7 +40,7 @@ static error_t see(int key, char *value, struct argp_state *state)
     return 0;
 }
 
-/* The name that this one, of an option that there is not, resembles; NULL: none, or there is such an option, maybe cut short. */
+/* The known name that a mistyped one resembles; NULL: none does, or the name is that of an option or the beginning of one. */
 static const char *meant(const options_seen *self, const char *name, size_t length)
 {
     const char *near = NULL;
@@ -53,7 +53,7 @@ static const char *meant(const options_seen *self, const char *name, size_t leng
     return near;
 }
 
-/* End the program at the first option that there is not, if it resembles one. */
+/* End the program at the first unknown option that resembles a known one. */
 static void stop_at_unknown(const options_seen *self, int argc, char **argv)
 {
     for (int i = 1; i < argc && strcmp(argv[i], "--") != 0; i++) {
@@ -72,7 +72,7 @@ void ttc_options_parse(const struct argp *parser, int argc, char **argv, void *i
 
     collect(&seen, parser);
     const struct argp flat = { seen.options, see, NULL, NULL, NULL, NULL, NULL };
-    /* Other mistakes end this round without a word: the next one tells of them. */
+    /* This first pass reports repeated options alone; the second one below reports all other mistakes. */
     if (argp_parse(&flat, argc, argv, ARGP_SILENT, NULL, &seen) != 0) stop_at_unknown(&seen, argc, argv);
     argp_parse(parser, argc, argv, 0, NULL, input);
 }

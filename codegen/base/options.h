@@ -7,9 +7,9 @@
 /** A flag of an argp_option that may be given more than once, each adding to those before. */
 #define TTC_OPTIONS_REPEATED 0x10000
 
-/** Parse as argp_parse does, with its defaults, once it is sure that no option with a value is given twice, but those marked
- *  TTC_OPTIONS_REPEATED. Otherwise prints which, with both values, and ends the program with argp_err_exit_status; so it does at an
- *  unknown option that resembles one. */
+/** Parse as argp_parse does, with its defaults. Before that, two errors are reported and end the program with
+ *  argp_err_exit_status: an option with a value that is given twice, unless it is marked TTC_OPTIONS_REPEATED; and an unknown
+ *  option whose name resembles a known one. */
 void ttc_options_parse(const struct argp *parser, int argc, char **argv, void *input);
 
 #endif

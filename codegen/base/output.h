@@ -13,7 +13,7 @@ typedef struct {
     ttc_output_file *files;
     size_t count;
     bool failed;
-    const char *taken; /* a path that was added twice, up to '/' for '_', borrowed from the set; NULL: none was */
+    const char *taken; /* a path of the set that was added again, or with '/' in place of '_'; borrowed; NULL: none was */
 } ttc_output;
 
 void ttc_output_clear(ttc_output *output); /* legal on a zeroed set */
@@ -28,9 +28,9 @@ ttc_text *ttc_output_add(ttc_output *output, const char *path);
 int ttc_output_write(const ttc_output *output, const char *folder, const char **where, bool *restored);
 
 /* Open /dev/null in place of standard input, output and error where these are closed, so that no other file takes their
- * descriptors; writing to them still fails. When the program ends, also after --help, where argp ends it, what standard output did
- * not take is reported in its name, and the exit status is this one. Call this once, before any file is opened. Returns false on
- * failure. */
+ * descriptors; writing to them still fails. When the program exits, also from within argp as after --help, and standard output
+ * could not be written, this is reported under the name `program`, and the exit status is `status`. Call this once, before any
+ * file is opened. Returns false on failure. */
 bool ttc_output_standard(const char *program, int status);
 
 #endif

@@ -36,11 +36,11 @@ void ttc_text_add_escaped(ttc_text *text, const char *bytes);
 /* Add the string `bytes` for use within a C comment: comment marks are broken up by a space, line ends become spaces. */
 void ttc_text_add_comment(ttc_text *text, const char *bytes);
 
-/* Returns true if the names a, of n characters, and b, of m, begin or end alike, and differ in case, in at most one character
- * changed, dropped or added, or in two neighbours swapped. */
+/* Returns true if one of the names a, of n characters, and b, of m, could be the other one mistyped: their first or last letters
+ * are equal, and they differ in case and in one character changed, dropped or added, or in two neighbours swapped, at most. */
 bool ttc_text_resembles(const char *a, size_t n, const char *b, size_t m);
 
-/* Returns how a noun ends behind this number. */
+/* The ending of a noun after this number: "" for 1, else "s". */
 const char *ttc_text_plural(size_t count);
 
 #endif

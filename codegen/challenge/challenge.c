@@ -19,8 +19,8 @@ typedef struct {
     double begun; /* processor time */
 } trial;
 
-/* "WHAT at NAME = VALUE ..." with all parameters and states of the point that was drawn, and from which a check may have moved; for
- * free(). */
+/* "WHAT at NAME = VALUE ..." with all parameters and states of the point that was drawn, for free(). The probe is placed there
+ * again, as a check may have moved it. */
 static char *point_text(trial *t, const char *what)
 {
     const bool there = t->check.is_at_target;

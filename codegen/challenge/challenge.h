@@ -16,8 +16,8 @@ typedef struct {
     const char *name; /* of the proof report, which must outlive this */
     ttc_place place;
     ttc_proof_status status;
-    size_t tried, skipped;  /* points; skipped: where no draw could be judged */
-    size_t special;         /* points at zeros of quantities and of sums */
+    size_t tried, skipped;  /* generic points; skipped: those left out, because no draw could be judged or time was up */
+    size_t special;         /* special points that were tried, at zeros of quantities and of sums */
     bool violated;          /* the claim fails at a point that was tried */
     bool contradicted, doubtful; /* doubtful: refuted, and no point shows why */
     char *text;             /* if contradicted: by what, and at which point; for free() */

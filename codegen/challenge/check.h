@@ -1,5 +1,5 @@
-/** Checks a claim at one point, by balls: some must contain zero, some be positive, and of some, the witnesses, one must exclude
- *  zero at some point. */
+/** Checks a claim at one point, by balls around three kinds of values: those that must be zero; those that must be positive; and
+ *  witnesses, of which one must be nonzero at one of the points that are tried, or the claim says nothing. */
 #ifndef TTC_CHECK_H
 #define TTC_CHECK_H
 

@@ -1,4 +1,4 @@
-/* Checks what is observed beside the equations, around one point: no divisor is zero at all states near it. With functions of
+/* Checks the divisors of records other than the equations, around one point: none is zero at all states near it. With functions of
  * states, parameters vary as well: exp(k*x) - 1 is zero at all states for one k only. */
 #include "challenge/check.h"
 #include "prove/observed.h"
@@ -7,7 +7,7 @@
 
 enum { PLACES = 8, NEAR_BITS = 60 };
 
-/* A bit above or below, never nowhere; parameters only above. */
+/* Move a symbol by a random multiple of 2^-60 that is not zero: a state up or down, a parameter up. */
 static void move(ttc_check *check, uint32_t symbol)
 {
     fmpq_t number;

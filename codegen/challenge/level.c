@@ -1,5 +1,5 @@
 /* Finds points on zero levels: Newton's method for as many symbols as levels, then Krawczyk's test that the balls around the result
- * contain a solution. Points of few digits may lie on levels exactly, be it where these are singular. */
+ * contain a solution. Points of few digits may lie on levels exactly, even where these are singular. */
 #include "challenge/random_point.h"
 
 #if __has_include(<flint/arb_mat.h>)

@@ -15,7 +15,7 @@
 #include <arb.h>
 #endif
 
-enum { TTC_PROBE_SPARE = 4 /* tangents beside those of the states */ };
+enum { TTC_PROBE_SPARE = 4 /* tangents in addition to those of the states */ };
 
 typedef struct ttc_probe ttc_probe;
 

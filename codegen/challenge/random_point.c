@@ -117,7 +117,8 @@ static void draw_state(fmpq_t out, const ttc_symbol_entry *entry, ttc_random *ra
     else ttc_sample_any(out, random, range);
 }
 
-/* Free symbols on which the levels depend, states three times out of four. */
+/* Choose the symbols for which the levels are solved: free ones on which they depend, states three times out of four. Returns false
+ * if too few were found. */
 static bool choose_pivots(ttc_random_point *point, const ttc_model *model, ttc_random *random)
 {
     unsigned char *support = ttc_model_support(model, point->levels, point->level_count);
@@ -135,7 +136,8 @@ static bool choose_pivots(ttc_random_point *point, const ttc_model *model, ttc_r
     return chosen == point->level_count;
 }
 
-/* Copy one number in eight from an earlier symbol of the same kind, so that differences vanish as well. */
+/* Draw one symbol in eight, and an earlier symbol for it; if both are of the same kind, with the same sign and interval, copy the
+ * number, so that differences vanish as well. */
 static void repeat_some(ttc_random_point *point, const ttc_model *model, ttc_random *random)
 {
     for (uint32_t i = 0; i < model->symbol_count; i++) {
@@ -179,7 +181,7 @@ static ttc_id draw_sum(const ttc_random_point *point, const ttc_situation *situa
     return point->sums[ttc_random_below(random, point->sum_count)];
 }
 
-/* One time in four a sum is solved for beside the levels, and one time in four in place of them. */
+/* Of special points, one time in four a sum is solved for together with the levels, and one time in four in place of them. */
 static void choose_levels(ttc_random_point *point, const ttc_situation *situation, ttc_random *random, ttc_sample_range range)
 {
     const uint64_t choice = range == TTC_SAMPLE_SPECIAL && point->sum_count > 0 ? ttc_random_below(random, 4) : 3;

@@ -1,9 +1,9 @@
 /** Random points of a model's domain that meet a claim's conditions, each enclosed in balls of any precision.
  *
  *  A point is a list of rational numbers, one for each free symbol. What `when` and a family bind is evaluated from them; zero
- *  levels are met by solving for as many symbols, with a proof that the balls contain a solution (Krawczyk's test), or exactly, be
- *  it where they are singular. Special points lie where a proof that holds at most points may fail: at zeros of quantities, and of
- *  sums that the table forms.
+ *  levels are met by solving for as many symbols, with a proof that the balls contain a solution (Krawczyk's test), or exactly,
+ *  even where they are singular. Special points lie where a proof that holds at most points may fail: at zeros of quantities, and
+ *  of sums that the table forms.
  *  Source: R. Krawczyk, Computing 4, 1969; A. Neumaier, Interval Methods for Systems of Equations, 5.1. */
 #ifndef TTC_RANDOM_POINT_H
 #define TTC_RANDOM_POINT_H
@@ -36,7 +36,8 @@ typedef struct {
     size_t symbol_count;
     ttc_id *sums;          /* what special points may make zero: sums, and sines and cosines */
     size_t sum_count;
-    ttc_id levels[TTC_PROBE_SPARE]; /* what is solved for: the levels of the situation, and a sum beside them or in their place */
+    ttc_id levels[TTC_PROBE_SPARE]; /* what is solved: the levels of the situation, and a sum together with them or in their place
+    */
     size_t level_count;
     bool solves_levels;    /* whether those of the situation are among them */
     uint32_t pivots[TTC_PROBE_SPARE]; /* symbols that are solved for, one for each level */
@@ -45,8 +46,8 @@ typedef struct {
 bool ttc_random_point_init(ttc_random_point *point, const ttc_situation *situation); /* false when memory is out */
 void ttc_random_point_clear(ttc_random_point *point); /* legal on a zeroed one */
 
-/* Draw numbers for all free symbols, and half of the times that they are special, a sum that is to vanish. Returns false if the
- * levels depend on too few symbols. */
+/* Draw numbers for all free symbols and, one time in two if they are special, a sum that is to vanish. Returns false if the levels
+ * depend on too few symbols. */
 bool ttc_random_point_draw(ttc_random_point *point, const ttc_situation *situation, ttc_random *random, ttc_sample_range range);
 
 typedef enum { TTC_INSIDE, TTC_OUTSIDE, TTC_UNCLEAR } ttc_place_in_domain;

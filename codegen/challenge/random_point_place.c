@@ -1,7 +1,8 @@
 /* Places a random point: sets its numbers, meets its levels, locates it in the domain. */
 #include "challenge/random_point.h"
 
-/* Factor by factor. The root in question is not zero where its radicand is not; what else needs that root counts as nonzero. */
+/* Returns true if no factor of a divisor can be zero. The root in question counts as its radicand; other factors without a value,
+ * which need that root, count as nonzero. */
 static bool is_not_zero(ttc_probe *probe, const ttc_situation *situation, ttc_id id)
 {
     const ttc_graph *graph = situation->model->graph;

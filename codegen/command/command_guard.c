@@ -182,7 +182,7 @@ static ttc_proof_ending ending_of(read_result result, int status, const char *wo
 
 static int table_seconds(int claim_seconds) { return 5 * claim_seconds / 2; }
 
-/* Of the seconds left for the table, those that a claim may not take, as others are open: most of them need little. */
+/* Of the seconds left for the table, those that one claim must leave to the other open claims, most of which need little. */
 static double reserved(const bool *settled, size_t count, int claim_seconds, double seconds)
 {
     double open = -1;

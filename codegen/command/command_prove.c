@@ -155,8 +155,8 @@ static int mutate(const ttc_model *model, bool json, json_t *reports)
     return status;
 }
 
-/* The report on the claims is printed even if the kernels cannot be made. Kernels are made before proofs, whose expressions would
- * change them: so the programs are those that `generate` writes. */
+/* Without --json, the report on the claims is printed even if the kernels cannot be made; with it, only why they cannot. Kernels
+ * are made before proofs, whose expressions would change them: so the programs are those that `generate` writes. */
 static int prove(const ttc_model *model, const ttc_options *options, json_t *reports)
 {
     ttc_catalogue catalogue = { 0 };

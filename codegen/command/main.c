@@ -203,7 +203,7 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
     }
 }
 
-/* In lines as long as those that argp makes of a command's text. */
+/* Print a text in lines as long as those that argp makes of a command's text. */
 static void print_wrapped(FILE *stream, const char *text)
 {
     for (size_t width = 79; strlen(text) > width; width = 79) {

@@ -30,7 +30,8 @@ static void write_density(ttc_text *claim, ttc_discovery *d, const char *name, c
     flint_free(root);
 }
 
-/* A root joins the table with its density, and where its base divides by zero is then no point of the domain. */
+/* What is remarked of a density. Its root, a record of the table then, excludes from the domain the points at which the base of the
+ * root divides by zero. */
 static const char *extent_of(const char *base, int power, bool is_smooth)
 {
     if (!is_smooth) return "not positive and smooth on the whole domain: ttc prove -v says where";

@@ -20,8 +20,9 @@ void ttc_factors_clear(ttc_factors *factors);
 void ttc_factors_add(ttc_factors *factors, const fmpz_mpoly_t polynomial);
 void ttc_factors_add_all(ttc_factors *factors, const fmpz_mpoly_t polynomial);
 
-/* The square of a root is the product of its radicand's factors. Drop the longest of these, which depends on the root and the
- * others; or put the radicand in place of those in the list. */
+/* The square of a root is the product of the factors of its radicand, so that one of these factors depends on the root and the
+ * other factors. The first function drops the longest one; the second puts the radicand in place of those of its factors that are
+ * listed. */
 void ttc_factors_drop_radicands(ttc_factors *factors);
 void ttc_factors_join_radicands(ttc_factors *factors);
 

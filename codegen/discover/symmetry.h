@@ -8,7 +8,8 @@
 enum { TTC_SIGN_CHANGES_MAX = 16 };
 
 /* Each change of signs is a set of quantities, bit i for quantity i, and maps the motion to itself, the last one possibly
- * backwards in time. They are independent, and all others are products of them. */
+ * backwards in time. They are independent, and all others are products of them if there are fewer than TTC_SIGN_CHANGES_MAX. None
+ * are found for more than 62 quantities. */
 typedef struct {
     uint64_t changes[TTC_SIGN_CHANGES_MAX];
     size_t count;

@@ -115,13 +115,14 @@ bool ttc_emit_sections(ttc_text *text, ttc_kernels *kernels, size_t *count);
  *  value: its value in this table's names, or with is_root the square of that. */
 int ttc_emit_source(const ttc_model *model, const char *name, ttc_id value, bool is_root);
 
-/** The name of the first parameter of the target to which a reduction onto it gives another quantity than that of its name here,
- *  see jlt_claim; NULL if there is none, if the claim is no such reduction, or if memory is out. */
+/** For a reduction onto the target, the name of the first parameter of the target that is given as another quantity than the one
+ *  with this name here (see jlt_claim); NULL if there is none, if the claim is no such reduction, or if memory is out. */
 const char *ttc_emit_renamed(const ttc_model *model, const ttc_claim *claim, const ttc_model *target);
 
-/** The name of the first state with an interval, or of the first record `domain`, that bounds motions of the general field and is
- *  none of the target's conditions, as the reduction gives the target's states; NULL if there is none, or if the claim is no
- *  reduction onto its target. Also a name when memory is out. */
+/** For a reduction onto the target, the name of the first state with an interval, or of the first record `domain`, that bounds
+ *  motions of the general field and does not bound those of the target: it is none of the target's conditions, written in what the
+ *  reduction gives for the target's names. NULL if there is none, or if the claim is no such reduction. Also a name when memory is
+ *  out. */
 const char *ttc_emit_widened(const ttc_kernels *general, const ttc_claim *claim, const ttc_model *target);
 
 /** Kernels of the general field for ways to tables that serve in place of its own, and their table, `ways`, of length *count. A

@@ -1,5 +1,5 @@
-/* Finds what bounds the motions of a table and not those of the target of its reduction: there they would be followed beyond their
- * end. */
+/* Finds conditions that bound the motions of a table but not those of the target of its reduction: computed in the target, a motion
+ * would be continued beyond its end. */
 #include "emit/emit.h"
 
 #include "fields/scratch.h"
@@ -8,7 +8,8 @@
 
 #include <stdlib.h>
 
-/* What a symbol of the target is here, where images, by id in the target's graph, has those before it; TTC_NONE: not known. */
+/* The expression of this table for a symbol of the target; TTC_NONE: not known. images, by id in the target's graph, has those of
+ * earlier symbols. */
 static ttc_id image_of(const ttc_model *model, const ttc_claim *claim, const ttc_model *target, const ttc_symbol_entry *symbol,
                        ttc_id *images)
 {

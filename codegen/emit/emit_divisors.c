@@ -58,8 +58,8 @@ static bool has_no_negative_term(ttc_field *field, ttc_id radicand)
     return good;
 }
 
-/* A radicand without negative terms, with the base of every even power replaced by the root of its `squares`: rounding of the bases
- * makes this times the square of a rounding. */
+/* A radicand without negative terms, with the base of every even power replaced by the root of its `squares`. Rounding errors of
+ * the bases leave a radicand that should be zero at about this times the square of the unit roundoff. */
 static ttc_id rounded(ttc_graph *graph, ttc_id id)
 {
     const bool is_sum = id != TTC_NONE && ttc_kind_of(graph, id) == TTC_SUM;
@@ -74,7 +74,7 @@ static ttc_id rounded(ttc_graph *graph, ttc_id id)
     return result;
 }
 
-/* What serves a radicand as `squares` does other divisors: its root, not itself, is compared with rounding. */
+/* What is put out for a radicand in place of `squares`, so that the root of the radicand, not itself, is compared with rounding. */
 static ttc_id radicand_squares(ttc_graph *graph, ttc_id id) { return ttc_multiply(graph, id, rounded(graph, id)); }
 
 static void add_factor(factor_list *list, const ttc_claim *claim, ttc_id written, bool is_radicand)

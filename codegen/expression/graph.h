@@ -6,8 +6,9 @@
  *
  *    NUMBER   an exact rational
  *    SYMBOL   index into the owner's symbol table (parameter, state, root, let, ...)
- *    PRODUCT  coefficient * base_1^e_1 * ... * base_k^e_k   bases distinct, ascending ids, SYMBOL or primitive SUM, e_i != 0;
- *             not a number (k = 0), not a base alone, and not a multiple of one sum, which is a SUM
+ *    PRODUCT  coefficient * base_1^e_1 * ... * base_k^e_k   bases distinct, ascending ids, SYMBOL or primitive SUM (its
+ *             coefficients are integers without common factor, the first one positive), e_i != 0; not a number (k = 0), not a
+ *             base alone, and not a multiple of one sum, which is a SUM
  *    SUM      constant + sum of coefficient_i * term_i      terms distinct, ascending ids, SYMBOL or PRODUCT with
  *             coefficient 1; nested sums are flattened
  *

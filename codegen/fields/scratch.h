@@ -1,4 +1,4 @@
-/** A graph beside the field's, for trying other forms of expressions. Programs are ordered by ids of the field's graph, so that
+/** A second graph, for trying other forms of expressions. Programs are ordered by ids of the field's graph, so that
  *  a trial must not add nodes to it. Extents and heights of scratch nodes are stored with the scratch graph. */
 #ifndef TTC_SCRATCH_H
 #define TTC_SCRATCH_H

@@ -12,7 +12,7 @@ typedef enum {
     TTC_FOR_POINTS, /* one state: the same, but separate divisions if each saves at least four operations */
     TTC_FOR_VALUES, /* one state: separate divisions, so that where one divides by zero the other outputs keep their values */
     TTC_FOR_JETS    /* Taylor recurrences: the fewest operations, and separate divisions, which cost as much as products there; a
-                      reciprocal recovered from another by products has the roundings of the fastest of them */
+                      reciprocal recovered from a common one would have the rounding errors of its fastest growing coefficients */
 } ttc_purpose;
 
 /* How long the search for a short program may take. QUICK tries a few of the ways that FULL tries. */

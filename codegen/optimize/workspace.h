@@ -83,8 +83,8 @@ unsigned ttc_cube_cost(const ttc_workspace *workspace, const ttc_cube *cube);
 bool ttc_scale_is_safe(const ttc_field *field, ttc_id scale);
 
 /** Make one division serve all reciprocals that do not depend on each other: 1/(d_1 ... d_k), from which multiplications recover
- *  the single ones and the products of them in use: along a tree of subsets, or each written out, for an extraction to find common
- *  parts. To be called last, but for that. */
+ *  the single ones and the products of them in use: along a tree of subsets; or, if written_out, each as a product of its own, in
+ *  which an extraction may then find common parts. Only tidying, cancelling and that extraction may follow it. */
 void ttc_workspace_share_reciprocals(ttc_workspace *workspace, bool written_out);
 
 /** Extract common factors, products and sums until nothing is gained. Seed 0 always takes the greatest gain; others add noise to

@@ -17,7 +17,8 @@ typedef struct {
     uint32_t *variable;     /* by subset: 1 + the variable of its reciprocal */
 } group;
 
-/* 1 + the greatest depth of nested reciprocals: 2 for one whose operand contains none. levels: 0 where not yet known. */
+/* 1 + the number of reciprocals within each other in a variable, itself included: 2 for one whose operand contains none. levels: 0
+ * where not yet known. */
 static unsigned level_of(const ttc_workspace *workspace, unsigned *levels, uint32_t variable)
 {
     const ttc_variable *v = workspace->variables + variable;

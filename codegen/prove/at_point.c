@@ -118,7 +118,7 @@ bool ttc_task_moves_at_point(ttc_task *task, ttc_id id)
     return moves;
 }
 
-/* Set a ball evaluator to the image of a point under the claim's map; another one is at the point. */
+/* Set the evaluator `image` to the image of a point under the claim's map; the evaluator `ball` is at the point itself. */
 static bool set_image(ttc_ball *image, ttc_ball *ball, ttc_task *task, ttc_witness *point)
 {
     const ttc_bindings *map = &task->claim->bindings;

@@ -224,9 +224,8 @@ static void add_root(ttc_task *task, ttc_conditions *c, uint32_t symbol, ttc_rat
     ttc_conditions_add(c, value, TTC_IS_POSITIVE);
 }
 
-/* What the other table is subject to, or a multiple of the angle, may use one that nothing here uses. Its signs are added if it has
- * a value, which the domain does not say that it has; and while its sine leaves most of the ring's generators to what the claim
- * uses. */
+/* Add the signs of an angle that nothing here uses: conditions of the other table, or a multiple of the angle, may use it. Only if
+ * it has a value, which the domain does not require; and only while the ring has many generators left for what the claim uses. */
 static void add_unused_angle(ttc_task *task, ttc_conditions *c, uint32_t cosine)
 {
     ttc_ring *ring = task->ring;
@@ -246,7 +245,7 @@ static unsigned char *support_of_angles(const ttc_model *model, const unsigned c
     return turned;
 }
 
-/* Whether an angle changes with a state with which angles change that are used: these may be multiples of it. */
+/* Returns true if an angle depends on a state on which angles in use depend: these may be multiples of it. */
 static bool turns_with(const ttc_model *model, uint32_t cosine, const unsigned char *turned)
 {
     bool turns = false;

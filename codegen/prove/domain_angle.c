@@ -16,7 +16,7 @@ static bool is_never(ttc_task *task, const ttc_conditions *c, ttc_id id, unsigne
 
 /* Add that the sine of an angle, with so many quarter turns added, is positive, if the sum lies between 0 and half a turn at both
  * ends of the state's interval.
- * half: half a turn, pi or the number 3, which is less, so that only as many turns are added as leave the statement true. */
+ * half: half a turn: pi, or the number 3 in its place, with which this holds for 0, 1 or 2 quarter turns, and no pi is needed. */
 static void add_turned(ttc_task *task, ttc_conditions *c, uint32_t cosine, const ttc_id ends[2], ttc_id half, const fmpq_t quarters)
 {
     ttc_graph *graph = task->model->graph;
@@ -43,8 +43,8 @@ static void add_turned(ttc_task *task, ttc_conditions *c, uint32_t cosine, const
     ttc_ratio_clear(task->ring, &value);
 }
 
-/* Turn by what takes an end to 0, and to half a turn, if the end is k pi/12, whose cosine needs no roots but those of 2 and 3: more
- * roots, and roots within roots, take longer than they are worth. */
+/* The same with the turns that take an end to 0, and to half a turn, if the end is k pi/12. The cosines of these turns need no
+ * roots but those of 2 and 3: more roots, and roots within roots, take longer than they are worth. */
 static void add_turned_ends(ttc_task *task, ttc_conditions *c, uint32_t cosine, const ttc_id ends[2], ttc_id half)
 {
     enum { PARTS = 6 /* of a quarter turn */ };

@@ -76,8 +76,8 @@ bool ttc_task_moves(ttc_task *task, const ttc_ratio *ratio)
     return false;
 }
 
-/* Refute the claim at a real point of the leaf at which a derivative by time of an expression is not zero that is zero on the
- * level: it is zero on the leaf, and not along the orbit of this point. */
+/* Refute the claim at a real point of the leaf at which one of the first four derivatives by time of an expression is not zero. The
+ * expression is zero on the level, but then not along the orbit of this point. */
 static void refute_along_orbit(ttc_task *task, ttc_id derivative, const char *part)
 {
     static const char *const orders[] = { "", "second ", "third ", "fourth " };

@@ -49,7 +49,7 @@ static size_t free_divisors(ttc_valuation *general)
 
 static bool uses_free(ttc_valuation *general, const ttc_ratio *value);
 
-/* Returns true if the value of a variable may depend on what was made free: a root is looked at, other functions all may. */
+/* Returns true if the value of a variable may depend on what was made free: a root by its square, any other function always. */
 static bool is_in_question(ttc_valuation *general, slong variable)
 {
     const ttc_model *model = ttc_valuation_model(general);

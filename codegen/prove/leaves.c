@@ -188,7 +188,7 @@ static void follow(cover *c, const ttc_subcase *b, const fmpz_mpoly_t factor, bo
     descend_apart(c, &degenerate);
 }
 
-/* Descend to the points of a component at which all terms of a sum are zero, if it was split as it is zero nowhere else. */
+/* If a level was split into the terms of a sum, descend to the points at which all of them are zero: it has no other points. */
 static bool follow_terms(cover *c, const ttc_subcase *b, bool is_split)
 {
     if (!is_split) return false;
@@ -229,7 +229,7 @@ static void meet(cover *c, ttc_subcase *b)
     ttc_ring_status status = task->ring->status;
     if (ttc_ring_has_no_value(status)) {
         c->why_empty = ttc_ring_status_text(status);
-        c->skipped++; /* where a denominator of the leaf vanishes there may be one */
+        c->skipped++; /* there may be a component where a denominator of the leaf vanishes */
         if (is_invariant(task) && b->goal_count == 1 && !c->is_partial)
             c->is_partial = ttc_divided_by_zero(task, b, &c->undefined_at);
     } else if (status != TTC_RING_OK) {
@@ -318,8 +318,8 @@ static void draw_verdict(cover *c)
     free(c->undefined_at);
 }
 
-/* Where what must not be zero is zero, a claim is false. Such points are often no rational numbers, and are not found as points of
- * a larger set; so what is not settled is looked at once more with this as a level of its own, then at quarter turns of angles. */
+/* A claim is false where an expression that must not be zero is zero. Such points are often irrational, and not found by searches
+ * of a larger set; so a claim that is not settled is examined again on that zero level, then at quarter turns of angles. */
 static void look_at_zeros(cover *c, const ttc_subcase *start)
 {
     const ttc_id zero = c->task->unexcluded;

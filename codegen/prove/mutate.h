@@ -23,8 +23,9 @@ typedef struct {
 } ttc_mutation_report;
 
 /** Make every mutant of the terms of equations, lets and roots, sums in parentheses included, and prove the claims of each until
- *  one is refuted; for a table of coordinates, until a section of its model is no longer proved. The caller owns the report.
- *  Returns false, and no report, when memory is out. Cost: one proof of the table for each mutant. */
+ *  one is refuted; for a table of coordinates, until a section of its model is no longer proved. Terms of `observe` have no
+ *  mutants. The caller owns the report. Returns false, and no report, when memory is out. Cost: one proof of the table for each
+ *  mutant. */
 bool ttc_mutate(const ttc_model *model, ttc_resolver resolver, void *context, ttc_mutation_report **report);
 void ttc_mutation_report_destroy(ttc_mutation_report *report); /* legal on NULL */
 

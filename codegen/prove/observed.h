@@ -18,7 +18,7 @@ typedef struct {
 size_t ttc_observed_count(const ttc_model *model);
 void ttc_observed_get(const ttc_model *model, size_t index, ttc_observed *record); /* index < ttc_observed_count(model) */
 
-/* Flags, by divisor of the table, of those that the record brings in beside the equations, for free(); NULL when memory is out. */
+/* Flags, by divisor of the table, of those that the record has and the equations have not, for free(); NULL when memory is out. */
 unsigned char *ttc_observed_divisors(const ttc_model *model, const ttc_observed *record);
 
 /** The prover of record claim.family: no divisor is zero on a whole part of the domain, nor at all states for some parameters. */

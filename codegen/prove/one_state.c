@@ -26,13 +26,13 @@ typedef struct {
     uint32_t symbol; /* the state, and its number */
     size_t state;
     bool has_root; /* or angle: a normal form may hold only on a part of the interval, or bring another function into the ring */
-    unsigned pieces, work; /* that may still be looked at, expressions on pieces */
+    unsigned pieces, work; /* numbers of pieces, and of expressions on pieces, that may still be examined */
     ttc_state_value *negative;
 } one_state;
 
 static unsigned signs_on(one_state *s, ttc_id id, const piece *p, unsigned derivatives);
 
-/* By a ball, for all values of the state from low to high, both included. */
+/* The signs of an expression, by a ball, for all values of the state from low to high, both included. */
 static unsigned signs_between(one_state *s, ttc_id id, const fmpq_t low, const fmpq_t high)
 {
     unsigned signs = TTC_CAN_BE_ANY;
@@ -112,7 +112,8 @@ static unsigned signs_in_normal_form(one_state *s, ttc_id id, const piece *p, un
     return signs;
 }
 
-/* What grows is positive if it is not negative at its lower end; and three others of this kind. */
+/* The signs of an expression by those of its derivative: one that grows on the open piece is positive if it is not negative at the
+ * lower end, and so for the other sign, for one that falls, and for the upper end. */
 static unsigned signs_by_derivative(one_state *s, ttc_id id, const piece *p, unsigned derivatives)
 {
     if (derivatives == 0 || !is_smooth(s, id, p, derivatives - 1)) return TTC_CAN_BE_ANY;
@@ -201,7 +202,7 @@ static unsigned signs_at(one_state *s, ttc_id id, const fmpq_t number)
     return signs;
 }
 
-/* Whether an expression has the same sign at numbers all over the interval, and ever closer to its ends, or farther out. */
+/* Whether an expression has the same sign at numbers all over the interval: ever closer to an end, or farther out without one. */
 static bool has_sign_at_numbers(one_state *s, ttc_id id, unsigned sign, const piece *p)
 {
     static const ulong powers[] = { 1, 2, 3, 4, 6, 9, 13, 19, 28, 42, 63, 95, 142 };
@@ -250,7 +251,7 @@ static bool has_sign(one_state *s, ttc_id id, unsigned sign, const piece *p, uns
     return has;
 }
 
-/* The zeros of a polynomial without double ones from a number on, upwards or downwards. */
+/* The number of zeros of a polynomial, which has no double ones, from this number on, upwards or downwards, it included. */
 static slong count_zeros_from(const fmpz_poly_t polynomial, const fmpq_t number, bool upwards)
 {
     slong zeros = 0, below = 0, above = 0;

@@ -13,8 +13,9 @@ typedef struct {
 } ttc_state_value;
 
 /* Returns TTC_CAN_BE_POSITIVE or TTC_CAN_BE_NEGATIVE if an expression has that sign wherever the state is in its interval, else
- * TTC_CAN_BE_ANY: also if it depends on more states, on a parameter, or on what has a meaning of its own here.
- * negative: NULL, or gets a place at which the expression is known not to be positive, if one was met. */
+ * TTC_CAN_BE_ANY: also if it depends on more states, on a parameter, or on a bound symbol.
+ * negative: NULL, or gets a value of the state at which the expression is not positive, if one was met.
+ * Cost: at most 400 pieces of the interval, and 20000 expressions on pieces. */
 unsigned ttc_one_state_signs(ttc_task *task, ttc_valuation *valuation, ttc_id id, ttc_state_value *negative);
 
 #endif

@@ -24,9 +24,9 @@ bool ttc_pole_has_factor(const ttc_pole_end *end, const fmpz_mpoly_t polynomial)
 /* out = the polynomial with the state at its end, but roots as they are: its resultant with way = b x + c over (-b)^degree. */
 void ttc_pole_put_state(const ttc_pole_end *end, ttc_ratio *out, const fmpz_mpoly_t polynomial);
 
-/* Returns true if a polynomial, and radicands of roots in it, are shown not to be zero with the state at its end: because they
- * depend on parameters alone, but for factors that are such roots, and are nonzero for parameters in general; or by signs of
- * terms, one of which depends on parameters alone, as other states may approach ends of their own at the same time. */
+/* Returns true if a polynomial, and the radicands of roots in it, are shown not to be zero with the state at its end. Factors that
+ * are such roots apart, each depends on parameters alone, and is nonzero for parameters in general; or its terms are of one sign,
+ * and their part in parameters alone is not zero (the others may be, as other states may go to ends of their own at the time). */
 bool ttc_pole_is_nonzero(const ttc_pole_end *end, const fmpz_mpoly_t polynomial);
 
 /* Returns true if the limit of a polynomial at the end is found by replacing the state and the roots that vanish: it uses no

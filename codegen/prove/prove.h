@@ -19,7 +19,8 @@ ttc_model *ttc_model_beside(const char *of, const char *target, ttc_diagnostics 
 /* The resolver that reads FILE.tt beside the model's own file; context is ignored. */
 ttc_model *ttc_resolve_beside(void *context, const ttc_model *model, const char *target, ttc_diagnostics *diagnostics);
 
-/** Call the resolver, if not NULL. On failure returns NULL, and reason, `size` bytes, is "WHAT FILE could not be read: why". */
+/** Read a table by the resolver, and give it a symbol for pi (ttc_model_with_pi). Returns NULL on failure, also if the resolver is
+ *  NULL; reason, `size` bytes, is then "WHAT FILE could not be read: why", or says that memory is out. */
 ttc_model *ttc_resolve(ttc_resolver resolver, void *context, const ttc_model *model, const char *what, const char *file,
                        char *reason, size_t size);
 

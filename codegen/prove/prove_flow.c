@@ -113,8 +113,8 @@ static const char *what_is_false(const ttc_claim *claim)
     }
 }
 
-/* Look for a point of the level value = 0 at which `rest`, which should be zero there, is not; else for any, if none is known,
- * as the witness. */
+/* Refute the claim at a point of the level value = 0 at which `rest`, which should be zero there, is not. If none is found, any
+ * point of the level becomes the witness, unless there is one already. */
 static void look_for_zero(ttc_task *task, const ttc_ratio *value, const ttc_ratio *rest)
 {
     const ttc_claim *claim = task->outer->claim;
@@ -159,8 +159,9 @@ static bool is_plain(const ttc_task *task, const fmpz_mpoly_t polynomial)
     return plain;
 }
 
-/* Whether a divisor is zero on no whole part of the level of an irreducible factor: it is zero nowhere; or, without functions, of
- * which y and exp(y) - 1 are zero together, it is another polynomial, and the factor changes its sign. */
+/* Returns true if a divisor is not zero on a whole part of the zero level of an irreducible factor: because it is zero nowhere; or
+ * because the factor does not divide it, and has both signs. The latter holds for polynomials without functions alone: y and
+ * exp(y) - 1 are zero together. */
 static bool is_apart(ttc_task *task, const fmpz_mpoly_t divisor, const fmpz_mpoly_t factor)
 {
     ttc_ratio value;

@@ -18,8 +18,8 @@ void ttc_prove_bind_image(ttc_task *task, ttc_valuation *map, const ttc_claim *c
 void ttc_prove_return(ttc_task *task, ttc_valuation *map, const ttc_claim *claim, const ttc_image *image, size_t state,
                       bool where_angles);
 
-/* Require that no divisor of a claim is zero, nor one of definitions that it names, whether or not they cancel from it; of its
- * names, the first `use_count` count. where: added to messages. */
+/* Require that no divisor of a claim is zero, nor one of the first `use_count` definitions that it names, whether or not they
+ * cancel from it. where: added to messages. */
 void ttc_prove_divisors(ttc_task *task, ttc_valuation *valuation, uint32_t claim, size_t use_count, const char *where);
 
 #endif

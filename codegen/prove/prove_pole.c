@@ -121,7 +121,8 @@ static void require_first_order(const ttc_pole_end *end, const ttc_symbol_entry 
 
 typedef void (*in_time)(const ttc_pole_end *end, const ttc_symbol_entry *root, const ttc_time *time);
 
-/* First of the state: where it does not rest, the root's rate, which has the root below, may grow without bounds. */
+/* Require rest of the state first: where it does not come to rest, the rate of the root, which divides by the root, may be
+ * unbounded. */
 static void require_rest_of_both(const ttc_pole_end *end, const ttc_symbol_entry *root, const ttc_time *time)
 {
     require_rest(end, end->task->model->symbols + end->state, time);

@@ -21,13 +21,13 @@ typedef enum {
     TTC_DOMAIN_WHOLE,
     TTC_DOMAIN_WITHOUT_CLAIM, /* all but divisors of the claim, and of definitions that it alone uses */
     TTC_DOMAIN_OUT_OF_QUESTION, /* all but divisors that depend on symbols under test */
-    TTC_DOMAIN_OF_OTHERS /* all but divisors and domain records that do */
+    TTC_DOMAIN_OF_OTHERS /* all but divisors and domain records that depend on symbols under test */
 } ttc_domain_extent;
 
 struct ttc_task {
     const ttc_model *model;
     const ttc_claim *claim;
-    ttc_divisor_role role; /* with owner: the record whose divisors belong to the domain, beside those of the field */
+    ttc_divisor_role role; /* with owner: the record whose divisors belong to the domain, as those of the field do */
     uint32_t owner;
     ttc_id divisor;        /* a further divisor, or TTC_NONE */
     ttc_resolver resolver;
@@ -55,7 +55,8 @@ struct ttc_task {
     ttc_id radical; /* of an invariant alone: the product of the factors of its level, each once; TTC_NONE: not known */
     ttc_valuation *maps[2]; /* maps in use, whose roots are positive as well */
     size_t map_count;
-    size_t kept;    /* number of leaves that the flow was shown to keep, or whose image was shown to have its dimension */
+    size_t kept;    /* number of leaves that the flow was shown to keep, whose image was shown to have its dimension, or on which
+                       ttc_prove_by_cofactor found a zero */
     char why_empty[160]; /* why the last leaf without points has none; "" if that is not evident */
     bool varies;       /* an integral changes with the states on some leaf */
     bool is_partial;   /* the claim divides by zero on a whole part of the domain, or that was not excluded */
@@ -64,8 +65,9 @@ struct ttc_task {
     ttc_id aside[8];   /* expressions that normal forms divide by: where those from aside_first on are zero, the claim is still to
                           be proved */
     size_t aside_first, aside_count;
-    bool is_at_zeros;  /* `unexcluded` or one of `aside` is one more level, on which counts what is claimed of all points, */
-    bool is_lower;     /* and of states, so that dimensions do not count */
+    bool is_at_zeros;  /* the leaves lie on one more level, zeros of `unexcluded` or of one of `aside`, where only what is claimed
+                          of all points is to be shown */
+    bool is_lower;     /* that level may restrict states: dimensions of images are not required there */
     /* the verdict so far */
     ttc_proof_status status;
     bool relies_on_solver;
@@ -100,8 +102,8 @@ bool ttc_task_open(const ttc_task *task); /* true while nothing is against the c
 
 /** Search for a point of the leaf at which a ratio, unless NULL, stands in this relation to zero. text: NULL, or gets the point. */
 ttc_search_result ttc_task_search(ttc_task *task, const ttc_ratio *ratio, ttc_relation relation, char **text);
-/* Returns true if identities alone show that there is no such point, also where denominators of conditions vanish. False if that of
- * the ratio can. */
+/* Returns true if elimination (algebra/elimination.h) alone shows that at no point of the leaf the ratio stands in this relation to
+ * zero, also where denominators of conditions vanish. Returns false if the ratio's own denominator may vanish. */
 bool ttc_task_never_is(ttc_task *task, const ttc_ratio *ratio, ttc_relation relation);
 /* The signs that a ratio has at a few simple points of the leaf. */
 unsigned ttc_task_signs_met(ttc_task *task, const ttc_ratio *ratio);
@@ -140,8 +142,9 @@ void ttc_task_jacobian(ttc_task *task, ttc_ratio *out, size_t row, size_t column
 void ttc_task_require_identity(ttc_task *task, ttc_id left, ttc_id right, const char *what);
 /* Make all roots and other functions that are not bound free variables. Returns their number. */
 size_t ttc_free_functions(ttc_valuation *valuation);
-/* A quick test: returns true if the rate of an expression along the flow is `rate`, with as states, in place of those of which they
- * are linear functions, definitions that divide by one sum, as velocities divide by the determinant of the inertia. */
+/* A quick test: returns true if the rate of an expression along the flow is `rate`, computed in other states: lets that are linear
+ * in some states and all divide by one sum replace these states, as velocities, which divide by the determinant of the inertia,
+ * replace momenta. */
 bool ttc_task_has_rate_in_other_states(ttc_task *task, ttc_id expression, ttc_id rate);
 /** Try to refute that an expression is zero at one point of the leaf in ball arithmetic, without algebra: where the remainder
  *  cannot be computed, or takes too long. The ring may have failed. Returns true if it is refuted; else the ring is as it was. */
@@ -181,11 +184,11 @@ void ttc_prove_level_is_periodic(ttc_task *task, const ttc_claim *integral, uint
 /* Returns true if the expression of an invariant is shown to be constant along all motions of the level to which it is restricted:
  * each of its own levels is then kept, whatever its components are. */
 bool ttc_prove_is_integral(ttc_task *task);
-/* Settle an invariant f that does not divide, whose level cannot be solved: it is refuted at a point of the level at which f
- * changes; and proved if there is such a point, and df/dt = K f with a cofactor K that is finite all over the domain, as f is then
- * multiplied by exp of the integral of K. G. Darboux, Bull. Sci. Math. 2, 1878. So also an `equal` or a `rate` modulo one such f,
- * with the difference of its sides in place of df/dt, and the product of the factors of f in place of f, if nothing that divides
- * in it is zero on a whole part of the level. */
+/* Settle an invariant f that does not divide, whose level cannot be solved. It is refuted at a point of the level at which df/dt is
+ * not zero. It is proved if the level has a point, and df/dt = K f with a cofactor K that is finite all over the domain: along a
+ * motion f is then multiplied by exp of the integral of K (G. Darboux, Bull. Sci. Math. 2, 1878). An `equal` or a `rate` modulo
+ * one such f is settled in the same way, with the difference of its sides in place of df/dt and the product of the factors of f in
+ * place of f, if no divisor of the claim is zero on a whole part of the level. */
 void ttc_prove_by_cofactor(ttc_task *task);
 
 /* The provers, one for each kind of claim. */

@@ -17,8 +17,8 @@ typedef struct {
 
 static unsigned signs_of(signs_of_parts *s, ttc_id id);
 
-/* Whether a search for points of the leaf at which a ratio is of the other sign, or zero, finds that there are none: also without
- * what is not zero, which seldom tells a sign, and may be of a high degree. */
+/* Returns true if a search shows that no point of the leaf has the ratio zero or of the opposite sign. Conditions NONZERO are left
+ * out: they seldom tell a sign, and may be of a high degree. */
 static bool has_no_other_sign(signs_of_parts *s, const ttc_ratio *value, int sign)
 {
     ttc_task *task = s->task;
@@ -35,7 +35,7 @@ static bool has_no_other_sign(signs_of_parts *s, const ttc_ratio *value, int sig
     return result == TTC_POINT_IMPOSSIBLE || result == TTC_POINT_EXCLUDED;
 }
 
-/* The signs that a ratio can have, by elimination alone, where these are not any: TTC_CAN_BE_ANY otherwise. */
+/* Returns `sign`, or `sign` and zero, if elimination alone shows that a ratio has no other sign; else TTC_CAN_BE_ANY. */
 static unsigned signs_by_elimination(signs_of_parts *s, const ttc_ratio *value, unsigned sign)
 {
     ttc_task *task = s->task;
@@ -84,7 +84,7 @@ static unsigned signs_of_symbol(signs_of_parts *s, ttc_id id)
     return signs_of_value(s, id, false, false);
 }
 
-/* Without a sum in it. */
+/* Returns true if the expression is no sum, and no product with a sum as a factor. */
 static bool is_simple(const ttc_graph *graph, ttc_id id)
 {
     const ttc_kind kind = ttc_kind_of(graph, id);
@@ -94,8 +94,8 @@ static bool is_simple(const ttc_graph *graph, ttc_id id)
     return true;
 }
 
-/* The signs of a sum if they are of one kind, this sign or zero, by those of its terms with sums in them that are not of the other
- * sign, and of the rest; TTC_CAN_BE_ANY if not. */
+/* Returns `sign`, or `sign` and zero, if a sum has no other sign, else TTC_CAN_BE_ANY. Terms that contain sums and are never of the
+ * opposite sign count by their own signs; all other terms together are examined as one ratio. */
 static unsigned signs_in_two_parts(signs_of_parts *s, ttc_id id, unsigned sign)
 {
     ttc_graph *graph = ttc_valuation_model(s->valuation)->graph;
@@ -147,7 +147,7 @@ static unsigned signs_of_sum(signs_of_parts *s, ttc_id id)
     return signs == TTC_CAN_BE_ANY ? signs_in_two_parts(s, id, TTC_CAN_BE_NEGATIVE) : signs;
 }
 
-/* What divides is not zero. */
+/* The signs of a product, where its divisors are not zero. */
 static unsigned signs_of_product(signs_of_parts *s, ttc_id id)
 {
     const ttc_graph *graph = ttc_valuation_model(s->valuation)->graph;
@@ -212,7 +212,8 @@ bool ttc_signs_are_one(ttc_task *task, ttc_id id)
            (signs & (TTC_CAN_BE_POSITIVE | TTC_CAN_BE_NEGATIVE)) != (TTC_CAN_BE_POSITIVE | TTC_CAN_BE_NEGATIVE);
 }
 
-/* A product is not positive where the base of an even power in it is zero. Nothing rests on bases that are not. */
+/* Refute that a product is positive at a point where the base of an even power in it is zero. What was put aside, or left to the
+ * solver, in a search that found no zero of a base is taken back. */
 static void refute_at_square(ttc_task *task, ttc_valuation *valuation, ttc_id id, const char *what)
 {
     const ttc_graph *graph = ttc_valuation_model(valuation)->graph;

@@ -1,12 +1,13 @@
-/** Signs by the parts of what is written. */
+/** Signs of expressions from the signs of their parts, as the table writes them. */
 #ifndef TTC_SIGNS_H
 #define TTC_SIGNS_H
 
 #include "prove/prove_task.h"
 
-/** An expression stands in a relation to zero at every point of the leaf: by the signs of its parts, where sums without sums in
- *  them, and those without their longer terms of one sign, are looked at as ratios; else as one ratio, whose degree is high where
- *  quotients and roots were added. A product is not zero where its factors are not. See ttc_task_require. */
+/** Require that an expression stands in a relation to zero at every point of the leaf. First by the signs of its parts: a sum whose
+ *  terms do not tell its sign is examined as one ratio, then without those terms that contain sums and are of one sign. Where this
+ *  fails, by ttc_task_require for the whole expression as one ratio, whose degree is high where quotients and roots are added.
+ *  NONZERO is required of each factor of a product separately. */
 TTC_PRINTF(5, 6)
 void ttc_signs_require(ttc_task *task, ttc_valuation *valuation, ttc_id id, ttc_relation relation, const char *format, ...);
 

@@ -101,7 +101,7 @@ static slong choose_variable(ttc_task *task, const fmpz_mpoly_t factor, ulong *d
     return best;
 }
 
-/* Returns true for a state on which no function of the table depends: it may be bound to what uses functions and roots. */
+/* Returns true for a state on which no function of the table but roots depends: its solution may contain functions and roots. */
 static bool is_free_state(ttc_task *task, slong variable)
 {
     const ttc_model *model = task->model;

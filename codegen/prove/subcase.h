@@ -23,8 +23,8 @@ typedef struct {
     size_t relation_count;                         /* number of levels solved so far */
     bool own_solved;                               /* the invariant's own level is among these */
     bool is_degenerate;                            /* a goal is that a leading coefficient of another level vanishes */
-    bool is_orphan;                                /* it may hold all real points of a component */
-    size_t terms_added;                            /* levels that there are more as some were split into their terms */
+    bool is_orphan;                                /* it may hold all real points of a component whose own leaf was skipped */
+    size_t terms_added;                            /* number of levels gained by splitting sums into their terms */
     ttc_id apart;                                  /* zero on the other factors of the own level; TTC_NONE: there are none */
     ttc_id leads[TTC_SUBCASE_RELATIONS_MAX];        /* leading coefficients by which solutions divide, not zero here */
     size_t lead_count;
@@ -44,13 +44,14 @@ ttc_id ttc_subcase_others(ttc_task *task, const fmpz_mpoly_factor_t factors, slo
  * less 1 its exponent. */
 ttc_id ttc_subcase_without_functions(const ttc_model *model, ttc_id level);
 
-/* A polynomial that is zero where a value is: its numerator, if that has roots and can be solved for a state on which no function
- * depends and whose leading coefficient cannot vanish, and is linear in it, or has many roots, or a norm that cannot be solved;
- * else the norm, free of roots, which is zero where some conjugate of the value is, and shows squares that roots hide. */
+/* level = a polynomial that is zero where a value is. As a rule this is the norm of the value, free of roots, which is zero where
+ * some conjugate of the value is, and shows squares that roots hide. The numerator itself is taken if it has roots and can be
+ * solved for a state on which no function but roots depends, with a leading coefficient that cannot vanish, and moreover is linear
+ * in that state, has more than two roots, or its norm cannot be solved. */
 void ttc_subcase_level(ttc_task *task, fmpz_mpoly_t level, const ttc_ratio *value);
 
-/** Restrict the subcase to the present signs of roots whose radicands are squares, and of sines that are plus or minus a root, as
- *  other signs belong to other subcases: with these the last goal may be zero on more than the solutions found here. */
+/** Restrict the subcase to the present signs of roots whose radicands are squares, and of sines that are plus or minus a root.
+ *  Other signs belong to other subcases, in which the last goal may be zero at other points than those found here. */
 void ttc_subcase_keep_signs(ttc_subcase *subcase, ttc_task *task);
 
 /** Add the solution of factor = 0, in the ring of the task's field, for a symbol in which it is linear or quadratic: a state, else
@@ -62,12 +63,12 @@ bool ttc_subcase_solve(ttc_subcase *subcase, ttc_id *lead, ttc_task *task, const
  *  count. Returns false, with nothing done, if it is no such sum, or TTC_NONE. */
 bool ttc_subcase_split(ttc_subcase *subcase, ttc_task *task, ttc_id sum);
 
-/** The same for a factor of the last goal: as the goal has it, as a polynomial, or as an even power and a rest never of the other
- *  sign. is_alone: the goal has no other factor. */
+/** The same for a factor of the last goal: split is the factor as the table writes it in the goal, else the polynomial itself, else
+ *  an even power less a rest that is never positive. is_alone: the goal has no other factor. */
 bool ttc_subcase_split_factor(ttc_subcase *subcase, ttc_task *task, const fmpz_mpoly_t factor, bool is_alone);
 
-/** Add as goals that each angle, one to three, of which an expression uses the cosine or sine, is a multiple of a quarter turn:
- *  there sums of these have their extreme values. Returns false, and the subcase is invalid, if there are no angles, or more. */
+/** Add as goals that each angle of which an expression uses the cosine or sine is a multiple of a quarter turn, where sums of these
+ *  have their extreme values. Returns false, and the subcase is invalid, unless there are one to three such angles. */
 bool ttc_subcase_add_turns(ttc_subcase *subcase, ttc_task *task, ttc_id expression);
 
 /** Make the field of a subcase, without conditions, the task's field and ring until it is closed. choices: signs of roots whose

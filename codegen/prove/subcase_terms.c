@@ -1,4 +1,5 @@
-/* Levels that are zero only where all their terms, or even powers of which they consist, are; levels that are tried. */
+/* Splits levels that are zero only where all their terms, or the even powers of which they are sums, are zero; and replaces levels
+ * by others with the same zeros. */
 #include "prove/signs.h"
 #include "prove/subcase.h"
 
@@ -22,7 +23,8 @@ bool ttc_subcase_split(ttc_subcase *b, ttc_task *task, ttc_id sum)
     return true;
 }
 
-/* The factor as the goal has it: the goal itself, if it has no other, or a part with the same zeros; TTC_NONE: as neither. */
+/* The factor as the table writes it in the goal: the whole goal if it has no other factor, else a factor of it with the same zeros;
+ * TTC_NONE: there is none. */
 static ttc_id as_written(ttc_task *task, ttc_id goal, const fmpz_mpoly_t factor, bool is_alone)
 {
     const ttc_graph *graph = task->model->graph;
@@ -45,9 +47,9 @@ static ttc_id as_written(ttc_task *task, ttc_id goal, const fmpz_mpoly_t factor,
     return written;
 }
 
-/* Complete a power: p = a v^d + b v^(d-1) + ... in a variable v, where d is even, and a is of one sign and not zero, so that
- * (d!)^d a^(d-1) p = root^d - rest with root = (d-1)! (d a v + b), if v is not left in rest; it never is where d = 2.
- * Returns the sign of a; 0: there is no such v. */
+/* Complete a power: p = a v^d + b v^(d-1) + ... in a variable v, where d is even, and a is of one sign and not zero. Then
+ * (d!)^d a^(d-1) p = root^d - rest with root = (d-1)! (d a v + b). This serves if rest is free of v, as it always is for d = 2.
+ * Returns the sign of a; 0: no v serves. */
 static unsigned complete_power(const ttc_task *task, const fmpz_mpoly_t p, fmpz_mpoly_t root, fmpz_mpoly_t rest)
 {
     enum { GREATEST = 8, LONGEST = 12 };
@@ -116,7 +118,7 @@ static bool split_powers(ttc_subcase *b, ttc_task *task, const fmpz_mpoly_t fact
 
 bool ttc_subcase_split_factor(ttc_subcase *b, ttc_task *task, const fmpz_mpoly_t factor, bool is_alone)
 {
-    /* That no component was skipped is told of solved levels, whose leaves have the dimensions of complex ones. */
+    /* is_orphan is known for solved levels only, whose leaves have the dimensions of complex ones; split levels may have less. */
     if (b->is_degenerate && !b->is_orphan && task->claim->kind == TTC_CLAIM_INVARIANT) return false;
     return ttc_subcase_split(b, task, as_written(task, b->goals[b->goal_count - 1], factor, is_alone)) ||
            ttc_subcase_split(b, task, ttc_subcase_expression(task, factor)) || split_powers(b, task, factor);
@@ -137,7 +139,7 @@ bool ttc_subcase_add_turns(ttc_subcase *b, ttc_task *task, ttc_id expression)
     return b->goal_count > before;
 }
 
-/* What an exponential less 1, times a number, is zero with; TTC_NONE: it is none. */
+/* The exponent e if the sum is a number times exp(e) - 1, which is zero where e is; else TTC_NONE. */
 static ttc_id exponent_of(const ttc_model *model, ttc_id sum)
 {
     const ttc_graph *graph = model->graph;

@@ -207,8 +207,8 @@ unsigned ttc_task_signs_met(ttc_task *task, const ttc_ratio *ratio)
 static const ttc_relation opposite[] = { [TTC_IS_POSITIVE] = TTC_IS_NONNEGATIVE, [TTC_IS_NONNEGATIVE] = TTC_IS_POSITIVE,
                                          [TTC_IS_NONZERO] = TTC_IS_ZERO, [TTC_IS_ZERO] = TTC_IS_NONZERO };
 
-/* Search further for a point at which a ratio does not stand in this relation to zero: a zero between two signs of the ratio or, of
- * inequalities, of what it has a square of; and a lower value. */
+/* Search further for a point at which a ratio does not stand in this relation to zero. For != 0, a zero between two signs of a
+ * factor; for > 0, the same of a factor of even exponent; then for > 0 and >= 0 a value that is too low, downhill. */
 static bool is_found_further(ttc_task *task, const ttc_ratio *ratio, ttc_relation relation, char **text)
 {
     bool found = false;

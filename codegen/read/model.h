@@ -158,7 +158,7 @@ typedef struct {
     ttc_image image;
     uint32_t *beside, *ending; /* symbols to show at returns, and where an orbit ends */
     size_t beside_count, ending_count;
-    size_t shown_uses; /* of the uses of its claim, the number that stand before `beside` and `ending` */
+    size_t shown_uses; /* the uses of its claim from this number on come from `beside` and `ending` */
 } ttc_section;
 
 /* expression > 0 */
@@ -177,7 +177,7 @@ typedef struct {
     uint32_t claim;
     ttc_image image;
     ttc_inequalities where; /* the states for which the table may serve */
-    size_t where_divisors, where_uses; /* of the divisors and uses of its claim, the numbers that stand before `where` */
+    size_t where_divisors, where_uses; /* the divisors and uses of its claim from these numbers on come from `where` */
 } ttc_way;
 
 /* The name of this table among tables that serve in place of each other. */
@@ -296,8 +296,8 @@ ttc_model *ttc_model_parse(const char *text, size_t length, const char *file, tt
  *  NUL. Returns NULL if memory is out or the text has errors. */
 ttc_model *ttc_model_again(const char *text, const char *file);
 
-/** The same table parsed again, with a symbol for the number pi, used or not, unless the table gives that name to something else:
- *  one alone of two tables that are compared may contain pi. Returns NULL if memory is out. */
+/** The same table parsed again, with a symbol for the number pi, used or not, unless the table gives that name to something else.
+ *  It is compared with another table, which may contain pi where this one does not. Returns NULL if memory is out. */
 ttc_model *ttc_model_with_pi(const ttc_model *model);
 
 /* ttc_model_parse of a file. That it cannot be read is an error in `diagnostics` too. */
@@ -333,10 +333,10 @@ const char *ttc_symbol_function(ttc_symbol_kind kind);
 /* Replace every `let` by its definition, recursively. Functions stay symbols. */
 ttc_id ttc_model_expand(const ttc_model *model, ttc_id id);
 
-/* An expression that is the name of a `let`: what stands behind it, and behind that, until it is none. */
+/* An expression, or, if it is the name of a `let`, the definition of that; repeated until the result is no such name. */
 ttc_id ttc_model_without_lets(const ttc_model *model, ttc_id id);
 
-/* The sum by which a quotient, or a product with one, divides, by its name or not; TTC_NONE if it divides by none. */
+/* The first sum, or definition of a `let` that is one, to a negative power in a product; TTC_NONE if there is none. */
 ttc_id ttc_model_dividing_sum(const ttc_model *model, ttc_id id);
 
 /* Returns true if an expression depends on a symbol, directly or through definitions; also when memory is out. */
@@ -349,18 +349,19 @@ unsigned char *ttc_model_support(const ttc_model *model, const ttc_id *ids, size
 /* Find all symbols with a definition that records of this role and owner name, and recursively those that their definitions name,
  * as written. Returns flags 1 or 0, shape (symbol_count,), for the caller to free; NULL when memory is out. */
 unsigned char *ttc_model_uses_of(const ttc_model *model, ttc_divisor_role role, uint32_t owner);
-/* The same of their names number `first` to `end` - 1 alone, in the order of the records. */
+/* The same for the symbols that these records name at positions `first` to `end` - 1 alone, counted from 0 in the order of the
+ * table. */
 unsigned char *ttc_model_uses_between(const ttc_model *model, ttc_divisor_role role, uint32_t owner, size_t first, size_t end);
-/* The same of equations, intervals and domain records. */
+/* The same for equations, intervals and domain records (role TTC_DIVIDES_FIELD). */
 unsigned char *ttc_model_uses(const ttc_model *model);
-/* And with all roots and logarithms, of positive quantities on the domain whether or not anything uses them. */
+/* The same and all roots and logarithms, used or not: the domain requires that their arguments are positive. */
 unsigned char *ttc_model_uses_of_domain(const ttc_model *model);
 /* Returns true if claim number `claim` is an integral or density without conditions that divides by `divisor`, itself or in a
  * definition. Kernels of such a claim share their values prepared from parameters with all other kernels of the model. */
 bool ttc_model_prepares(const ttc_model *model, uint32_t claim, const ttc_divisor *divisor);
 /* Whether an expression is 0 wherever the parameter is, as its factors and terms show. */
 bool ttc_model_vanishes_with(const ttc_model *model, ttc_id expression, const ttc_symbol_entry *param);
-/* A parameter that may be 0, and the divisor with it, as its factors and terms show; NULL if there is none. */
+/* A parameter that may be 0, and where it is 0 the divisor is too, as its factors and terms show; NULL if there is none. */
 const ttc_symbol_entry *ttc_model_zero_divisor(const ttc_model *model, ttc_id divisor);
 /* Add to the flags `used`, shape (symbol_count,), recursively the symbols that definitions of flagged symbols name, and of each
  * angle the cosine with the sine. */

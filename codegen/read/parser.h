@@ -102,7 +102,8 @@ bool ttc_parse_measure(ttc_parser *parser, ttc_id id, ttc_place place);
 bool ttc_parse_find(const ttc_parser *parser, const ttc_token *name, uint32_t *symbol);
 bool ttc_parse_known(ttc_parser *parser, const ttc_token *name, uint32_t *symbol); /* the same, with a report */
 bool ttc_parse_define(ttc_parser *parser, const ttc_token *name, ttc_symbol_kind kind, ttc_id definition, uint32_t *symbol);
-/* If the name is pi and no record of the table defines it, define it as the number pi; otherwise return false without a report. */
+/* If the name is pi, and no record param, state, root, angle, exp, log or let of the table defines it, above or below, define it as
+ * the number pi; otherwise return false without a report. */
 bool ttc_parse_pi(ttc_parser *parser, const ttc_token *name, uint32_t *symbol);
 void ttc_parse_unknown(ttc_parser *parser, const ttc_token *name); /* reports a name that stands for nothing, with a likely cause */
 bool ttc_parse_refer(ttc_parser *parser, ttc_reference_role role, size_t owner, const ttc_token *name);

@@ -245,8 +245,8 @@ static bool domain_speaks_of(const ttc_model *model, ttc_id param)
     return speaks;
 }
 
-/* Report that a divisor is 0 with a parameter (NULL: none), unless equations or domain records keep that from 0. Returns true if it
- * did. */
+/* Report that a divisor is 0 where this parameter is (NULL: there is none), unless the equations divide by the parameter, or a
+ * domain record may exclude 0. Returns true if it was reported. */
 static bool tell_divisor(ttc_parser *parser, const unsigned char *used, const ttc_symbol_entry *param, ttc_severity severity,
                          const char *kind, const char *name, ttc_place place)
 {

@@ -23,7 +23,7 @@ static void warn_unused(ttc_parser *parser)
     }
 }
 
-/* Values at the defaults, by expression; the graph stays as it is, as the order of its nodes is that of programs. */
+/* Values at the defaults, by expression. They are not nodes of the graph: new nodes would change the order of programs. */
 typedef enum { NOT_LOOKED_AT, HAS_NUMBER, IS_NO_NUMBER, DIVIDES_BY_ZERO } found;
 
 typedef struct {
@@ -145,7 +145,7 @@ static bool has_dimension(const char *name, size_t length)
     return false;
 }
 
-/* Warn of names in units of parameters and states that count as numbers; rad is one by right. */
+/* Warn of names in units of parameters and states that count as numbers, except of rad. */
 static void warn_of_units(ttc_parser *parser)
 {
     for (size_t i = 1; i < parser->model->symbol_count; i++) {

@@ -7,7 +7,7 @@
 
 /** outputs: shape (output_count,), initialized by the caller. inputs and parameters: what x[i] and p[i] stand for.
  *  Roots are positive square roots in the valuation's ring; other functions must follow from those of the model. Errors: the
- *  ring's status; an index beyond input_count or parameter_count sets it too (CIRCULAR).
+ *  ring's status; an index beyond input_count or parameter_count sets it to TTC_RING_CIRCULAR.
  *  Returns false when memory is out. */
 bool ttc_program_read(const ttc_program *program, ttc_valuation *valuation, const ttc_ratio *inputs, size_t input_count,
                       const ttc_ratio *parameters, size_t parameter_count, ttc_ratio *outputs);

@@ -1,4 +1,5 @@
-/** Proofs of translation for functions beside the kernels of a field: of families of equilibria, of coordinates of sections, and
+/** Proofs of translation for functions other than the kernels of a field: of families of equilibria, of coordinates of sections,
+ *  and
  *  of ways to tables that serve in place of its own. They are read back from the C that is emitted, word by word, and compared, as
  *  exact ratios, with what the records say; slopes with derivatives of these. */
 #ifndef TTC_PROVE_FUNCTIONS_H
