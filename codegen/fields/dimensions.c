@@ -1,11 +1,17 @@
 #include "fields/dimensions.h"
 
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "fields/ends.h"
 
-enum { UNITS = 3, WHOLE = 1 << 10 /* stands for the exponent 1, so that roots can halve it ten times */ };
+enum {
+    UNITS = 3,
+    WHOLE = 1 << 10,            /* stands for the exponent 1, so that roots can halve it ten times */
+    LARGEST = 1 << 10,          /* exponent of kg, m or s in a dimension; beyond it is WRONG */
+    PARENTHESES_LIMIT = 1 << 10 /* one in another in the text of a unit; with more it is WRONG */
+};
 
 typedef struct {
     enum { UNSEEN, KNOWN, OF_ZERO, WRONG } state; /* zero has every dimension */
@@ -24,8 +30,11 @@ static void multiply(dimension *product, const dimension *by, long exponent)
 {
     if (product->state == WRONG || by->state == WRONG) *product = wrong;
     else if (product->state == OF_ZERO || by->state == OF_ZERO) *product = zero;
-    else
-        for (int i = 0; i < UNITS; i++) product->of[i] += (int)exponent * by->of[i];
+    for (int i = 0; product->state == KNOWN && i < UNITS; i++) {
+        const int64_t of = product->of[i] + (int64_t)exponent * by->of[i];
+        if (of < -LARGEST * WHOLE || of > LARGEST * WHOLE) *product = wrong;
+        else product->of[i] = (int)of;
+    }
 }
 
 static dimension sum(const dimension *a, const dimension *b)
@@ -47,11 +56,16 @@ static dimension unit_of_name(const char *name, size_t length)
     return unit;
 }
 
-/* Dimension of the product that begins at *at. Moves *at to its end, which is the end of the text or a closing parenthesis. */
-static dimension read_product(const char **at)
+/* Dimension of the product that begins at *at, inside `depth` parentheses. Moves *at to its end, which is the end of the text or a
+ * closing parenthesis. */
+static dimension read_product(const char **at, unsigned depth)
 {
     dimension product = number;
     int sign = 1;
+    if (depth > PARENTHESES_LIMIT) {
+        *at += strlen(*at);
+        return wrong;
+    }
     while (**at != '\0' && **at != ')') {
         if (strchr("*/ ", **at) != NULL) {
             sign = **at == '/' ? -1 : **at == '*' ? 1 : sign;
@@ -61,7 +75,7 @@ static dimension read_product(const char **at)
         dimension factor;
         if (**at == '(') {
             ++*at;
-            factor = read_product(at);
+            factor = read_product(at, depth + 1);
             if (**at == ')') ++*at;
         } else {
             const size_t length = strcspn(*at, "*/ ^()");
@@ -85,7 +99,7 @@ static dimension of_unit(const char *unit)
 {
     dimension product = number;
     while (unit != NULL && *unit != '\0') {
-        const dimension part = read_product(&unit);
+        const dimension part = read_product(&unit, 0);
         multiply(&product, &part, 1);
         if (*unit == ')') unit++; /* an unmatched parenthesis is ignored */
     }

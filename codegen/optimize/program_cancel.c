@@ -112,8 +112,9 @@ static fact expression_fact(ttc_field *field, ttc_id id)
     const ttc_graph *graph = field->graph;
     if (ttc_kind_of(graph, id) == TTC_NUMBER) return number_fact(ttc_coefficient(graph, id));
     if (ttc_kind_of(graph, id) != TTC_PRODUCT) {
-        bool is_symbol = ttc_kind_of(graph, id) == TTC_SYMBOL;
-        bool is_input = is_symbol && field->symbols[ttc_symbol_of(graph, id)].role <= TTC_ROLE_STATE;
+        const bool is_symbol = ttc_kind_of(graph, id) == TTC_SYMBOL;
+        const ttc_role role = is_symbol ? field->symbols[ttc_symbol_of(graph, id)].role : TTC_ROLE_UNIT;
+        const bool is_input = role == TTC_ROLE_PARAM || role == TTC_ROLE_STATE;
         return atom_fact(ttc_field_extent(field, id), id, is_input);
     }
     fact f = number_fact(ttc_coefficient(graph, id));

@@ -153,7 +153,7 @@ static void warn_of_units(ttc_parser *parser)
         const bool counts = entry->unit != NULL && (entry->kind == TTC_PARAM || entry->kind == TTC_STATE);
         for (const char *at = counts ? entry->unit : ""; *at != '\0';) {
             const size_t length = strcspn(at, "*/ ^()");
-            const bool is_name = *at >= 'A' && !(length == 3 && memcmp(at, "rad", length) == 0);
+            const bool is_name = length > 0 && *at >= 'A' && !(length == 3 && memcmp(at, "rad", length) == 0);
             if (is_name && !has_dimension(at, length))
                 ttc_report(parser->diagnostics, TTC_WARNING, entry->place.line, entry->place.column,
                            "'%.*s' in the unit of %s counts as a number (only kg, m and s have dimensions)", (int)length, at,

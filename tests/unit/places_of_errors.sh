@@ -41,6 +41,22 @@ for warned in "2:7: warning: 'kgg' in the unit of k counts" "3:7: warning: 'm1' 
     expect 0 "^units.tt:$warned" ttc check units.tt
 done
 grep -q 'warnings: 3$' out || fail "units: $(cat out err)"
+printf 'model units\nstate x [(m/s)^2]\neq x = -x\n' > units.tt
+expect 0 '' ttc check units.tt
+grep -q 'warnings: 0$' out || fail "units in parentheses: $(cat out err)"
+
+# pi is rounded, as 1/3 is: where it cancels, digits are lost.
+printf 'model near_pi\nstate x\nstate y\neq x = (x - pi)*y\neq y = -x\n' > near_pi.tt
+expect 0 '' ttc generate --unproved --out near near_pi.tt
+grep -q 'digits are lost where terms nearly cancel in x - pi' near/near_pi/general.c || fail "x - pi is said to keep its digits"
+
+# Units that are too deep, or whose exponents are too large, have no dimension; no kernel then may be scaled with them.
+printf 'model units\nparam k > 0 [1/s]\nstate x [%s]\neq x = -k*x\n' "$(printf '(%.0s' {1..200000})m" > units.tt
+expect 0 '' ttc generate --unproved --out folder units.tt
+printf 'model units\nparam k > 0 [1/s]\nstate x [(((m^64)^64)^64)^16]\nstate y\neq x = k*y\neq y = -k*x\n' > units.tt
+expect 0 '' ttc generate --unproved --out folder units.tt
+! grep -rq 'scales = 1' folder || fail "units of exponents that wrap count as numbers"
+rm -r folder
 
 # A table of coordinates alone; beside its model's it is passed over.
 printf 'model points\nparam E\nstate q\ndomain inside : E > 0\nroot r = sqrt(2*E)\nlift into moves.tt with q = q, x = 0, u = r\n' \
