@@ -1,8 +1,8 @@
 /** How an orbit decays onto an equilibrium, judged by the field's Jacobian at the orbit's current point.
  *
- *  The remaining displacement y solves J y = x' in the decaying subspace: x(infinity) = x - y up to second order. States that rest
- *  exactly and that no moving state pushes (as those across a plane in which the motion stays) are left out: an orbit on such an
- *  invariant plane decays or grows in it alone. */
+ *  The remaining displacement y solves J y = x' in the decaying subspace: x(infinity) = x - y up to second order. A state whose
+ *  rate is exactly 0 and depends on no moving state, such as a coordinate across an invariant plane, is left out: an orbit in that
+ *  plane is judged by its motion in the plane alone. */
 #ifndef JLT_INTEGRATE_APPROACH_H
 #define JLT_INTEGRATE_APPROACH_H
 

@@ -1,7 +1,7 @@
 /* Collocation at the eight Gauss nodes (E. Hairer, C. Lubich, G. Wanner, Geometric Numerical Integration, II.1.3 and
  * VIII.6): order 16 at the ends, symmetric, and exact on quadratic integrals. The implicit equations are solved by sweeps over
- * all nodes, x <- x0 + h A f(x), which a vector processor does for the price of one evaluation; the first guess is the
- * last step's polynomial, continued, and the field there is asked for at the end of that step already, so that it is evaluated
+ * all nodes, x <- x0 + h A f(x), which a vector processor does for the price of one evaluation. The first guess is the last step's
+ * polynomial, continued. The field at the guess is evaluated already at the end of the last step, so that the processor does it
  * while events are looked for.
  * Errors of steps are estimated in gauss_error.h and gauss_between.h.
  *
@@ -291,8 +291,8 @@ static jlt_status step(jlt_stepper *stepper, double limit)
     return JLT_OK;
 }
 
-/* The inverse of the field's Lipschitz constant, estimated in an arbitrary direction. Beside an unstable equilibrium a first step
- * much longer than that may seem to be solved, where the growing part of the start is so small that no sweep detects it. */
+/* The inverse of the field's Lipschitz constant, estimated in an arbitrary direction. Near an unstable equilibrium a first step
+ * much longer than that may seem to be solved, since the growing part of the start is so small that no sweep detects it. */
 static double time_of_change(gauss *self, jlt_stepper *stepper)
 {
     static const double small = 1e-7;
