@@ -97,7 +97,8 @@ static jlt_status iterate(const jlt_chart_level *self, double *x, double least)
     return now <= met ? JLT_OK : JLT_ERR_EMPTY;
 }
 
-/* The same in sizes of terms, which scale with units, or else also where these vanish. */
+/* The same, with sizes of the integrals' terms, which scale with units; where that fails, with sizes that are not 0 where all terms
+ * vanish. */
 static jlt_status solve(const jlt_chart_level *self, double *x)
 {
     return iterate(self, x, 0) == JLT_OK ? JLT_OK : iterate(self, x, rounding);

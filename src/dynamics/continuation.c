@@ -72,9 +72,9 @@ static bool is_noise(const place *from, const place *to, unsigned k)
 }
 
 /* Whether the branch goes straight across the point where another one crosses it. Where the two only come near each other, both
- * turn away, and steps go from one to the other: as x*y = e does, whose chord from x = -s to s has the slope of the tangents at its
- * ends, but of the other sign. So where steps cease to converge, the branch must turn by as little as the bracket is small, or
- * what lies straight between be orbits up to noise, as where branches cross at a small angle. */
+ * turn away, and steps go from one to the other: as on x*y = e, where the chord from x = -s to s has the slope of the tangents at
+ * its ends, but of the other sign. So where steps cease to converge, either the branch turns by as little as the bracket is small,
+ * or what lies straight between consists of orbits up to noise, as where branches cross at a small angle. */
 static bool crosses(const runner *self, const place *from, const place *to)
 {
     JLT_FREED bracket *b = malloc(sizeof *b);

@@ -6,10 +6,10 @@
 enum {
     N = JLT_CHART_STATES_MAX,
     SOON = 4,    /* steps after they became shorter: before a jump they grow again until one is rejected, or leads across */
-    HALVINGS = 4 /* of a step: what is smooth, and was integrated as such, is smooth within a sixteenth of it */
+    HALVINGS = 4 /* of a step: a rate that is smooth, and was integrated as smooth, shows it within a sixteenth of the step */
 };
 
-/* Of what is smooth over a step, the rate's change is that of its tangent: the Jacobian times the field. */
+/* A rate that is smooth over a step changes by at most so many times what its tangent, the Jacobian times the field, predicts. */
 static const double more = 16;
 /* Part of the field and of the terms of its rates below which a change is rounding, or too small a jump to matter. */
 static const double noise = 1e-8;

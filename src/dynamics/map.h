@@ -52,7 +52,7 @@ jlt_section_least jlt_map_least(const jlt_map *self);
 
 /** P^count(q), shape (dim,), count >= 1 returns forwards (time_direction +1) or backwards (-1), with its derivative. Every
  *  return starts from the chart's point, exactly on the levels.
- *  Where tangent vectors grow far beyond what is left of them the return is followed twice (passage.h).
+ *  A return on which tangent vectors grow far above their size at its end is followed twice (passage.h).
  *  The variational equations are neither projected (flow.kept) nor ended by conditions of the model (flow.end_where_invalid).
  *  Errors: ARG, count is 0; EMPTY, no state of the section has these coordinates; DOMAIN, q is no start, or the orbit ended: at
  *  a pole, at rest, or at the edge of its table's domain; BUDGET, a return took more than flow.max_steps or flow.t_max; NONFINITE,

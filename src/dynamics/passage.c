@@ -24,8 +24,8 @@ static void fit(double *size, const double *counted, unsigned n)
     for (unsigned i = 0; i < n; i++) size[i] = fmax(size[i] * factor, finest * counted[i]);
 }
 
-/* States that nothing drives but such states, as a clock and what only it drives, are of no kind: balancing leaves their sizes as
- * they are, whatever others count. */
+/* A state that no other state drives, or only such states do, as a clock and what only it drives, has no kind: balancing leaves its
+ * size as it is, however others count. */
 static void cap(double *size, const double *counted, const double *jacobian, unsigned n)
 {
     bool alone[N] = { false };

@@ -115,9 +115,9 @@ static bool may_move(double by, double length, double error, unsigned d)
     return pow(2 * length + error, 1 - 1.0 / d) * pow(error, 1.0 / d) >= by;
 }
 
-/* Replace the multipliers that the error of DP changes by more than a thousandth, as those of two do where its determinant is off
- * by that: a single one follows from the determinant, which the divergence gives; several become NaN, and with all the trace, and
- * the type, unless they are all small, or cannot come to the unit circle. */
+/* Replace the multipliers that the error of DP may change by more than a thousandth. A single one follows from the determinant,
+ * which the divergence gives. Several become NaN; if all do, so does the trace, and the type is DEGENERATE unless all multipliers
+ * are small, or none can come to the unit circle. */
 static void leave_known(jlt_periodic *orbit, double length, double error, unsigned d)
 {
     double rest = orbit->determinant;

@@ -40,8 +40,8 @@ typedef struct jlt_surface {
 JLT_CHECKED jlt_status jlt_surface_find(jlt_surface *out, const jlt_claim **broken, const jlt_descriptor *asked,
                                         const jlt_way_tables *others, const char *name);
 
-/** What else of the asked table has the name of a level, which neither the section's record nor reductions show to be it; NULL if
- *  nothing has, or the name is no level. */
+/** Another quantity of the asked table that has the name of a level, where neither the section's record nor reductions show the two
+ *  to be the same; NULL if there is none, or the name is no level. */
 const char *jlt_surface_taken(const jlt_surface *surface, const char *level);
 
 /** The index of a value; surface->count where there is none of this name. */
