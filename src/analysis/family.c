@@ -87,8 +87,8 @@ const jlt_equilibria *jlt_family_refuted(const jlt_descriptor *d)
     return NULL;
 }
 
-/* How ill the states that were given go with a family: by how many of them it fixes, and worst, where it fixes one at
- * another value than point, shape (state_count,), has. */
+/* How badly the given states fit a family: the number of them that it fixes; n + 1, the worst, where it fixes one at another value
+ * than point, shape (state_count,), has. */
 static unsigned misfit(const jlt_equilibria *family, const jlt_descriptor *d, const double *point, const double *x,
                        const unsigned char *given)
 {

@@ -13,8 +13,9 @@
 enum { JLT_LINEARIZATION_SIZE_MAX = JLT_DEFLATION_SIZE_MAX };
 
 /* x counts as an equilibrium if one lies within `reach` of it: this tolerance times |x_j|, or times the distance of x_j from the
- * ends of its interval, whichever is less. Rounding of the states is always allowed for, up to a thousandth of that distance.
- * But no farther than slopes of the field are what they are at x, to a third, or change by rounding beside those far from x. */
+ * ends of its interval, whichever is less. Rounding of the states is always allowed for, up to a thousandth of that distance. But
+ * the reach ends where slopes of the field differ from those at x by more than a third, or more than 128 roundings of the slopes at
+ * x_j (1 +- 1/8). */
 #define JLT_LINEARIZATION_TOLERANCE 1e-12
 
 /* Stability of the linearized motion. */

@@ -35,8 +35,7 @@ void jlt_course_conditions_stop(jlt_course_conditions *self, double t);
 bool jlt_course_conditions_by(double noted, double t);
 
 /** Find, within the last step of a leg, where a condition that holds at its start breaks first; updates least, lost_at and lost.
- *  Cost: for each condition 13 values with methods that have an interpolant of their own; with others two values and their slopes,
- *  and more where the condition comes near zero; where it is broken and falls, 150 values. */
+ *  Cost: for each condition two values and those of jlt_loss_first (integrate/loss.h); where it is broken and falls, 150 values. */
 void jlt_course_conditions_look_within(jlt_course_conditions *self, const jlt_leg *leg);
 
 #endif

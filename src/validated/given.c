@@ -65,7 +65,7 @@ bool jlt_given_read_params(arb_ptr params, const json_t *given, const jlt_descri
     return true;
 }
 
-/* Those that are intervals are free. */
+/* Read the parameters; those that are intervals become free. */
 static bool read_params(jlt_given *self, const json_t *given, slong bits, char *problem)
 {
     const jlt_descriptor *d = self->question.descriptor;

@@ -4,8 +4,8 @@
  *  pole, and that r = 0 is invariant there, so that motions reach the pole only as tau tends to infinity. To show that they do,
  *  the box is carried to an instant tau from which it settles on equilibria with r = 0 (settle.h). These lie at an end of the
  *  state's interval: roots are positive wherever the table is defined, and all other conditions of its domain are shown to hold
- *  there, as on the way. So until then motions keep off the ends, where r = 0, and other lifted roots stay positive. The table's
- *  time t is one of the states, and has a finite limit. */
+ *  there, as on the way. So until then motions stay away from the ends, where r = 0, and other lifted roots stay positive. The
+ *  table's time t is one of the states, and has a finite limit. */
 #ifndef JLT_VALIDATED_POLE_H
 #define JLT_VALIDATED_POLE_H
 
@@ -25,7 +25,7 @@ typedef enum {
     JLT_POLE_PROVED,
     JLT_POLE_OPEN,    /* not shown to settle from the instant on */
     JLT_POLE_OUTSIDE, /* the box is not shown to lie in the table's domain */
-    JLT_POLE_LEAVES,  /* nor, on the way to the instant, are the motions */
+    JLT_POLE_LEAVES,  /* the motions are not shown to stay in it on the way to the instant */
     JLT_POLE_EITHER   /* the motions settle, but are not shown to do so at one particular end of this state's interval */
 } jlt_pole_verdict;
 

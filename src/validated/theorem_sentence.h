@@ -13,7 +13,7 @@
 typedef struct {
     const jlt_descriptor *descriptor;
     const json_t *given, *shown;
-    const char *where; /* conditions hold */
+    const char *where; /* in words, where the model's conditions hold */
 } jlt_theorem_subject;
 
 /** A function that writes one sentence; it may write none. */
