@@ -11,7 +11,7 @@
 
 typedef struct {
     size_t returns;        /* counted of each orbit, at most, after those left out */
-    size_t alive_forward, alive_backward; /* orbits that had not ended after options->returns: the same in every row */
+    size_t alive_forward, alive_backward; /* orbits alive after options->settle + options->returns: the same in every row */
     size_t strayed;        /* orbits that left the branch of a chart that solves for states, and were followed no further: the same
                               in every row */
     size_t forward, backward, common;     /* cells visited: forwards, backwards, and both ways */

@@ -54,7 +54,7 @@ typedef struct {
 typedef struct {
     const jlt_kernel_batch *kernels; /* of the instruction set that the map's kernels have */
     unsigned count;                  /* 1 .. JLT_BATCH_CONDITIONS_MAX */
-    bool until_lost;                 /* an orbit is watched only until a value is <= 0: the values recorded there are final */
+    bool until_lost;                 /* steps are watched only until a value is <= 0; rows count values at their points as well */
     bool seeks_least;                /* look within a step also where a value may only be less than the least so far */
     bool ends;                       /* an orbit on which a value is <= 0 or NaN ends as doubted: another method finds where */
 } jlt_batch_watch;

@@ -34,7 +34,7 @@ typedef struct {
     unsigned steps, slow_steps;
 } jlt_rest_watch;
 
-/** Call after an accepted step. Returns true if the orbit has been slow for more than 64 steps and jlt_rest_ends holds, or if it
+/** Call after an accepted step. Returns true if the orbit has been slow for 64 steps and jlt_rest_ends holds, or if it
  *  decays and is nearer to its equilibrium than jlt_locate_noise (a method at its stability limit may never become slow), tested
  *  every 1024 steps. limit as below. Cost: at most a Jacobian and its eigenvalues every 1024 steps until the orbit is slow. */
 bool jlt_rest_watch_step(jlt_rest_watch *self, const jlt_stepper *stepper, double *limit);
