@@ -185,7 +185,7 @@ static jlt_status report(const runner *self, const place *before, const place *f
     for (unsigned k = 0; k < JLT_CONTINUATION_TESTS; k++) {
         if (isnan(from->test[k]) || isnan(to->test[k])) continue;
         if (k != DOUBLING_TEST && is_noise(from, to, k)) continue;
-        /* beside a torus they are a pair at least where both are inside the circle */
+        /* near a torus bifurcation they are a pair at least where both are inside the circle */
         if (k == TORUS_TEST && !rotates(from) && !rotates(to)) continue;
         if (k == FOLD_TEST && turns_at_branch_point(self, from, to)) continue;
         if (changes(from, to, k)) {

@@ -20,7 +20,7 @@
 #include "dynamics/periodic.h"
 
 /** The maps of a family: map_at gives the map for a parameter value; it stays valid until the next call. map_near does the same for
- *  a value beside the last one of map_at, closer than 1e-5 of the option `scale`; NULL: map_at serves. */
+ *  a value that differs from the last one of map_at by less than 1e-5 of the option `scale`; NULL: map_at serves. */
 typedef struct {
     jlt_status (*map_at)(void *context, jlt_map **map, double value);
     void *context;

@@ -4,7 +4,7 @@
 
 #include "integrate/locate.h"
 
-static const double told = 0x1p-20; /* part of a condition by which it falls within a step, beyond errors of what is within */
+static const double told = 0x1p-20; /* part of a condition by which it must fall within a step: errors within it are less */
 
 void jlt_section_conditions_turn(jlt_section_conditions *self)
 {

@@ -32,7 +32,7 @@ typedef struct {
 
 /** Search for the orbits of up to period_max returns. kernels: of the flow's field, for samples in lanes (NULL: they go one at a
  *  time), on `threads` threads. Two zeros of h_j between neighbouring samples are not seen: samples are added where an h_j changes
- *  by more than a quarter from one to the next, where orbits begin or cease to return j times, and beside the least of |h_j| if a
+ *  by more than a quarter from one to the next, where orbits begin or cease to return j times, and next to the least |h_j| if a
  *  parabola through it may reach zero. Each orbit is refined by jlt_periodic_find and starts at its point nearest to the fixed set.
  *  Samples without a state are skipped.
  *  Errors: UNSUPPORTED, the chart is not reversible, or does not mirror exactly one coordinate other than `free`; ARG, samples,

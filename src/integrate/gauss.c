@@ -251,7 +251,7 @@ static jlt_status step(jlt_stepper *stepper, double limit)
                     .rounding = rounding, .left = jlt_larger(left_by_sweeps * stepper->tolerance, rounding)
                 };
                 if (!falls) stepper->evaluations += jlt_gauss_error_see_tail(&seen, &made, self->sizes, stepper->tolerance);
-                /* where a step that is too long would have led tells nothing of a shorter one */
+                /* where the step is too long anyway, an end that is not finite says nothing of a shorter one */
                 if (seen.local <= 0) stepper->evaluations += jlt_gauss_error_see_ends(&seen, &made);
                 else defect = 0;
                 if (seen.local <= 0) {
