@@ -137,10 +137,10 @@ static double polynomial_area(joint *of, double divided[CORNERS][2], const doubl
     return apart;
 }
 
-/* Set the area of the piece from joint k to the next by interpolation. Returns false, and sets the gap alone, if the piece is to be
- * halved. It is not if the polynomials through more and through fewer corners agree to `enough`, and the first has the piece's ends;
- * or if the gap between them was at most `tolerance`, the least error of points, before the last halving, which reduced it by less
- * than a factor of 8, where 2^6 is the rule; or if the piece is no wider than `unseen`. */
+/* Set the area of the piece from joint k to the next by interpolation. Returns false, and sets the gap alone, if the piece is to
+ * be halved. It is not if the polynomials through more and through fewer corners agree to `enough`, and the first has the piece's
+ * ends; or if the gap between them was at most `tolerance`, the least error of points, before the last halving, which reduced it
+ * by less than a factor of 8, where 2^6 is the rule; or if the piece is no wider than `unseen`. */
 static bool interpolate(joint *list, size_t joint_count, size_t k, const jlt_chart *chart, double tolerance, double unseen)
 {
     const double from = list[k].sigma, width = list[k + 1].sigma - from;
