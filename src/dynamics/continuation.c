@@ -232,8 +232,8 @@ static double trace_of(const place *at, unsigned d)
 }
 
 /* Whether the trace at `next` differs from that on the line through the two places before it, or without `before` from that at
- * `here`, by no more than half of the trace, or of 2: multipliers that turn farther may have been on the unit circle at 1 or -1 on
- * the way. */
+ * `here`, by at most half of the trace, or by 1 if that is more. Between places where it changes more, multipliers may have been at
+ * 1 or -1, and come back. */
 static bool resolves(const place *before, const place *here, const place *next, unsigned d)
 {
     const double was = trace_of(here, d), is = trace_of(next, d);

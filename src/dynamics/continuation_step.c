@@ -340,8 +340,8 @@ static void other_direction(double *direction, const jlt_continuation_equation *
     direction[0] /= length, direction[1] /= length, direction[2] /= length;
 }
 
-/* The unit vector along which a point of the other branch is told from the branch at hand, whose unit tangent is given: the part of
- * the direction across that tangent. */
+/* The unit vector along which points of the other branch lie off the branch at hand, whose unit tangent is given: the part of the
+ * direction across that tangent. */
 static void across(double *normal, const double *direction, const double *tangent)
 {
     const double along = jlt_along(direction, tangent, 3);

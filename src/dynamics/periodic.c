@@ -18,8 +18,8 @@ static const double open_points = 1e-9;
 static const double settled = 1e-8;        /* largest step left to Newton's method, relative to what the orbit runs through, */
 static const double closed = 1e-6;         /* and largest distance by which a point is missed, relative to the same */
 static const double standstill = 1e-6;     /* orbits that move less, relative to the state, only touch the section */
-/* An orbit lies in the section as far as can be told if no more than this part of its velocity crosses it: at the edge of a level,
- * where a state varies as the square root of coordinates, a residual of 1e-10 in these leaves an error of 1e-5. */
+/* An orbit counts as lying in the section if at most this part of its velocity crosses it: at the edge of a level, where a state
+ * varies as the square root of coordinates, a residual of 1e-10 in these leaves an error of 1e-5. */
 static const double in_section = 2e-5;
 
 const char *jlt_periodic_type_name(jlt_orbit_type type)

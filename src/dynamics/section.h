@@ -35,7 +35,7 @@ typedef enum {
     JLT_FATE_POLE_PLUS,    /* ended at the pole of side +1, see chart.h */
     JLT_FATE_POLE_MINUS,   /* ended at that of side -1 */
     JLT_FATE_INVALID,      /* ended where a condition of the model breaks */
-    JLT_FATE_EQUILIBRIUM,  /* has come to rest (integrate/rest.h): crossings would drown in errors; x is the limit */
+    JLT_FATE_EQUILIBRIUM,  /* has come to rest (integrate/rest.h): crossings would be errors alone; x is the limit */
     JLT_FATE_LEFT_DOMAIN,  /* came to the edge of its table's domain, which that table does not call a pole */
     JLT_FATE_BUDGET,       /* max_steps or t_max was spent without a return or an end; or the orbit has settled on the section */
     /* The method failed; x is the last point it accepted. */

@@ -77,7 +77,7 @@ JLT_CHECKED jlt_status jlt_stepper_start(jlt_stepper *self, double t, const doub
                                          double first_step);
 
 /** The size below which state i counts as small, for distances from an end of its interval or from a level near 0: its scale; the
- *  orbit's size for a kept one; 1 for one that has none, being a root or not controlled. */
+ *  orbit's size for a kept one; 1 for a root or a state that is not controlled, which has no scale. */
 static inline double jlt_stepper_unit(const jlt_stepper *self, unsigned i)
 {
     if (self->scale[i] > JLT_STEPPER_SCALE_LEAST && self->scale[i] < INFINITY) return self->scale[i];

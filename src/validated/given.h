@@ -45,7 +45,7 @@ bool jlt_given_read_value(arb_t out, const json_t *value, slong bits);
 bool jlt_given_read_params(arb_ptr params, const json_t *given, const jlt_descriptor *descriptor, slong bits,
                            char problem[JLT_GIVEN_PROBLEM_MAX]);
 
-/** Read the question without coordinates and legs. watch, borrowed, is told of the steps of its proofs; may be NULL. In any case
+/** Read the question without coordinates and legs. watch, borrowed, may be NULL, is called after the steps of proofs. In any case
  *  the caller must call jlt_given_clear. Returns false if the JSON is not of this form, or outside what the table allows, and
  *  describes why in problem. */
 bool jlt_given_read(jlt_given *self, const json_t *given, const jlt_descriptor *descriptor, jlt_step_watch *watch,

@@ -18,7 +18,7 @@ typedef struct {
     arb_srcptr params;                /* (params,), numbers or intervals */
     arb_srcptr box;                   /* (states,), where the motions begin */
     unsigned digits;                  /* decimals to compute with */
-    jlt_step_watch *watch;            /* is told of the steps of the proof; NULL: nobody */
+    jlt_step_watch *watch;            /* is called after the steps of the proof; NULL: nobody */
 } jlt_pole_question;
 
 typedef enum {
