@@ -61,7 +61,7 @@ jlt_section_least jlt_map_least(const jlt_map *self);
 JLT_CHECKED jlt_status jlt_map_apply(jlt_map *self, jlt_image *out, const double *q, size_t count, int time_direction);
 
 /** P^count(q) without the derivative, five times cheaper, as a jlt_section follows the orbit: fills q, T and x; slope, determinant,
- *  flux_determinant, expansion, defect and bound are NaN. Errors: as jlt_map_apply, but that a return on another branch is none;
+ *  flux_determinant, expansion, defect and bound are NaN. Errors: as jlt_map_apply, but a return on another branch is not one;
  *  DOMAIN also where a condition of the model breaks and flow.end_where_invalid is set. */
 JLT_CHECKED jlt_status jlt_map_point(jlt_map *self, jlt_image *out, const double *q, size_t count, int time_direction);
 

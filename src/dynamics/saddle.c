@@ -53,8 +53,8 @@ void jlt_saddle_note(jlt_saddle_watch *self, const jlt_flow *flow, const double 
     if (is_at_saddle(move, slope, made->flux_determinant, flow, near_of(flow, self->reach))) self->at = number;
 }
 
-/* Once the orbit has gone from where it moved least, compute DP there. A map that contracts volume there most likely does so
- * elsewhere: few passages are examined after that. */
+/* Once the orbit has gone from where it moved least, compute DP there. A map that contracts volume there most likely contracts it
+ * elsewhere too: few passages are examined after that. */
 static jlt_status judge(jlt_saddle_search *self, jlt_map **map, const jlt_flow *flow, int time_direction)
 {
     jlt_status st = *map != NULL ? JLT_OK : jlt_map_create(map, flow);

@@ -275,7 +275,7 @@ static void end_at_pole(jlt_section *self, jlt_return *row, const jlt_outcome *o
     if (chart->side != NULL) row->fate = jlt_section_fate_at_pole(chart->side(chart, row->x));
 }
 
-/* Make *row the end that the outcome reports, which is no crossing of the section. */
+/* Make *row the end that the outcome reports, other than a crossing of the section. */
 static void end_by(jlt_section *self, jlt_return *row, const jlt_outcome *outcome)
 {
     const double t = jlt_epoch_time(&self->began, outcome->t);

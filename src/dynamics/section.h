@@ -83,8 +83,8 @@ typedef struct {
 
 typedef struct jlt_section jlt_section;
 
-/** Create a section; *flow is copied. Call jlt_section_start before jlt_section_next. Errors: ARG, chart and field do not fit, or a
- *  direction or t_max that is none;
+/** Create a section; *flow is copied. Call jlt_section_start before jlt_section_next. Errors: ARG, chart and field do not fit, or
+ *  direction or t_max are not valid;
  *  UNSUPPORTED, end_where_invalid with more conditions than events fit (JLT_ORBIT_EVENTS_MAX); as jlt_orbit_create; NOMEM. */
 JLT_CHECKED jlt_status jlt_section_create(jlt_section **out, const jlt_flow *flow);
 void jlt_section_destroy(jlt_section *self); /* NULL is legal */

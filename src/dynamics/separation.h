@@ -16,7 +16,7 @@ typedef struct {
                               in every row */
     size_t forward, backward, common;     /* cells visited: forwards, backwards, and both ways */
     double overlap;        /* common/(forward + backward - common); 1: the same set, 0: apart; NaN: no cell was visited */
-    double mirror_overlap; /* the same of the forward set's mirror image and the backward set: tends to 1 with length */
+    double mirror_overlap; /* that of the forward set's mirror image and the backward set: tends to 1 with `returns` */
 } jlt_separation;
 
 typedef struct {

@@ -41,10 +41,10 @@ JLT_CHECKED jlt_status jlt_surface_find(jlt_surface *out, const jlt_claim **brok
                                         const jlt_way_tables *others, const char *name);
 
 /** Another quantity of the asked table that has the name of a level, where neither the section's record nor reductions show the two
- *  to be the same; NULL if there is none, or the name is no level. */
+ *  to be the same; NULL if there is none, or the name is not that of a level. */
 const char *jlt_surface_taken(const jlt_surface *surface, const char *level);
 
-/** The index of a value; surface->count where there is none of this name. */
+/** The index of a value; surface->count where none has this name. */
 unsigned jlt_surface_value(const jlt_surface *surface, const char *name);
 
 /** Arrange values, shape (count,), as the section's kernels take them. Out: out, shape (JLT_CHART_VALUES_MAX,), the table's

@@ -40,7 +40,7 @@ const jlt_descriptor *jlt_system_regular(const jlt_descriptor *descriptor);
 JLT_CHECKED jlt_status jlt_system_plane(jlt_system **out, const jlt_descriptor *descriptor, const double *params,
                                         unsigned column, double level, const int *signs, const jlt_flow *options);
 
-/** Declare states of a plane section to be angles: periods, shape (states,), 0 for a state that is none. Call it before
+/** Declare states of a plane section to be angles: periods, shape (states,), 0 for the others. Call it before
  *  jlt_system_levels. Errors: DOMAIN, a period that the table does not prove, of a state that has an interval, or one that field,
  *  domain and conditions do not have at one of five test points; *state is then the index of that state. */
 JLT_CHECKED jlt_status jlt_system_angles(jlt_system *self, const double *periods, unsigned *state);

@@ -58,7 +58,7 @@ static bool rest_at_zero(const rates *self, const jlt_state_set *set, double sid
     return !(size(self, f, set) * 0x1p40 > 4 * near);
 }
 
-/* Whether they do so wherever the others are. */
+/* Whether rest_at_zero holds whatever the other states are, and some rate is not 0 near there. */
 static bool vanish_together(const rates *self, const jlt_state_set *set)
 {
     double low = -INFINITY, high = INFINITY;

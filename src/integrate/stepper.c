@@ -27,7 +27,7 @@ static void set_scales(jlt_stepper *self)
     self->size = jlt_field_size_at(field, self->x);
     for (unsigned i = 0; i < self->stride; i++) self->scale[i] = 1;
     for (unsigned i = 0; i < field->dim; i++) {
-        const bool stays = jlt_field_keeps(field, i) && self->x[i] == 0; /* if not, it is none that the field keeps */
+        const bool stays = jlt_field_keeps(field, i) && self->x[i] == 0; /* a kept state that starts at 0 stays 0 */
         const double small = stays ? self->size : jlt_field_small(field, i, self->size);
         const double moved = 100 * shortest_step(self) * fabs(self->f[i]);
         self->scale[i] = i >= controlled ? INFINITY : small > 0 ? fmax(small, fmin(1, moved)) : JLT_STEPPER_SCALE_LEAST;
