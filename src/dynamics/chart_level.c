@@ -214,7 +214,7 @@ static bool follows(const jlt_chart *base, const double *x)
     lower(base, q, NULL, x);
     if (lift(base, lifted, NULL, q) != JLT_OK) return false;
     memcpy(own, lifted, base->states * sizeof *x);
-    /* Where an integral grows with an angle, a turn leads to another level, unless one of a solved state makes up for it. */
+    /* Where an integral grows with an angle, a turn leads to another level, unless a turn of a solved state takes that back. */
     for (unsigned i = 0; i < unknowns(base); i++) {
         const unsigned state = base->solved[i];
         own[state] = self->turns[i] == 0 ? x[state] : lifted[state] + remainder(x[state] - lifted[state], self->turns[i]);

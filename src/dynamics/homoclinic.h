@@ -4,7 +4,7 @@
 
 #include "dynamics/branch_area.h"
 
-/* Where none of so many candidates in a row along the unstable branch is a crossing, those behind them are not refined. */
+/* If none of this many candidates in a row along the unstable branch is a crossing, the later ones are not refined. */
 #define JLT_HOMOCLINIC_ROW 64
 
 typedef struct {

@@ -6,7 +6,7 @@
 #include "dynamics/varied.h"
 #include "integrate/stepper.h"
 
-/** What is known of the orbit's steps so far. Zeroed at first. */
+/** What detection keeps of the orbit's earlier steps. Zeroed at first. */
 typedef struct {
     size_t rejected; /* of the stepper, as it was at the last step */
     double length;   /* of that step; 0: there is none */

@@ -47,7 +47,7 @@ const jlt_flow *jlt_map_flow(const jlt_map *self);
 /** Watch the conditions of the model, of all returns that jlt_map_apply makes from now on; NULL, as at first: none. */
 void jlt_map_watch(jlt_map *self, const jlt_observed *observed);
 
-/* What they were least since then. */
+/* The least values of these conditions since jlt_map_watch. */
 jlt_section_least jlt_map_least(const jlt_map *self);
 
 /** P^count(q), shape (dim,), count >= 1 returns forwards (time_direction +1) or backwards (-1), with its derivative. Every

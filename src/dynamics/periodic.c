@@ -29,9 +29,9 @@ const char *jlt_periodic_type_name(jlt_orbit_type type)
     return (unsigned)type < sizeof names / sizeof *names ? names[type] : "unknown";
 }
 
-/* Where DP stretches a lot, whether the step that is left, and the residual, are small in the orbit's own sizes. A residual as
- * large as the errors of the map allow says nothing there, least of all in sizes of a start whose motion ran far off, or along a
- * coordinate much smaller than 1; and the step leaves out what counts as a family. */
+/* Where DP stretches a lot (`doubt` is not 0), whether the step that is left, and the residual, are small relative to the orbit:
+ * there a residual as large as the map's errors does not show an orbit, least of all relative to a start whose motion ran far off,
+ * or in a coordinate much smaller than 1; and the step is 0 in directions that count as those of a family. */
 static jlt_status check_step(jlt_map *map, const jlt_newton *newton)
 {
     const unsigned d = newton->chart->dim;

@@ -59,8 +59,8 @@ void jlt_surface_arrange(double *out, const jlt_surface *surface, const double *
 JLT_CHECKED jlt_status jlt_surface_system(jlt_system **out, const jlt_surface *surface, const double *values,
                                           const jlt_flow *options);
 
-/** The same for values so near those of another system of the surface, `near`, that the section lies and is crossed as there:
- *  neither is looked at again, and the flow counts in the same units. A tenth of the cost. Errors: as jlt_surface_system, but for
+/** jlt_surface_system for values so near those of another system of the surface, `near`, that the section's place and crossings are
+ *  taken to be the same: neither is examined, and the flow counts in the same units. A tenth of the cost. Errors: as there, but for
  *  EMPTY and ARG. */
 JLT_CHECKED jlt_status jlt_surface_system_near(jlt_system **out, const jlt_system *near, const double *values,
                                                const jlt_flow *options);

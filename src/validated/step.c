@@ -226,7 +226,7 @@ static void over(const jlt_step *self, arb_t value, unsigned output, const arb_t
                   self->accuracy.bits);
 }
 
-/* The same by the mean value theorem, P(m) + P'(span)(span - m) + remainder with m the midpoint of span, which is sharper over
+/* As `over`, by the mean value theorem: P(m) + P'(span)(span - m) + remainder with m the midpoint of span. This is sharper over
  * short parts, above all near a minimum of the output. */
 static void over_by_slope(const jlt_step *self, arb_t value, unsigned output, const arb_t span)
 {
