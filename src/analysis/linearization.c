@@ -74,7 +74,7 @@ static jlt_status measure_gradients(jlt_linearization *r, const jlt_instance *in
     return JLT_OK;
 }
 
-/* Compare the field's sizes with what states within reach make of it: moved, shape (n,), the sum over j of |df_i/dx_j| reach. */
+/* Compare the field's sizes with its changes over the states' reach: moved, shape (n,), the sum over j of |df_i/dx_j| reach_j. */
 static void compare(jlt_linearization *r, const double *sizes, const double *moved)
 {
     r->residual = r->residual_ratio = 0.0;

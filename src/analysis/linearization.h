@@ -85,8 +85,8 @@ JLT_CHECKED jlt_status jlt_linearization_place(jlt_linearization *result, const 
 /** Compute the whole report in doubles.
  *  Out: *result; on failure only what jlt_linearization_residual fills is meaningful, and only for EMPTY.
  *  In:  descriptor, the general field of a model; params, shape (param_count,); x, shape (state_count,); exact, shape
- *       (n + n n,), what sizes of the field and of the Jacobian are at least at exact inputs, by which x is an equilibrium or
- *       none, or NULL: those in doubles; jacobian_error, shape (n, n), bound on the absolute error of the Jacobian's entries with
+ *       (n + n n,), lower bounds of sizes of the field and the Jacobian at exact inputs, to judge whether x is an equilibrium,
+ *       or NULL: those in doubles; jacobian_error, shape (n, n), bound on the absolute error of the Jacobian's entries with
  *       respect to exact inputs, or NULL: four units roundoff; gradient_error, shape (integrals, n), the same for the gradients,
  *       or NULL: eight.
  *  Errors: EMPTY (no equilibrium: residual_ratio > JLT_LINEARIZATION_TOLERANCE), DOMAIN, NONFINITE (overflow or an underflow that

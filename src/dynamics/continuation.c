@@ -73,8 +73,8 @@ static bool is_noise(const place *from, const place *to, unsigned k)
 
 /* Whether the branch goes straight across the point where another one crosses it. Where the two only come near each other, both
  * turn away, and steps go from one to the other: as on x*y = e, where the chord from x = -s to s has the slope of the tangents at
- * its ends, but of the other sign. So where steps cease to converge, either the branch turns by as little as the bracket is small,
- * or what lies straight between consists of orbits up to noise, as where branches cross at a small angle. */
+ * its ends, but of the other sign. So where steps cease to converge, the branch must turn as little as the bracket is short, or
+ * the points straight between its ends must be orbits up to noise, as where branches cross at a small angle. */
 static bool crosses(const runner *self, const place *from, const place *to)
 {
     JLT_FREED bracket *b = malloc(sizeof *b);
@@ -109,10 +109,10 @@ static bool visit(const runner *self, place *within, double *value, const place 
     return true;
 }
 
-/* Whether test k, of one sign at both ends of a step, has the other in between, at a place that becomes *within: where the parabola
- * through its values has its extremum. The first goes also through `before`, the place before the step, and may be off by half a
- * step, and by a fiftieth of the values; later ones go through places beside the extremum found, as far off as such a parabola
- * takes to rise by four times the value there. */
+/* Whether test k, of one sign at both ends of a step, has the other one within, at a place that becomes *within: the extremum of
+ * the parabola through three values. The first parabola uses `before`, the place before the step, and may err by half a step, and
+ * by a fiftieth of the values; later ones use the extremum found and places on both sides of it, where the parabola has risen by
+ * four times the value there. */
 static bool changes_twice(const runner *self, place *within, const place *before, const place *from, const place *to, unsigned k)
 {
     const double side = from->test[k] > 0 ? 1 : -1, end = to->arc - from->arc;

@@ -39,7 +39,7 @@ static bool is_unexplained(const end *from, const end *to, unsigned n, unsigned 
     return fabs(to->both[i] - from->both[i]) > more * explained + noise * terms;
 }
 
-/* Whether rate i jumps within a step on which it is unexplained: it is so in one half, too, in a half of that, and so on. */
+/* Whether rate i jumps within a step that does not explain its change: nor does one half of the step, a half of that, and so on. */
 static bool jumps(const end ends[2], const jlt_varied *varied, unsigned i, double h)
 {
     const unsigned n = varied->plain->dim;

@@ -11,7 +11,7 @@ static const double far = 1e-3; /* a move of a return, of reach, by far more tha
 
 static double tolerance_of(const jlt_flow *flow) { return flow->tolerance != 0 ? flow->tolerance : JLT_ORBIT_TOLERANCE; }
 
-/* Errors by which an orbit leaves a separatrix are about the tolerance, and it then passes at the root of that. */
+/* An orbit that errors of about the tolerance move off a separatrix passes the saddle at the square root of the tolerance. */
 static double near_of(const jlt_flow *flow, double reach) { return sqrt(tolerance_of(flow)) * fmax(reach, 1); }
 
 /* Whether a return begins at a saddle, nearer than `near`. move: of the return; slope: DP; both in units of the coordinates' sizes.

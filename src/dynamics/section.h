@@ -103,7 +103,7 @@ JLT_CHECKED jlt_status jlt_section_start_state(jlt_section *self, jlt_return *ro
 JLT_CHECKED jlt_status jlt_section_next(jlt_section *self, jlt_return *row);
 
 /** Tell the section that another integrator has found the next return: at time t since the start, at x, shape (states,), both
- *  in the units of chart and field. *row becomes what jlt_section_next would have made of it, except that `least` takes
+ *  in the units of chart and field. *row becomes as jlt_section_next would have set it, except that `least` takes
  *  conditions at this point alone into account; jlt_section_next goes on from here. Not to be called after an end. */
 void jlt_section_accept(jlt_section *self, jlt_return *row, double t, const double *x);
 

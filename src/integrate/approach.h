@@ -22,8 +22,8 @@ bool jlt_approach_is_known(const jlt_approach *self, const jlt_stepper *stepper)
 
 /** Whether an equilibrium lies within `distance` of x, shape (dim,), relative to max(|x_i|, size): J y = x' has such a solution y,
  *  up to rounding and terms of second order. An orbit without one goes farther, however slowly. A field with more than
- *  JLT_JACOBIAN_DIM_MAX states is taken to have one where no rate is above distance times size; one whose eigenvalues are not
- *  found, to have one; one whose Jacobian is not finite, as far out, to have none. Cost: as below. */
+ *  JLT_JACOBIAN_DIM_MAX states is taken to have one where no rate is above distance times size; there is one where eigenvalues are
+ *  not found, and none where the Jacobian is not finite, as far out. Cost: as jlt_approach_judge. */
 bool jlt_approach_is_near(const jlt_field *field, const double *x, double size, double distance);
 
 /** Judge the stepper's current point. Cost: a Jacobian and its eigenvalues. A field with more than JLT_JACOBIAN_DIM_MAX states is

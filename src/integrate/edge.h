@@ -33,7 +33,7 @@ typedef struct {
     bool is_condition;
     unsigned index; /* of the condition, or of the state */
     bool is_upper;  /* of the interval's ends */
-    bool is_lost;   /* nothing is left of the state, which keeps its sign: its end is 0 */
+    bool is_lost;   /* the state keeps its sign and is lost, as above: its end is 0 */
 } jlt_edge_part;
 
 /** Find the end that the stepper's point is beyond, or comes to first if it goes straight on. Returns false if it comes to none.

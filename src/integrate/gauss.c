@@ -179,8 +179,8 @@ static double moved_by(gauss *self, jlt_stepper *stepper, double part, bool of_s
 }
 
 /* Solve for the nodes of a step h, beginning with those in place. The field is evaluated before a sweep is judged, so that the two
- * overlap. *rate: by which a sweep contracts, 1 if not known; replaced where it is measured. insist: for a part of a step that was
- * solved, where sweeps are known to contract: if they seem not to, they do in pairs, or are down to rounding. */
+ * overlap. *rate: the factor by which a sweep contracts, 1 if not known; replaced where it is measured. insist: go on where sweeps
+ * do not contract, in a part of a step already solved: they do so in pairs there, or only rounding is left. */
 static bool solve(gauss *self, jlt_stepper *stepper, const jlt_gauss_nodes *nodes, double h, double *rate, bool insist)
 {
     const double enough = left_by_sweeps * stepper->tolerance;

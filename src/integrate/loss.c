@@ -144,8 +144,8 @@ static bool stands_still(const jlt_stepper *stepper, const jlt_event *event, dou
     return rate[0] == 0 && rate[1] == 0;
 }
 
-/* What the polynomials through all values but the last, and all but the first, leave out: about as much as their last coefficient
- * in Chebyshev's polynomials, a divided difference. weight: shape (count - 1,). */
+/* The error of the polynomials through all values but the last, and all but the first: about their last coefficient in Chebyshev's
+ * polynomials, a divided difference. weight: shape (count - 1,). */
 static double left_out(const double *w, const double *weight, unsigned count)
 {
     double from_start = 0, from_end = 0;
