@@ -27,7 +27,7 @@ static double turns_between(const jlt_descriptor *d, unsigned i, double x, doubl
     return near(x, value) || !isfinite(turns) ? 0.0 : turns * period;
 }
 
-/* Whether a state has this value up to periods; not where its digits do not tell where in a period it is. */
+/* Whether a state has this value up to periods; false if x is so large that its rounding error is a notable part of a period. */
 static bool meets(const jlt_descriptor *d, unsigned i, double x, double value)
 {
     static const double part = 1e-6; /* of a period */

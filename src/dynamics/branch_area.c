@@ -270,9 +270,9 @@ static jlt_status find_ends(joint *list, size_t joint_count, const jlt_branch *b
 }
 
 /* Add the area of a part to its joint's; q, tangent: at the part's nodes. Returns true if the integrated tangents lead to the
- * part's end to the tolerance, or if halving has reduced the gap to the end by less than a factor of 8: it would by 2^11, so that
- * only errors of the points are left, as in a part no wider than `unseen`. Returns false if the part is to be halved; what is added
- * is then the area between its chord and those of its halves. */
+ * part's end to the tolerance; or if halving has reduced the gap to the end by less than a factor of 8, where 2^11 is the rule, so
+ * that only errors of the points are left; or if the part is no wider than `unseen`. Returns false if the part is to be halved: the
+ * area added is then that between its chord and those of its halves. */
 static bool integrate(joint *of, part *p, const double *q, const double *tangent, const jlt_chart *chart, double tolerance,
                       double unseen)
 {

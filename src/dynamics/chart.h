@@ -84,8 +84,8 @@ enum { JLT_CHART_EVENTS_MAX = 3 };
  *  them are further levels that no event watches. */
 unsigned jlt_chart_events(const jlt_chart *self, jlt_event *events, jlt_direction direction);
 
-/** Whether a crossing that one of these events caught is one of the section in this direction. If not, turn the state back by
- *  jlt_chart_turn_back and follow the orbit on from there. */
+/** Whether a crossing that one of these events caught is a crossing of the section in this direction. If not, turn the state back
+ *  by jlt_chart_turn_back and follow the orbit on from there. */
 bool jlt_chart_counts(const jlt_chart *self, const jlt_crossing *crossing, jlt_direction direction);
 
 /** Bring the section's state to within half a turn of its level, in place, and onto the level where only rounding keeps it off; a

@@ -97,7 +97,7 @@ static jlt_status iterate(const jlt_chart_level *self, double *x, double least)
     return now <= met ? JLT_OK : JLT_ERR_EMPTY;
 }
 
-/* The same, with sizes of the integrals' terms, which scale with units; where that fails, with sizes that are not 0 where all terms
+/* iterate with sizes of the integrals' terms, which scale with units; if that fails, with sizes that are not 0 where all terms
  * vanish. */
 static jlt_status solve(const jlt_chart_level *self, double *x)
 {

@@ -11,7 +11,7 @@
 
 enum { JLT_CHART_INTEGRALS_MAX = 64 };
 
-/** One level: which of the table's integrals has which value, and which state it determines, from which guess. */
+/** One level: the value of one of the table's integrals, which determines a state, and a guess of that. */
 typedef struct {
     unsigned integral, state;
     double value, guess;

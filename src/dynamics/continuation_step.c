@@ -11,7 +11,7 @@
 enum { U = JLT_CONTINUATION_U, NEWTON = 12, HALVINGS = 12 };
 
 static const double same_point = 1e-7;
-static const double returns = 1e-8;   /* Largest residual of an orbit, relative to |DP| and to the way that it goes: is_orbit. */
+static const double returns = 1e-8;   /* Largest residual of an orbit, relative to |DP| and to the length of its way: is_orbit. */
 static const double steep = 1e6;      /* |DP| above which a residual that errors of the map may cause hides errors of the orbit, */
 static const double settled = 1e-8;   /* unless the last step was as small as this, scaled, and as errors of DP may make it */
 
@@ -90,7 +90,7 @@ static double border(double *matrix, const jlt_continuation_equation *at, const 
     return jlt_linear_determinant(matrix, d + 1);
 }
 
-/* Zero the columns of held coordinates: the least-squares solutions below then leave these as they are. */
+/* Zero the columns of held coordinates, so that the least-squares solutions below do not change these. */
 static void leave_out(const jlt_continuation_runner *self, double *matrix)
 {
     for (unsigned j = 0; j < self->d; j++)

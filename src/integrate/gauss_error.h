@@ -28,7 +28,7 @@ typedef struct {
 } jlt_gauss_error;
 
 /** sizes: shape (JLT_GAUSS_NODES,), binary logarithms of n_k/h. noise: the binary logarithm of the change of the slopes that errors
- *  in the states cause; coefficients that do not fall count as such errors where they are smaller. */
+ *  in the states cause; coefficients below this that do not fall count as such errors. */
 jlt_gauss_error jlt_gauss_error_of(const double *sizes, double h, double tolerance, double noise);
 
 /* A step as it was made. Arrays have shape (columns,) but for legendre, (columns, JLT_GAUSS_NODES), and work, (2, columns). */

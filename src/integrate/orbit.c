@@ -181,7 +181,7 @@ static jlt_status watch_events(jlt_orbit *self, const jlt_event *events, unsigne
         self->watch[e].side = (before > 0) - (before < 0);
     }
     JLT_PASS(locate_step(self));
-    for (unsigned i = 0; i < self->pending_count; i++) { /* refined, as the point handed out is, which may be one of them */
+    for (unsigned i = 0; i < self->pending_count; i++) { /* refined, as the crossing last returned, which may be among them */
         jlt_crossing crossing = self->pending[i];
         JLT_PASS(jlt_watch_refine(&self->watch[crossing.event], &crossing, self->at, self->slope, self->stepper));
         if (crossing.theta > self->cursor + same_point) self->pending[ahead++] = self->pending[i];

@@ -137,8 +137,8 @@ static void bound_variation(const jlt_step *self)
 }
 
 /* Set the step's `rest` to the derivative's remainder over a step of length h: W_K h^K times a bound of the derivative over the
- * step. It need only reach three quarters of the digits, since it multiplies sets that are already small. Returns log2 of its
- * largest entry over what that tolerates. */
+ * step. Three quarters of the digits are enough, since it multiplies sets that are already small. Returns log2 of its largest entry
+ * over the size that this tolerates. */
 static double vary_rest(void *context, const arf_t h)
 {
     jlt_step *self = context;
