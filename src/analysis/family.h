@@ -15,7 +15,7 @@ bool jlt_family_point(double *point, const jlt_equilibria *family, const jlt_des
  *  there is none. */
 const jlt_equilibria *jlt_family_of(const jlt_descriptor *general, const double *params, const double *x);
 
-/** Fill out, shape (state_count,), with x less the whole periods by which it is away from the family on which it lies. */
+/** Set out, shape (state_count,), to x less the whole periods by which x differs from the family on which it lies. */
 void jlt_family_turn_back(double *out, const jlt_equilibria *family, const jlt_descriptor *general, const double *params,
                           const double *x);
 

@@ -18,7 +18,7 @@ typedef struct {
     const double *params;
     const unsigned char *fixed; /* shape (states,) */
     double *x;
-    double size[SIZE]; /* in which states and their rates count, so that no state is small for its unit alone */
+    double size[SIZE]; /* units of states and their rates, so that no state is small because of its unit */
     jlt_linearization at; /* x */
 } search;
 

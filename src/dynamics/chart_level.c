@@ -44,8 +44,8 @@ static double look(const jlt_chart_level *self, double *off, double *sizes, doub
     return worst;
 }
 
-/* The matrix of gradients by the unknowns where levels count in their sizes, and each unknown so that its largest effect, which is
- * left in `effect`, (count,), is 1: units of neither make the matrix look singular. */
+/* The matrix of gradients by the unknowns, its rows relative to the sizes of the levels' terms, and its columns divided by their
+ * largest entries, effect, shape (count,), so that units do not make it look singular. */
 static void scale_matrix(double *matrix, double *effect, const double *by_solved, const double *sizes, unsigned count)
 {
     for (unsigned j = 0; j < count; j++) effect[j] = 0;

@@ -16,7 +16,7 @@ typedef jlt_continuation_bracket bracket;
 static const double turn_across = 0.15; /* most radians by which the tangent turns in each half of a step across a branch point */
 static const double same_place = 1e-6;
 /* Error of a test function, from the map's tolerance, amplified: det DP is 1 up to this where the map preserves areas, and that of
- * the bordered matrix 0 where orbits come in families; so is the tangent's component where a family has one value. */
+ * the bordered matrix is 0 where orbits form families; so is the tangent's last component where a family has one value. */
 static const double noise = 1e-9;
 
 const char *jlt_continuation_bifurcation_name(jlt_bifurcation kind)

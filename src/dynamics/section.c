@@ -30,7 +30,7 @@ struct jlt_section {
     jlt_settling settling;
     bool settled; /* the orbit has settled on the section */
     double limit[JLT_CHART_STATES_MAX]; /* when rests: the equilibrium */
-    bool accepted;   /* restart the integrator at x: it has not been there, or its state differs by turns */
+    bool accepted;   /* restart the integrator at x: it is elsewhere, or differs from x by turns */
     jlt_section_conditions watched; /* the model's conditions since the start */
 };
 

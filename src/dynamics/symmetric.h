@@ -24,8 +24,8 @@ typedef struct {
 typedef struct {
     /* Called for every orbit found; a status other than JLT_OK ends the search with it. */
     jlt_status (*found)(void *context, const jlt_periodic *orbit);
-    /* Called now and then, by the caller's thread: `done` of `all` are done of `what`, first "samples", to which those that are
-     * added count, then "zeros" of the h_j. NULL: not called. */
+    /* Called now and then, by the caller's thread: `done` of `all` are done; what: first "samples", among them those that are
+     * added, then "zeros" of the h_j. NULL: not called. */
     void (*progress)(void *context, const char *what, size_t done, size_t all);
     void *context;
 } jlt_symmetric_sink;

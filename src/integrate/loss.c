@@ -78,8 +78,8 @@ static double first_beyond(const jlt_stepper *stepper, const jlt_event *event, i
     return INFINITY;
 }
 
-/* Where a function itself changes sign near a zero of its polynomial: at a zero of higher order that zero is less accurate, and the
- * function may have others near it. INFINITY: nowhere. */
+/* The place where the function itself changes sign near a zero of its polynomial, which is less accurate at a zero of higher order,
+ * where the function may also have other zeros; INFINITY: there is none. */
 static double sharpened(const jlt_stepper *stepper, const jlt_event *event, int side, double theta)
 {
     for (double about = 0x1p-40; about < 0.1; about *= 16) {

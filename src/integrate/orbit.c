@@ -305,8 +305,8 @@ static double longest_step(const jlt_orbit *self)
 }
 
 /* Whether `steps` more steps may take the orbit to t_end; or, where t_last is known, max_steps to that. They may not if the motion
- * is stiff and they would not go even a fourth of the way, supposing that the physical time which PACE steps cover grows on by the
- * factor by which it grew last. */
+ * is stiff and they would not go even a fourth of the way, supposing that the physical time of PACE steps grows by the same factor
+ * each time as it did last. */
 static bool may_arrive(jlt_orbit *self, double t_end, size_t steps)
 {
     const size_t total = self->stepper->steps + self->stepper->rejected;

@@ -96,8 +96,8 @@ static void shrink(const rates *self, jlt_state_set *set)
     }
 }
 
-/* Find by which states of `all` each of them is driven: by j if its rate is not 0 where j is the only one that is not. Then add
- * what drives those. drivers: shape (dim,). */
+/* Find the drivers of each state of `all`: itself; each j such that its rate is not 0 where j alone is not 0; and the drivers of
+ * these. drivers: shape (dim,). */
 static void find_drivers(const rates *self, jlt_state_set *drivers, const jlt_state_set *all)
 {
     const unsigned dim = self->field->dim;
@@ -119,7 +119,7 @@ static void find_drivers(const rates *self, jlt_state_set *drivers, const jlt_st
             if (jlt_state_set_has(&drivers[i], via)) jlt_state_set_join(&drivers[i], &drivers[via]);
 }
 
-/* Make a group of the set if it vanishes together, and none of its states is in one. */
+/* Make the set a group if its states vanish together, and none of them is in a group. */
 static void add_group(const rates *self, jlt_state_groups *groups, const jlt_state_set *set)
 {
     for (unsigned i = 0; i < self->field->dim; i++)

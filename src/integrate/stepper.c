@@ -218,8 +218,9 @@ static jlt_status step_back(jlt_stepper *self)
     return self->method->start(self);
 }
 
-/* Replace a step that led out of the domain at theta by one that ends before that, and within the tolerance of the domain's end if
- * the longer step's polynomial was good enough. Returns DOMAIN, at the step's start, if that is so near that none can be made. */
+/* Replace a step that led out of the domain at theta by one that ends before that place, and within the tolerance of the domain's
+ * end if the longer step's polynomial was accurate enough. Returns DOMAIN, at the step's start, if that is so near the end that no
+ * step can be made. */
 static jlt_status approach_edge(jlt_stepper *self, double theta)
 {
     for (int attempt = 0; attempt < ATTEMPTS_MAX && self->approaches < APPROACHES_MAX; attempt++) {

@@ -26,7 +26,7 @@
 typedef enum {
     JLT_CERTIFICATE_GOOD,
     JLT_CERTIFICATE_REFUSED, /* the certificate does not prove what it says */
-    JLT_CERTIFICATE_MALFORMED, /* this is no certificate, its table is not available, or its kind does not serve what is given */
+    JLT_CERTIFICATE_MALFORMED, /* not a certificate, or one without its table, or of a kind that does not fit `given` */
     JLT_CERTIFICATE_FAILED   /* the proof could not be carried out */
 } jlt_certificate_verdict;
 

@@ -33,8 +33,8 @@ typedef struct {
 
 enum { JLT_GIVEN_DIGITS_MAX = 1000 };
 
-/** The general field, in its own time, of the table that is named: `own`, if it has this name, else a built-in one. Returns NULL
- *  if that has another digest, or there is none, and describes that in problem. */
+/** The general field, in its own time, of the table that `given` names: of `own` if it has this name, else of a built-in table.
+ *  Returns NULL if there is no such table, or it has another digest, and describes that in problem. */
 const jlt_descriptor *jlt_given_table(const json_t *given, const jlt_descriptor *own, char problem[JLT_GIVEN_PROBLEM_MAX]);
 
 /** Read a NUMBER or a ball. Returns false if the value is neither. */
