@@ -1,7 +1,6 @@
 /** Continuation of a periodic orbit in one parameter or level, by pseudo-arclength, with its bifurcations.
  *
  *  Unknowns are u = (q, value/scale) in P^period(q; value) = q; the next point is sought at a fixed projection on the tangent
- *  Unknowns are u = (q, value/scale) in P^period(q; value) = q; the next point is sought at a fixed projection on the tangent
  *  (Keller), so that folds are passed. DP comes from the variational equations, dP/dvalue from central differences: it serves to
  *  predict the next point only, and every point found satisfies the equation to rounding. From one step to the next the tangent
  *  turns by at most 0.3 rad, so that no fold is jumped over, and branches of symmetric orbits stay symmetric. The trace of

@@ -1,5 +1,5 @@
 /** Finds where a section that tables describe has points, by trying the grid of jlt_chart_section_points: 4096 combinations of
- *  the coordinates that are no angles. */
+ *  the coordinates that are not angles. */
 #ifndef JLT_DYNAMICS_SECTION_POINTS_H
 #define JLT_DYNAMICS_SECTION_POINTS_H
 

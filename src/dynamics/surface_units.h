@@ -1,4 +1,4 @@
-/** Units in which motions are computed whose section is described by tables. */
+/** Units in which motions are computed on sections that tables describe. */
 #ifndef JLT_DYNAMICS_SURFACE_UNITS_H
 #define JLT_DYNAMICS_SURFACE_UNITS_H
 

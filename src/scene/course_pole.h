@@ -1,4 +1,4 @@
-/** What a course asks of states at poles. Used by course.c. */
+/** Questions of a course about states at poles. Used by course.c. */
 #ifndef JLT_SCENE_COURSE_POLE_H
 #define JLT_SCENE_COURSE_POLE_H
 

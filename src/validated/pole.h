@@ -1,6 +1,6 @@
 /** Proves that all motions from a box of states end at a pole: an end of a state's interval, which they reach in finite time.
  *
- *  The record `pole` of a table claims that in a time tau that lifts a root r, dt/dtau is r times what does not vanish at the
+ *  The record `pole` of a table claims that in a time tau that lifts a root r, dt/dtau is r times a factor other than 0 at the
  *  pole, and that r = 0 is invariant there, so that motions reach the pole only as tau tends to infinity. To show that they do,
  *  the box is carried to an instant tau from which it settles on equilibria with r = 0 (settle.h). These lie at an end of the
  *  state's interval: roots are positive wherever the table is defined, and all other conditions of its domain are shown to hold
