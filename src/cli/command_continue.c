@@ -14,7 +14,7 @@
 typedef struct {
     jlt_motion_options motion;
     const char *along;
-    size_t period, points, generations; /* generations: how many levels of branches to follow beside branch 0 */
+    size_t period, points, generations; /* generations: how many levels of branches to follow besides branch 0 */
     double step;
     int direction;
 } options;

@@ -37,7 +37,7 @@ typedef struct {
     const char *lost;         /* the condition that broke then; NULL: none */
     double unknown_at;        /* first time, up to t, at which a condition had no value and none was broken; NaN: never */
     const char *unknown;      /* that condition; NULL: none */
-    bool unwatched;           /* the motion beside quadratures could not be followed further */
+    bool unwatched;           /* the motion besides quadratures could not be followed further */
     const double *more;       /* shape (jlt_course_tells_more,): with question.more, what a larger table adds, such as attitude and
                                  track; NULL: nothing; the course's own */
     jlt_fate fate;            /* POLE: at which end of an interval; LEFT_DOMAIN: the asked model has no poles, as the tier's has */

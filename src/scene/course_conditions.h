@@ -27,7 +27,7 @@ void jlt_course_conditions_close(jlt_course_conditions *self); /* legal on zeros
  *  there but one has no value; *unknown is then its name. */
 bool jlt_course_conditions_note(jlt_course_conditions *self, const char **unknown, double t, const double *x);
 
-/** Watch no longer than to time t, beyond which the motion beside quadratures cannot be followed: if all conditions hold up to
+/** Watch no longer than to time t, beyond which the motion besides quadratures cannot be followed: if all conditions hold up to
  *  there, it is not known whether they hold from there on. */
 void jlt_course_conditions_stop(jlt_course_conditions *self, double t);
 
