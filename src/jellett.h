@@ -2,7 +2,7 @@
  *
  *      #include <jellett.h>        // cc ... $(pkg-config --cflags --libs jellett)
  *
- *  In C every header may also be included by itself. C++ includes this one alone, for it says that the functions are C's. */
+ *  In C every header may also be included by itself. C++ includes this one alone: it declares the functions as extern "C". */
 #ifndef JLT_JELLETT_H
 #define JLT_JELLETT_H
 

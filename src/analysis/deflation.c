@@ -193,8 +193,8 @@ static jlt_status cross_check(jlt_deflation *result, const jlt_deflation_problem
     return JLT_OK;
 }
 
-/* Eigenvalues of A itself, those of its triangular part as they stand. If at least p->rank of them are exactly zero, remove that
- * many of these, and set p->rank to 0: nothing is deflated. *found tells whether there are so many. */
+/* Eigenvalues of A itself; those of its triangular part are its diagonal. If at least p->rank of these are exactly zero, remove
+ * that many, and set p->rank to 0: nothing is deflated. *found tells whether there are so many. */
 static jlt_status solve_whole(double *re, double *im, double *errors, bool *found, jlt_deflation_problem *p,
                               jlt_deflation_choice *c)
 {

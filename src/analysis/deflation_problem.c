@@ -10,9 +10,9 @@ enum { SIZE = JLT_DEFLATION_SIZE_MAX };
 
 static const double roundoff = DBL_EPSILON / 2;
 
-/* At a relative equilibrium gradients are dependent, and elimination leaves of some only rounding errors. This tells them apart:
- * an exact left null vector r satisfies r A = 0, while a row of rounding errors does not. r, `row` times the columns' scales,
- * passes if r A is at most a thousandth of the size of its terms in every column. */
+/* Whether a row is not just rounding errors, the rest of some gradients after elimination at a relative equilibrium, where these
+ * depend on each other: an exact left null vector r satisfies r A = 0, unlike a row of rounding errors. r, `row` times the columns'
+ * scales, passes if r A is at most a thousandth of the size of its terms in every column. */
 static bool annihilates(const double *row, const double *columns, const jlt_deflation_problem *p)
 {
     const size_t n = p->n;

@@ -13,21 +13,21 @@ static bool near(double a, double b)
     return fabs(a - b) <= JLT_LINEARIZATION_TOLERANCE * fmax(fabs(a), fabs(b));
 }
 
-/* The period of a state, 0 where it has none that is proved. */
+/* The proved period of a state; 0: none is proved. */
 static double period_of(const jlt_descriptor *d, unsigned i)
 {
     const jlt_claim *claim = d->states[i].period > 0 ? jlt_descriptor_claim(d, "periodic", d->states[i].name) : NULL;
     return claim != NULL && claim->verdict == JLT_PROVED ? d->states[i].period : 0.0;
 }
 
-/* What a state differs by from the value next to it that is `value` or differs from it by periods. */
+/* The multiple of the state's period that is next to x - value; 0 if x is near `value`. */
 static double turns_between(const jlt_descriptor *d, unsigned i, double x, double value)
 {
     const double period = period_of(d, i), turns = period > 0 ? round((x - value) / period) : 0;
     return near(x, value) || !isfinite(turns) ? 0.0 : turns * period;
 }
 
-/* Whether a state has this value up to periods; not where its digits do not tell where in a period it is. */
+/* Whether a state has this value up to periods; false if x is so large that its rounding error is a notable part of a period. */
 static bool meets(const jlt_descriptor *d, unsigned i, double x, double value)
 {
     static const double part = 1e-6; /* of a period */
@@ -87,8 +87,8 @@ const jlt_equilibria *jlt_family_refuted(const jlt_descriptor *d)
     return NULL;
 }
 
-/* How ill the states that were given go with a family: by how many of them it fixes, and worst, where it fixes one at
- * another value than point, shape (state_count,), has. */
+/* How badly the given states fit a family with this point, shape (state_count,): the number of given states that it fixes; n + 1,
+ * the worst, if one of them differs from the point's. */
 static unsigned misfit(const jlt_equilibria *family, const jlt_descriptor *d, const double *point, const double *x,
                        const unsigned char *given)
 {

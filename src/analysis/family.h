@@ -15,16 +15,16 @@ bool jlt_family_point(double *point, const jlt_equilibria *family, const jlt_des
  *  there is none. */
 const jlt_equilibria *jlt_family_of(const jlt_descriptor *general, const double *params, const double *x);
 
-/** Fill out, shape (state_count,), with x less the whole periods by which it is away from the family on which it lies. */
+/** Set out, shape (state_count,), to x less the whole periods by which x differs from the family on which it lies. */
 void jlt_family_turn_back(double *out, const jlt_equilibria *family, const jlt_descriptor *general, const double *params,
                           const double *x);
 
 /** The first family of which the table's claim is refuted; NULL if there is none. */
 const jlt_equilibria *jlt_family_refuted(const jlt_descriptor *general);
 
-/** Fill the states that were not given from the family to which those that were belong; of several, from the first of those that
- *  fix the fewest of them, so that a sweep stays on a family; if they belong to none, from the first whose condition the parameters
- *  satisfy; with zero if there is none. No refuted family is taken.
+/** Fill the states that were not given from a family of equilibria: one that the given states fit; of several, the first of those
+ *  that fix the fewest of these, so that a sweep stays on a family; if they fit none, the first whose condition the parameters
+ *  satisfy. If there is none, fill them with zeros. No refuted family is taken.
  *  In/out: x, shape (state_count,). In: given, shape (state_count,), 1 where x is kept; general, a general field. */
 void jlt_family_complete(double *x, const unsigned char *given, const jlt_descriptor *general, const double *params);
 

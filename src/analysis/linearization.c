@@ -74,7 +74,7 @@ static jlt_status measure_gradients(jlt_linearization *r, const jlt_instance *in
     return JLT_OK;
 }
 
-/* Compare the field's sizes with what states within reach make of it: moved, shape (n,), the sum over j of |df_i/dx_j| reach. */
+/* Compare the field's sizes with its changes over the states' reach: moved, shape (n,), the sum over j of |df_i/dx_j| reach_j. */
 static void compare(jlt_linearization *r, const double *sizes, const double *moved)
 {
     r->residual = r->residual_ratio = 0.0;
@@ -99,8 +99,8 @@ static jlt_status slopes_beside(double *slopes, const jlt_linearization *r, cons
     return st == JLT_ERR_DOMAIN || st == JLT_ERR_NONFINITE ? JLT_OK : st;
 }
 
-/* How much the slopes by x_j may change within a reach, shape (n,): by a third, or, as near a multiple root, by rounding beside the
- * slopes far from x. */
+/* How much the slopes by x_j may change within a reach, shape (n,): by a third, or, as near a multiple root, by 128 roundings of
+ * those at x_j (1 +- 1/8) if that is more. */
 static jlt_status bends_allowed(double *bends, const jlt_linearization *r, const jlt_instance *instance, const double *x, size_t j)
 {
     double slopes[SIZE];
@@ -114,8 +114,8 @@ static jlt_status bends_allowed(double *bends, const jlt_linearization *r, const
     return JLT_OK;
 }
 
-/* Slopes at x tell of states within reach only as far as they stay what they are: sin x is not linear over a reach of 10. Count
- * each slope as far as it does, by steps of a factor 8 up to the whole reach. sizes: as measure_residual takes them. */
+/* The slopes at x hold for states within reach only as far as they hardly change: sin x is not linear over a reach of 10. Shorten
+ * each slope's reach, by factors of 8, to where bends_allowed holds. sizes: as measure_residual takes them. */
 static jlt_status keep_straight(jlt_linearization *r, const jlt_instance *instance, const double *x, const double *sizes)
 {
     enum { LEVELS = 5 };

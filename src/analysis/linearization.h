@@ -13,8 +13,9 @@
 enum { JLT_LINEARIZATION_SIZE_MAX = JLT_DEFLATION_SIZE_MAX };
 
 /* x counts as an equilibrium if one lies within `reach` of it: this tolerance times |x_j|, or times the distance of x_j from the
- * ends of its interval, whichever is less. Rounding of the states is always allowed for, up to a thousandth of that distance.
- * But no farther than slopes of the field are what they are at x, to a third, or change by rounding beside those far from x. */
+ * ends of its interval, whichever is less. Rounding of the states is always allowed for, up to a thousandth of that distance. But
+ * the reach ends where slopes of the field differ from those at x by more than a third, or more than 128 roundings of the slopes at
+ * x_j (1 +- 1/8). */
 #define JLT_LINEARIZATION_TOLERANCE 1e-12
 
 /* Stability of the linearized motion. */
@@ -84,8 +85,8 @@ JLT_CHECKED jlt_status jlt_linearization_place(jlt_linearization *result, const 
 /** Compute the whole report in doubles.
  *  Out: *result; on failure only what jlt_linearization_residual fills is meaningful, and only for EMPTY.
  *  In:  descriptor, the general field of a model; params, shape (param_count,); x, shape (state_count,); exact, shape
- *       (n + n n,), what sizes of the field and of the Jacobian are at least at exact inputs, by which x is an equilibrium or
- *       none, or NULL: those in doubles; jacobian_error, shape (n, n), bound on the absolute error of the Jacobian's entries with
+ *       (n + n n,), lower bounds of sizes of the field and the Jacobian at exact inputs, to judge whether x is an equilibrium,
+ *       or NULL: those in doubles; jacobian_error, shape (n, n), bound on the absolute error of the Jacobian's entries with
  *       respect to exact inputs, or NULL: four units roundoff; gradient_error, shape (integrals, n), the same for the gradients,
  *       or NULL: eight.
  *  Errors: EMPTY (no equilibrium: residual_ratio > JLT_LINEARIZATION_TOLERANCE), DOMAIN, NONFINITE (overflow or an underflow that

@@ -18,7 +18,7 @@ typedef struct {
     const double *params;
     const unsigned char *fixed; /* shape (states,) */
     double *x;
-    double size[SIZE]; /* in which states and their rates count, so that no state is small for its unit alone */
+    double size[SIZE]; /* units of states and their rates, so that no state is small because of its unit */
     jlt_linearization at; /* x */
 } search;
 
@@ -101,8 +101,9 @@ static jlt_status advance(search *s, bool *settled, double cutoff)
 
 static bool is_found(const search *s) { return s->at.residual_ratio <= JLT_LINEARIZATION_TOLERANCE; }
 
-/* Newton steps until they settle: across families of equilibria first, along which rates are rounding; then, if there is none
- * yet, by rates down to 1e-14 of the fastest, of stiff motions. */
+/* Newton steps until they settle: first without directions along which the field changes by 1e-10 of its fastest change or less,
+ * since these lie along a family of equilibria and are rounding; then, if none is found yet, also with those down to 1e-14, for
+ * stiff motions. */
 static jlt_status iterate(search *s)
 {
     static const double cutoffs[] = { 1e-10, 1e-14 };

@@ -184,7 +184,7 @@ static bool rate_vanishes(const jlt_measure_attempt *a, const jlt_instance *inst
     return least_rate(instance, a->along, y, nearest - cell, nearest + cell) <= 1e-12 * most;
 }
 
-/* Whether q is constant along the motion: with a density, every function of q times it is one. */
+/* Whether q is constant along the motion: the product of an invariant density and any function of q is then one too. */
 static bool rests(const jlt_measure_attempt *a, const jlt_instance *instance, const double *x)
 {
     double y[STATES_MAX];

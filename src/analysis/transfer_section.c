@@ -63,7 +63,8 @@ const char *jlt_transfer_section_density(const jlt_transfer_section *self)
 
 const jlt_failures *jlt_transfer_section_failures(const jlt_transfer_section *self) { return &self->failures; }
 
-/* The state x at q and the field f there, in the flow's units. Returns false if q has none, or the flow crosses the other way. */
+/* The state x at q and the field f there, in the flow's units. Returns false if q has no state, or the flow there crosses the
+ * section the other way. */
 static bool at(const jlt_transfer_section *self, double *x, double *f, const double *q)
 {
     const jlt_flow *flow = &self->system->flow;

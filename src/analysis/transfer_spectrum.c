@@ -175,7 +175,7 @@ static void release(answer *self)
     free(self->vectors);
 }
 
-/* The start vector is near the uniform mass, but random, so as to be in no subspace that a symmetry of the map leaves invariant. */
+/* The start vector is near the uniform mass, but random: it lies in no subspace that a symmetry of the map leaves invariant. */
 static jlt_status find(answer *out, problem *p, size_t wanted, double tolerance, uint64_t seed, double *start)
 {
     const size_t n = p->transfer->count, space = 2 * wanted + SPACE < n ? 2 * wanted + SPACE : n;

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-/* What multiplying products out costs, and cosines of sums of up to eight angles, which are sums of products. */
+/* The factor of rounding errors where products, or cosines of sums of up to eight angles, are multiplied out. */
 static const double expanded = 16.0;
 
 jlt_verify_check *jlt_check_named(jlt_verify_family *f, const char *name, const char *bound)

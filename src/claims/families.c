@@ -46,7 +46,7 @@ static jlt_status compare_matrix(jlt_verify_family *f, const jlt_sample *s, cons
 }
 
 /* Column j of the Jacobian is Im f(x + i h e_j) / h. Nothing is subtracted, so h may be as small as 2^-300 |x_j|: parameters range
- * over 1e-8 to 1e8, so that f may vary over lengths far below 2^-50 |x_j|, and h^2 must not show beside their squares. */
+ * over 1e-8 to 1e8, so that f may vary over lengths far below 2^-50 |x_j|, relative to whose squares h^2 must be negligible. */
 static void compare_complex_step(jlt_verify_family *f, const jlt_sample *s, const jlt_descriptor *d, const double *jacobian)
 {
     jlt_verify_check *check = jlt_check_named(f, "generated Jacobian against complex-step differentiation", complex_error);

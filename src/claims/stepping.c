@@ -71,7 +71,7 @@ static void compare_lanes(jlt_verify_family *f, const char *name, const double *
     jlt_check_enclosures(f, name, &worst, exact, 1);
 }
 
-/* The trace as a sum of rounded entries, of which terms may cancel that are left out where it is simplified. */
+/* The trace as a sum of rounded entries: terms may cancel in it that a simplified trace does not have. */
 static ttc_enclosure trace_in_sum(const jlt_sample *s, size_t n)
 {
     ttc_enclosure trace = s->trace;

@@ -93,7 +93,7 @@ typedef struct {
     const jlt_certify_search *search;
     const jlt_chart *chart;
     jlt_map *whole, *half; /* the return map of the section's direction; the map to the next crossing in either direction */
-    unsigned flipped;      /* the state that the reversor flips, beside the section's */
+    unsigned flipped;      /* the state that the reversor flips, besides the section's */
     double direction[2], growth; /* unstable eigenvector of length 1, and its multiplier */
 } chase;
 

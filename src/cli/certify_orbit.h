@@ -28,7 +28,7 @@ typedef struct {
 } jlt_certify_search;
 
 /** Follow starts along the unstable direction, over a fundamental domain of the squared map, until s, the state that the reversor
- *  flips beside the section's, has different signs at neighbouring starts, at the crossing (in either direction) after a return;
+ *  flips besides the section's, has different signs at neighbouring starts, at the crossing (in either direction) after a return;
  *  then bisect for s = 0. Orbits are numbered by returns, then by distance. Out: x, shape (*legs, states), the points of the
  *  section, and T, shape (*legs,), the times from each to the next, and from the last to s = 0; room for JLT_CERTIFY_RETURNS_MAX
  *  rows. Errors: as jlt_map_apply; NO_CONVERGENCE, there is no such orbit, or no saddle; UNSUPPORTED, the section does not have two

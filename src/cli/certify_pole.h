@@ -11,7 +11,7 @@ typedef struct {
     const char *start;             /* STATE=VALUE,..., all states */
     const jlt_assign_list *spread; /* radii of states and parameters; those without one are numbers */
     size_t digits;
-    jlt_step_watch *watch; /* is told of the steps of the proof */
+    jlt_step_watch *watch; /* is called after the steps of the proof */
 } jlt_certify_pole_options;
 
 /** Make `given` of validated/given_pole.h: exact values as typed, the pole at which the motions end, and an instant from which they

@@ -14,7 +14,7 @@
 typedef struct {
     jlt_motion_options motion;
     const char *along;
-    size_t period, points, generations; /* generations: how many levels of branches to follow beside branch 0 */
+    size_t period, points, generations; /* generations: how many levels of branches to follow besides branch 0 */
     double step;
     int direction;
 } options;
@@ -89,7 +89,7 @@ static const struct argp parser = {
     children, NULL, NULL,
 };
 
-/* Where points of branches are written to, and what is known of those written. */
+/* Where points of branches are written, and what later ones need of those already written. */
 typedef struct {
     FILE *file, *points;  /* the table; the picture's data, NULL: there is no picture */
     const jlt_chart *chart;

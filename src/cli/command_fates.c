@@ -217,7 +217,7 @@ static void write_shares(void *context, const jlt_fates_crowd_place *place)
 }
 
 /* Follow the starts at each point of these axes (count,); orbits of several points share a batch. Where there is no state, or the
- * model has no meaning, there are no starts; the first point of the latter kind is told of. */
+ * model has no meaning, there are no starts; the first point of the latter kind is reported. */
 static jlt_exit follow_points(jlt_fates_crowd *crowd, jlt_motion_family *family, const jlt_grid_axis *axes, size_t count,
                               share_rows *rows)
 {

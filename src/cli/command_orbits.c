@@ -194,7 +194,7 @@ static bool find_attracting(jlt_periodic *out, jlt_map *map, const options *o, c
 }
 
 /* Find an orbit by Newton's method from q, of all returns that are asked for: near q, or attracting. Where there is none, find one
- * of fewer, near q unless the attracting one has more: beside a strongly unstable orbit, those of q soon lead away from it. */
+ * of fewer, near q unless the attracting one has more: near a strongly unstable orbit, those of q soon lead away from it. */
 static jlt_status find_orbit(jlt_periodic *out, jlt_map *map, const options *o, const double *q, const unsigned char *held)
 {
     const size_t period = o->period_max;

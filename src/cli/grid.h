@@ -54,8 +54,8 @@ void jlt_grid_point(double *values, const jlt_grid_axis *axes, size_t count, siz
 size_t jlt_grid_place(char *text, const jlt_grid_axis *axes, size_t count, size_t index);
 void jlt_grid_fields(char *text, const jlt_grid_axis *axes, size_t count, size_t index);
 
-/** The option that gives those of the axes their values at such a point which are parameters of the model, or which are none:
- *  "--set=k=0.1" for the option "--set"; "": there are none of them. For the caller to free(); NULL: memory is out. */
+/** The option that sets the values of axes at such a point, "--set=k=0.1" for the option "--set": of the axes that are parameters
+ *  of the model if `params`, else of the others; "" if there are none. For the caller to free(); NULL: memory is out. */
 char *jlt_grid_assignments(const char *option, const jlt_grid_axis *axes, size_t count, size_t index, const jlt_descriptor *model,
                            bool params);
 

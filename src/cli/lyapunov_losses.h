@@ -9,7 +9,8 @@
 /* UNKNOWN: a condition has had no value, and none is known to have broken. */
 enum { JLT_LYAPUNOV_HELD = -1, JLT_LYAPUNOV_NO_ORBIT = -2, JLT_LYAPUNOV_UNKNOWN = -3 };
 
-/** What it is called that the conditions were least `least`, NaN without a value, this one by its index. */
+/** How an orbit is recorded whose conditions had the least value `least`, that of the condition with this index; NaN: one had no
+ *  value. Returns this index if `least` is <= 0, else HELD or UNKNOWN. */
 int jlt_lyapunov_loss(double least, unsigned condition);
 
 /** Follow the orbits from q, shape (count, dim), for `returns` returns, orbit i under systems[system_of[i]], shape (count,), NULL:

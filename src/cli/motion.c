@@ -357,7 +357,7 @@ jlt_exit jlt_motion_scale(jlt_system *system, const double *q, const jlt_grid_ax
         jlt_motion_grid_point(starts + i * dim, axes, system, (2 * i + 1) * all / (2 * count));
     for (unsigned k = 0; axes != NULL && k < dim; k++) extents[k] = axes[k].count > 1 ? (axes[k].high - axes[k].low) / 2 : 0;
     st = axes != NULL ? jlt_scale_find(system, starts, count, extents) : jlt_scale_find(system, q, 1, NULL);
-    /* beside an unstable equilibrium all moves are small, but an angle counts in radians */
+    /* near an unstable equilibrium all moves are small, but an angle counts in radians */
     if (st == JLT_OK && axes == NULL) st = jlt_scale_for_tangents(system, q);
     return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, system, "the map");
 }

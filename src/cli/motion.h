@@ -112,8 +112,8 @@ void jlt_motion_typed(const char *grid, const char *option);
  *  counts are 1. */
 jlt_exit jlt_motion_axes(jlt_grid_axis *axes, const jlt_system *system, const char *text, const char *option);
 
-/** The same for cells that cover the axes, with low < high: the whole interval if its ends are not typed. Refuses a part of a grid,
- *  an axis without width, and an angle whose range is longer than its period. */
+/** jlt_motion_axes for cells that cover the axes, with low < high: the whole interval if its ends are not typed. Refuses a part of
+ *  a grid, an axis without width, and an angle whose range is longer than its period. */
 jlt_exit jlt_motion_cells(jlt_grid_axis *axes, const jlt_system *system, const char *text, const char *option);
 
 /** Point number `index` of the grid (the first coordinate runs fastest, unlike jlt_grid_point); the number of points. If only a

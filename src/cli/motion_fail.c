@@ -1,4 +1,4 @@
-/* What users are told where an orbit, a return or a search fails. */
+/* Messages where an orbit, a return or a search fails. */
 #include "cli/motion.h"
 
 #include <math.h>

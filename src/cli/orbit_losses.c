@@ -6,7 +6,7 @@
 #include "cli/section_table.h"
 #include "dynamics/section_loss.h"
 
-/* Types of orbits, and bifurcations, are told by multipliers to this distance from the unit circle. */
+/* Multipliers nearer to the unit circle than this are on it, for types of orbits and bifurcations. */
 static const double blurred = 1e-7;
 
 static void watch_defect(jlt_orbit_losses *self, double defect, double value)

@@ -7,15 +7,15 @@
 /** Plain data; zeroed, it has counted nothing. */
 typedef struct {
     size_t orbits, all, lost[JLT_OBSERVED_CONDITIONS_MAX]; /* orbits; those that lose a condition, and by condition */
-    size_t unknown;                                        /* those that lose none, but on which one has no value somewhere */
+    size_t unknown;                                        /* those on which none breaks, but one has no value somewhere */
     double first;                                          /* the value at the first of these */
-    double defect, blurred_at; /* the worst defect of det DP, if it is above what tells types of orbits; the value at the first */
+    double defect, blurred_at; /* worst defect of det DP, if too large to know types of orbits; the value at the first */
 } jlt_orbit_losses;
 
 /** Count an orbit of this flow; value: what varies; NaN: nothing does. Cost: the orbit, once more. */
 void jlt_orbit_losses_add(jlt_orbit_losses *self, const jlt_flow *flow, const jlt_periodic *orbit, double value);
 
-/** Say on stderr what is lost, if anything is. where: the beginning of the line; observed: that of the flows. */
+/** Say on stderr which conditions break, if any do. where: the beginning of the line; observed: that of the flows. */
 void jlt_orbit_losses_tell(const jlt_orbit_losses *self, const jlt_observed *observed, const char *where);
 
 #endif

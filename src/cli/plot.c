@@ -104,8 +104,8 @@ const char *jlt_plot_timed(const jlt_descriptor *model, const char *in_seconds, 
  * a title, labels and a key each, of the height LABELS. */
 enum { MARGIN = 6, LABELS = 9 };
 
-/* How many panels share the picture in the direction of an axis, for jlt_look_axis, which gives axes three fourths of a width and
- * 0.65 of a height. */
+/* The number of panels, not always whole, from which jlt_look_axis finds the length of an axis: three fourths of the width, or 0.65
+ * of the height, over this. */
 static double panels_along(const jlt_plot *self, char axis)
 {
     const double em = jlt_look_points(self->look) * 2.54 / 72, width = self->look->width / em, height = self->look->height / em;

@@ -13,8 +13,8 @@ jlt_exit jlt_program_begin(void);
  *  status, which may be JLT_EXIT_PLANNED. */
 jlt_exit jlt_program_call(const jlt_command *command, int argc, char **argv);
 
-/* The same for a command that the user typed: argv[0] is set meanwhile, and a plan counts as JLT_EXIT_DONE. Does not return if the
- * command was interrupted: the program then ends by the signal, after the command has saved its rows. */
+/* jlt_program_call for a command that the user typed: sets argv[0] meanwhile, and a plan counts as JLT_EXIT_DONE. Does not return
+ * if the command was interrupted: the program then ends by the signal, after the command has saved its rows. */
 jlt_exit jlt_program_run(const jlt_command *command, int argc, char **argv);
 
 /** The path of the file `name` in the folder of this program. Out: path, shape (size,). Returns false if the folder is not known,

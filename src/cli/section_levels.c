@@ -61,8 +61,8 @@ static double size_of(const jlt_flow *flow, const double *start)
     return jlt_field_size_at(flow->field, counted);
 }
 
-/* Whether integrals have values at this row that errors of ordinary returns explain: not at a pole, where many have none, nor where
- * steps were many or the method failed. */
+/* Whether integrals have values at this row, with the errors of ordinary returns: not at a pole, where many integrals have no
+ * value, nor where steps were many or the method failed. */
 static bool can_be_told(const jlt_return *at)
 {
     return at->fate == JLT_FATE_ALIVE || at->fate == JLT_FATE_INVALID || at->fate == JLT_FATE_LEFT_DOMAIN;

@@ -64,8 +64,8 @@ static void keep_worst(double *worst, double value)
     if (value > *worst || isnan(value)) *worst = value; /* and stays so */
 }
 
-/* Put what was found from the point before, image number `index`, into the row's columns. Returns false if an interrupt cut it
- * off. */
+/* Put DP and its defect, of image number `index`, into the columns of the row at which it arrives. Returns false if an interrupt
+ * cut it off. */
 static bool take_image(jlt_section_table *self, jlt_section_row *row, const jlt_map_images *images, size_t index)
 {
     const jlt_chart *chart = self->system->flow.chart;

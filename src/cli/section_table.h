@@ -15,7 +15,7 @@ typedef struct {
     jlt_map_batch *maps; /* computes DP for `check`; not owned */
     int time_direction;
     double worst_share, worst_defect; /* the largest ratio of a defect to its bound, the largest defect */
-    size_t checked, strayed, unchecked; /* returns with DP; without, from or to another branch, where there is none; without */
+    size_t checked, strayed, unchecked; /* returns with DP; from or to another branch, where no DP exists; failed ones */
     size_t dropped;                     /* rows left out, from the first return whose DP an interrupt cut off */
 } jlt_section_table;
 

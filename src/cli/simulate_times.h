@@ -1,5 +1,5 @@
 /** The times of rows of `jellett simulate`: those that --times lists, or multiples of a step, which are computed as they come, so
- *  that the first row waits for none of millions. */
+ *  that the first row does not wait for millions of others. */
 #ifndef JLT_CLI_SIMULATE_TIMES_H
 #define JLT_CLI_SIMULATE_TIMES_H
 

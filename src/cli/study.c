@@ -84,8 +84,8 @@ static jlt_exit check_options(const jlt_study *self)
     return JLT_EXIT_DONE;
 }
 
-/* Check that the command takes what runs, and that this has no value elsewhere: in the scene, or in --set of the command line,
- * `set`. */
+/* Check that the command has the parameters and levels that run, and that these have no value elsewhere: in the scene, or in --set
+ * of the command line, `set`. */
 static jlt_exit check_over(const jlt_study *self, const jlt_assign_list *set)
 {
     const jlt_scene *scene = self->scene;

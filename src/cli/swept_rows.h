@@ -17,7 +17,7 @@ typedef struct {
     size_t count;
 
     /* private */
-    char *header;      /* comment lines of the first point; from the second point on, those that it has as well */
+    char *header;      /* comment lines of the first point; from the second point on, those that both have */
     char *names;       /* column names of the first point, which become the table's; NULL: no point has had rows */
     char *held;        /* the first point's text, kept until the second point's has come */
     size_t held_point; /* number of that point */

@@ -203,8 +203,8 @@ static bool beside(char *path, size_t size, const char *table, const char *file)
     return used > 0 && (size_t)used < size;
 }
 
-/* The files that this process, or the one that forked it, has looked for beside tables, with their digests then; "": none. They
- * make sure that one process and its children go by one text of a table that is built in, or of coordinates, as well. */
+/* The files that this process, or the one that forked it, has looked for beside tables, with their digests at that time; "": no
+ * file. So one process and its children use one text of each table, also if it is built in, and of each table of coordinates. */
 static struct {
     char *path, digest[65];
 } seen[LOADED_MAX];

@@ -37,8 +37,8 @@ void jlt_guard_enter(jlt_guard *guard);
  *  or an invalid operation; else NONFINITE if a result overflowed, or underflowed and lost digits. */
 JLT_CHECKED jlt_status jlt_guard_leave(jlt_guard *guard);
 
-/** jlt_guard_leave for results that are looked at themselves: NONFINITE if one overflowed on the way, as a quotient hides it; else
- *  JLT_OK. */
+/** As jlt_guard_leave, for results that the caller tests for finiteness itself: NONFINITE if there was an overflow on the way,
+ *  which a quotient can hide; else JLT_OK. */
 JLT_CHECKED jlt_status jlt_guard_leave_finite(jlt_guard *guard);
 
 #endif

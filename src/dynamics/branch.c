@@ -8,7 +8,7 @@
 #include "dynamics/linear.h"
 #include "dynamics/section_batch.h"
 
-/* F takes r v to lambda r v and something of second order, bend (lambda^2 - the multiplier of its part) r^2. */
+/* Set bend: F maps r v to lambda r v + bend[0] (lambda^2 - lambda) r^2 v + bend[1] (lambda^2 - other) r^2 w, to second order. */
 static void set_bend(jlt_branch *self, const jlt_chart *chart, const double v[2], const double w[2], double other)
 {
     const double cross = v[0] * w[1] - v[1] * w[0], r = self->seed / self->lambda, square = self->lambda * self->lambda;

@@ -5,10 +5,10 @@
  *
  *      gamma(sigma) = F^n(q + side * seed * lambda^(sigma - n) v),   n = ceil(sigma),   sigma >= 0:
  *
- *  one unit of sigma is one fundamental domain. Whatever lambda is, F^n starts within `seed` of the saddle: its starting point is
- *  O(seed^2) off the manifold, which every F contracts by the other multiplier, and an error along the manifold only shifts sigma
- *  by O(seed), differently to both sides of a whole sigma. A bent branch starts on a parabola, which F maps to itself to second
- *  order: it shows what these errors make. */
+ *  One unit of sigma is one fundamental domain. Whatever lambda is, F^n starts within `seed` of the saddle. There the start is off
+ *  the manifold by O(seed^2), a distance that every F multiplies by the other multiplier, and off along the manifold, which only
+ *  shifts sigma by O(seed), by different amounts on the two sides of a whole sigma. A bent branch starts on a parabola, which F
+ *  maps to itself to second order: its difference from the other branch shows how large these errors are. */
 #ifndef JLT_DYNAMICS_BRANCH_H
 #define JLT_DYNAMICS_BRANCH_H
 
@@ -27,8 +27,8 @@ typedef struct {
         w[2],           /* the other unit eigenvector */
         bend[2];        /* of the parabola q + r v + r^2 (bend[0] v + bend[1] w); NaN where F does not lead back */
     bool bent;          /* start on the parabola, in place of the tangent line */
-    bool near;          /* start nearer by more F: what the beginning errs by, which falls as the square of the distance or faster,
-                           is half as large or less */
+    bool near;          /* start nearer to the saddle, with more F, so that the error of the start, which falls as the square of the
+                           distance or faster, is at most half as large */
     double lambda;      /* > 1: the factor by which F, or its inverse, multiplies the distance from the saddle */
     size_t returns;     /* of P in one F */
     int time_direction; /* +1 unstable, -1 stable */
@@ -54,8 +54,8 @@ JLT_CHECKED jlt_status jlt_branch_point(const jlt_branch *self, double q[2], dou
 JLT_CHECKED jlt_status jlt_branch_curve(const jlt_branch *const *branches, jlt_status *status, double *q, const double *sigma,
                                         size_t count);
 
-/** By how much, in sigma, an error of the size of `tolerance` in one F moves a point along the branch: shorter pieces of it show
- *  the errors of their points alone. */
+/** The change of sigma that an error of the size of `tolerance` in one F causes. On a piece of the branch that is shorter than that
+ *  only the errors of its points show. */
 double jlt_branch_blur(const jlt_branch *self, double tolerance);
 
 /** The approximate parameter at which the bent branch comes through the point gamma(sigma) of the branch that is not bent; NaN if

@@ -137,10 +137,10 @@ static double polynomial_area(joint *of, double divided[CORNERS][2], const doubl
     return apart;
 }
 
-/* Set the area of the piece from joint k to the next by interpolation. Returns false, and sets the gap alone, unless the
- * polynomials through more and through fewer corners agree, and the ends are those of the piece, to the tolerance; or that gap is
- * no more than the error that points have at least, and halving has reduced it by less than a factor of 8: it would by 2^6; or the
- * piece is no wider than `unseen`. */
+/* Set the area of the piece from joint k to the next by interpolation. Returns false, and sets the gap alone, if the piece is to
+ * be halved. It is not if the polynomials through more and through fewer corners agree to `enough`, and the first has the piece's
+ * ends; or if the gap between them was at most `tolerance`, the least error of points, before the last halving, which reduced it
+ * by less than a factor of 8, where 2^6 is the rule; or if the piece is no wider than `unseen`. */
 static bool interpolate(joint *list, size_t joint_count, size_t k, const jlt_chart *chart, double tolerance, double unseen)
 {
     const double from = list[k].sigma, width = list[k + 1].sigma - from;
@@ -270,9 +270,9 @@ static jlt_status find_ends(joint *list, size_t joint_count, const jlt_branch *b
 }
 
 /* Add the area of a part to its joint's; q, tangent: at the part's nodes. Returns true if the integrated tangents lead to the
- * part's end to the tolerance, or if halving has reduced the gap to the end by less than a factor of 8: it would by 2^11, so that
- * only errors of the points are left, as in a part no wider than `unseen`. Returns false if the part is to be halved; what is added
- * is then the area between its chord and those of its halves. */
+ * part's end to the tolerance; or if halving has reduced the gap to the end by less than a factor of 8, where 2^11 is the rule, so
+ * that only errors of the points are left; or if the part is no wider than `unseen`. Returns false if the part is to be halved: the
+ * area added is then that between its chord and those of its halves. */
 static bool integrate(joint *of, part *p, const double *q, const double *tangent, const jlt_chart *chart, double tolerance,
                       double unseen)
 {

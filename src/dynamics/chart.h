@@ -60,8 +60,8 @@ struct jlt_chart {
 
 /** The chart of a plain section x[column] = level: q are the other states, in order. signs, shape (states,), +1 or -1, when
  *  the model has the reversor x -> signs * x; NULL: none. It is used when the section contains the reversor's fixed points
- *  (signs[column] = -1, and jlt_chart_is_mirrored). names: shape (states,), kept by reference.
- *  Errors: ARG, states outside 2 .. JLT_CHART_STATES_MAX, column >= states, a level that is not finite, or a sign that is none. */
+ *  (signs[column] = -1, and jlt_chart_is_mirrored). names: shape (states,), kept by reference. Errors: ARG, states outside
+ *  2 .. JLT_CHART_STATES_MAX, column >= states, a level that is not finite, or a sign other than +1 and -1. */
 JLT_CHECKED jlt_status jlt_chart_plane(jlt_chart *out, unsigned states, unsigned column, double level,
                                        const char *const *names, const int *signs);
 
@@ -84,12 +84,12 @@ enum { JLT_CHART_EVENTS_MAX = 3 };
  *  them are further levels that no event watches. */
 unsigned jlt_chart_events(const jlt_chart *self, jlt_event *events, jlt_direction direction);
 
-/** Whether a crossing that one of these events caught is one of the section in this direction. If not, turn the state back by
- *  jlt_chart_turn_back and follow the orbit on from there. */
+/** Whether a crossing that one of these events caught is a crossing of the section in this direction. If not, turn the state back
+ *  by jlt_chart_turn_back and follow the orbit on from there. */
 bool jlt_chart_counts(const jlt_chart *self, const jlt_crossing *crossing, jlt_direction direction);
 
 /** Bring the section's state to within half a turn of its level, in place, and onto the level where only rounding keeps it off; a
- *  state that is no angle stays. x: shape (states,). */
+ *  state that is not an angle stays. x: shape (states,). */
 void jlt_chart_turn_back(const jlt_chart *self, double *x);
 
 /** The same; also bring all coordinates that are angles into (-period/2, period/2]. For plane sections and their levels. */

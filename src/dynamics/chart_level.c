@@ -44,8 +44,8 @@ static double look(const jlt_chart_level *self, double *off, double *sizes, doub
     return worst;
 }
 
-/* The matrix of gradients by the unknowns where levels count in their sizes, and each unknown so that its largest effect, which is
- * left in `effect`, (count,), is 1: units of neither make the matrix look singular. */
+/* The matrix of gradients by the unknowns, its rows relative to the sizes of the levels' terms, and its columns divided by their
+ * largest entries, effect, shape (count,), so that units do not make it look singular. */
 static void scale_matrix(double *matrix, double *effect, const double *by_solved, const double *sizes, unsigned count)
 {
     for (unsigned j = 0; j < count; j++) effect[j] = 0;
@@ -97,7 +97,8 @@ static jlt_status iterate(const jlt_chart_level *self, double *x, double least)
     return now <= met ? JLT_OK : JLT_ERR_EMPTY;
 }
 
-/* The same in sizes of terms, which scale with units, or else also where these vanish. */
+/* iterate with sizes of the integrals' terms, which scale with units; if that fails, with sizes that are not 0 where all terms
+ * vanish. */
 static jlt_status solve(const jlt_chart_level *self, double *x)
 {
     return iterate(self, x, 0) == JLT_OK ? JLT_OK : iterate(self, x, rounding);
@@ -213,7 +214,7 @@ static bool follows(const jlt_chart *base, const double *x)
     lower(base, q, NULL, x);
     if (lift(base, lifted, NULL, q) != JLT_OK) return false;
     memcpy(own, lifted, base->states * sizeof *x);
-    /* Where an integral grows with an angle, a turn leads to another level, unless one of a solved state makes up for it. */
+    /* Where an integral grows with an angle, a turn leads to another level, unless a turn of a solved state takes that back. */
     for (unsigned i = 0; i < unknowns(base); i++) {
         const unsigned state = base->solved[i];
         own[state] = self->turns[i] == 0 ? x[state] : lifted[state] + remainder(x[state] - lifted[state], self->turns[i]);

@@ -11,7 +11,7 @@
 
 enum { JLT_CHART_INTEGRALS_MAX = 64 };
 
-/** One level: which of the table's integrals has which value, and which state it determines, from which guess. */
+/** One level: the value of one of the table's integrals, which determines a state, and a guess of that. */
 typedef struct {
     unsigned integral, state;
     double value, guess;
@@ -38,8 +38,8 @@ JLT_CHECKED jlt_status jlt_chart_level_init(jlt_chart_level *out, const jlt_char
                                             const jlt_level *levels, unsigned count, const jlt_descriptor *descriptor,
                                             const double *params);
 
-/** Whether at x, an array of all states, the levels determine the unknowns to first order: their gradients by these are
- *  independent. Where one is no finite number, *known is left as it is, else set to true. */
+/** Whether at x, an array of all states, the levels determine the unknowns to first order: their gradients by the unknowns are
+ *  independent. Sets *known to true, unless one of these gradients is not finite: then *known stays as it is. */
 bool jlt_chart_level_determines(const jlt_chart_level *self, bool *known, const double *x);
 
 #endif

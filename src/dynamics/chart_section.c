@@ -198,8 +198,8 @@ static bool is_same(const jlt_chart_section *self, unsigned k, double difference
     return fabs(difference) <= same * fmax(fabs(q), self->base.period[k]);
 }
 
-/* How far a period of `state` moves one coordinate, *moved, by POINTS points of the section; 0: it moves none, several, or not
- * everywhere as far. */
+/* The distance by which a period of `state` moves one coordinate, *moved, found at POINTS points of the section; 0: it moves none,
+ * several, or not equally far everywhere. */
 static double shift_by(const jlt_chart_section *self, unsigned *moved, unsigned state)
 {
     const double period = self->table->states[state].period;
@@ -234,7 +234,7 @@ static void find_periods(jlt_chart_section *self)
 {
     bool found = true;
 
-    while (found) { /* of two coordinates that a state moves, one may be known by another state */
+    while (found) { /* of two coordinates that a state moves, another state may give one's period */
         found = false;
         for (unsigned i = 0; i < self->plain; i++) {
             unsigned k = 0;

@@ -16,7 +16,7 @@ typedef jlt_continuation_bracket bracket;
 static const double turn_across = 0.15; /* most radians by which the tangent turns in each half of a step across a branch point */
 static const double same_place = 1e-6;
 /* Error of a test function, from the map's tolerance, amplified: det DP is 1 up to this where the map preserves areas, and that of
- * the bordered matrix 0 where orbits come in families; so is the tangent's component where a family has one value. */
+ * the bordered matrix is 0 where orbits form families; so is the tangent's last component where a family has one value. */
 static const double noise = 1e-9;
 
 const char *jlt_continuation_bifurcation_name(jlt_bifurcation kind)
@@ -72,9 +72,9 @@ static bool is_noise(const place *from, const place *to, unsigned k)
 }
 
 /* Whether the branch goes straight across the point where another one crosses it. Where the two only come near each other, both
- * turn away, and steps go from one to the other: as x*y = e does, whose chord from x = -s to s has the slope of the tangents at its
- * ends, but of the other sign. So where steps cease to converge, the branch must turn by as little as the bracket is small, or
- * what lies straight between be orbits up to noise, as where branches cross at a small angle. */
+ * turn away, and steps go from one to the other: as on x*y = e, where the chord from x = -s to s has the slope of the tangents at
+ * its ends, but of the other sign. So where steps cease to converge, the branch must turn as little as the bracket is short, or
+ * the points straight between its ends must be orbits up to noise, as where branches cross at a small angle. */
 static bool crosses(const runner *self, const place *from, const place *to)
 {
     JLT_FREED bracket *b = malloc(sizeof *b);
@@ -109,10 +109,10 @@ static bool visit(const runner *self, place *within, double *value, const place 
     return true;
 }
 
-/* Whether test k, of one sign at both ends of a step, has the other in between, at a place that becomes *within: where the parabola
- * through its values has its extremum. The first goes also through `before`, the place before the step, and may be off by half a
- * step, and by a fiftieth of the values; later ones go through places beside the extremum found, as far off as such a parabola
- * takes to rise by four times the value there. */
+/* Whether test k, of one sign at both ends of a step, has the other one within, at a place that becomes *within: the extremum of
+ * the parabola through three values. The first parabola uses `before`, the place before the step, and may err by half a step, and
+ * by a fiftieth of the values; later ones use the extremum found and places on both sides of it, where the parabola has risen by
+ * four times the value there. */
 static bool changes_twice(const runner *self, place *within, const place *before, const place *from, const place *to, unsigned k)
 {
     const double side = from->test[k] > 0 ? 1 : -1, end = to->arc - from->arc;
@@ -185,7 +185,7 @@ static jlt_status report(const runner *self, const place *before, const place *f
     for (unsigned k = 0; k < JLT_CONTINUATION_TESTS; k++) {
         if (isnan(from->test[k]) || isnan(to->test[k])) continue;
         if (k != DOUBLING_TEST && is_noise(from, to, k)) continue;
-        /* beside a torus they are a pair at least where both are inside the circle */
+        /* near a torus bifurcation they are a pair at least where both are inside the circle */
         if (k == TORUS_TEST && !rotates(from) && !rotates(to)) continue;
         if (k == FOLD_TEST && turns_at_branch_point(self, from, to)) continue;
         if (changes(from, to, k)) {
@@ -232,8 +232,8 @@ static double trace_of(const place *at, unsigned d)
 }
 
 /* Whether the trace at `next` differs from that on the line through the two places before it, or without `before` from that at
- * `here`, by no more than half of the trace, or of 2: multipliers that turn farther may have been on the unit circle at 1 or -1 on
- * the way. */
+ * `here`, by at most half of the trace, or by 1 if that is more. Between places where it changes more, multipliers may have been at
+ * 1 or -1, and come back. */
 static bool resolves(const place *before, const place *here, const place *next, unsigned d)
 {
     const double was = trace_of(here, d), is = trace_of(next, d);

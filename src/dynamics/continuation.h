@@ -1,10 +1,11 @@
 /** Continuation of a periodic orbit in one parameter or level, by pseudo-arclength, with its bifurcations.
  *
  *  Unknowns are u = (q, value/scale) in P^period(q; value) = q; the next point is sought at a fixed projection on the tangent
- *  (Keller), so that folds are passed. DP comes from the variational equations, dP/dvalue from central differences: it serves
- *  to predict the next point only, and every point found satisfies the equation to rounding. From one step to the next the
- *  tangent turns by at most 0.3 rad, so that no fold is jumped over, and branches of symmetric orbits stay symmetric; and the trace
- *  goes on as before by half of itself, or of 2, so that multipliers are not jumped over.
+ *  (Keller), so that folds are passed. DP comes from the variational equations, dP/dvalue from central differences: it serves to
+ *  predict the next point only, and every point found satisfies the equation to rounding. From one step to the next the tangent
+ *  turns by at most 0.3 rad, so that no fold is jumped over, and branches of symmetric orbits stay symmetric. The trace of
+ *  DP^period differs from its linear extrapolation by at most half of itself, or 1 if that is more, so that no multiplier passes
+ *  the unit circle unseen.
  *  Bifurcations are sign changes of test functions, two within a step where parabolas through their values lead to the other sign,
  *  located by the secant method on the arclength, or left in the bracket that was reached where steps cease to converge:
  *      fold                the tangent's component along the parameter
@@ -18,7 +19,7 @@
 #include "dynamics/periodic.h"
 
 /** The maps of a family: map_at gives the map for a parameter value; it stays valid until the next call. map_near does the same for
- *  a value beside the last one of map_at, closer than 1e-5 of the option `scale`; NULL: map_at serves. */
+ *  a value that differs from the last one of map_at by less than 1e-5 of the option `scale`; NULL: map_at serves. */
 typedef struct {
     jlt_status (*map_at)(void *context, jlt_map **map, double value);
     void *context;

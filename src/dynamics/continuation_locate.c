@@ -46,8 +46,8 @@ static void between(place *out, const place *from, const place *low, const place
     out->arc = low->arc + part * width;
 }
 
-/* Whether a place between the sides of a bracket, which is this part of a step, has their tangents, as far as a branch turns over
- * that part. Where it has not, the step arrived on another branch, which crosses at a small angle. */
+/* Whether a place between the sides of a bracket, which is this part of a step, has their tangents, up to the turn of a branch over
+ * that part. If not, the step arrived on another branch, which crosses at a small angle. */
 static bool keeps_way(const jlt_continuation_bracket *b, const place *next, double part, unsigned d)
 {
     const double least = cos(2 * JLT_CONTINUATION_TURN * fmax(part, 0.01));

@@ -8,12 +8,12 @@
 
 bool jlt_continuation_locate_interrupted(const jlt_continuation_runner *self);
 
-/** A bifurcation between two places of the branch, as far as it has been located. Keep it off the stack: its places have room for
- *  the largest sections, a megabyte in all. */
+/** A bifurcation between two places of the branch, located so far. Keep it off the stack: its places have room for the largest
+ *  sections, a megabyte in all. */
 typedef struct {
     jlt_continuation_place at, before, after; /* the place itself, and those on both sides */
     jlt_continuation_place trial;             /* private */
-    bool joined; /* steps did not converge at the place, which is an orbit, up to noise, on the straight way between the sides */
+    bool joined; /* steps did not converge at the place, but it is an orbit, up to noise, on the line between the sides */
 } jlt_continuation_bracket;
 
 /** Locate the zero of test k between two places, to which steps from `from` lead. Where steps do not converge, or leave the branch,

@@ -11,7 +11,7 @@
 enum { U = JLT_CONTINUATION_U, NEWTON = 12, HALVINGS = 12 };
 
 static const double same_point = 1e-7;
-static const double returns = 1e-8;   /* Largest residual of an orbit, relative to |DP| and to the way that it goes: is_orbit. */
+static const double returns = 1e-8;   /* Largest residual of an orbit, relative to |DP| and to the length of its way: is_orbit. */
 static const double steep = 1e6;      /* |DP| above which a residual that errors of the map may cause hides errors of the orbit, */
 static const double settled = 1e-8;   /* unless the last step was as small as this, scaled, and as errors of DP may make it */
 
@@ -90,7 +90,7 @@ static double border(double *matrix, const jlt_continuation_equation *at, const 
     return jlt_linear_determinant(matrix, d + 1);
 }
 
-/* Zero the columns of held coordinates: the least-squares solutions below then leave these as they are. */
+/* Zero the columns of held coordinates, so that the least-squares solutions below do not change these. */
 static void leave_out(const jlt_continuation_runner *self, double *matrix)
 {
     for (unsigned j = 0; j < self->d; j++)
@@ -114,8 +114,8 @@ static jlt_status tangent_at(const jlt_continuation_runner *self, double *tangen
     return JLT_OK;
 }
 
-/* How large the coordinates at u are, and what the motion from there runs through: the map errs in units of that, up to 1. On the
- * section of an angle it errs by the tolerance at least. */
+/* The unit of the map's errors at u, at most 1: the largest of the coordinates and of jlt_scale_moves, 1 if there are angles, and 0
+ * if u has no image. On the section of an angle the errors, `noise` times this, are at least the tolerance. */
 static double size_at(const jlt_continuation_runner *self, const double *u, double noise)
 {
     const unsigned d = self->d;
@@ -190,8 +190,8 @@ jlt_status jlt_continuation_step_measure(const jlt_continuation_runner *self, jl
     return JLT_OK;
 }
 
-/* The least part of the velocity that crosses the section at the points of the orbit at u; 0 if there is none. Out: *way, the way
- * that the orbit goes in its time T. */
+/* The least jlt_periodic_crossing at the points of the orbit at u; 0 if one has no image. Out: *way, jlt_periodic_way at u in the
+ * orbit's time T. */
 static double least_crossing(const jlt_continuation_runner *self, double *way, const double *u, double T)
 {
     double q[JLT_CHART_DIM_MAX], least;
@@ -210,9 +210,9 @@ static double least_crossing(const jlt_continuation_runner *self, double *way, c
     return least;
 }
 
-/* Whether the residual tells an orbit from none. Where DP is large only because the orbit almost touches the section, the
- * multipliers, which are not, are known no better than the residual times |DP|. And around an equilibrium any small turn comes back
- * to within its size times the distance of the multipliers from 1: one that passes has a multiplier within 1e-7 of 1. */
+/* Whether the residual is so small that u is an orbit. Where DP is large only because the orbit almost touches the section, and the
+ * multipliers are not, the residual times |DP| is their error. Around an equilibrium any small turn comes back to within its size
+ * times the distance of the multipliers from 1: one that passes for an orbit has a multiplier within 1e-7 of 1. */
 static bool is_orbit(const jlt_continuation_runner *self, const jlt_continuation_equation *at, const double *u)
 {
     double residual = 0, way = 0;
@@ -340,8 +340,8 @@ static void other_direction(double *direction, const jlt_continuation_equation *
     direction[0] /= length, direction[1] /= length, direction[2] /= length;
 }
 
-/* The unit vector along which a point of the other branch is told from the branch at hand, whose unit tangent is given: the part of
- * the direction across that tangent. */
+/* The unit vector along which points of the other branch lie off the branch at hand, whose unit tangent is given: the part of the
+ * direction across that tangent. */
 static void across(double *normal, const double *direction, const double *tangent)
 {
     const double along = jlt_along(direction, tangent, 3);

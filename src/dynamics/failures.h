@@ -9,7 +9,7 @@
 typedef struct {
     size_t count,   /* orbits on which a method failed */
         unbounded,  /* of these, orbits on which a state grows without bound */
-        spent;      /* orbits that ended as JLT_FATE_BUDGET, which is no failure */
+        spent;      /* orbits that ended as JLT_FATE_BUDGET, which is not a failure */
     unsigned state; /* state that grew in the first unbounded orbit */
     double t;       /* [time] it grew towards */
 } jlt_failures;

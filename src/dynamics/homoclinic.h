@@ -4,7 +4,7 @@
 
 #include "dynamics/branch_area.h"
 
-/* Where none of so many candidates in a row along the unstable branch is a crossing, those behind them are not refined. */
+/* Candidates are refined in blocks of this many, in order along the unstable branch, up to the first block without a crossing. */
 #define JLT_HOMOCLINIC_ROW 64
 
 typedef struct {
@@ -29,15 +29,14 @@ typedef struct {
 
 /** Find all crossings of two polygons and refine each by Newton's method on the branches, with tangents from the variational
  *  equations. Out: *points, shape (*count,), sorted along the unstable branch, for the caller to free(); NULL and 0 when there are
- *  none. *touching, unless NULL: the number of crossings that are left out as the branches may only touch there: the angle is 0
- *  within its error, the saddle is nearer than JLT_BRANCH_SEED_LEAST, or the angle is so small that the point's position is not
- *  known to JLT_MANIFOLD_FINEST; and of crossings of the polygons from which Newton's method does not come to a residual of 1e-8
- *  and what rounding in one return makes on them, and behind JLT_HOMOCLINIC_ROW others none of which is one of the branches.
- *  In: mirrored, the stable branch and its polygon are the images of the unstable ones under the chart's reversor, so that
- *  crossings come in pairs, of which one is refined; fine, maps of the branches' section; coarse, the same maps at ten times the
- *  tolerance, from which angle_error is found.
- *  Errors: NO_CONVERGENCE, interrupted (flow.interrupt of fine); NOMEM; as jlt_map_batch_apply. Cost: count_u*count_s comparisons,
- *  and about 24 branch points a crossing that is refined, all crossings at once. */
+ *  none. *touching, unless NULL: the number of crossings left out. At some the branches may only touch: the angle is 0 within its
+ *  error, the saddle is nearer than JLT_BRANCH_SEED_LEAST, or the angle is so small that the point's position is not known to
+ *  JLT_MANIFOLD_FINEST. At others, of the polygons, Newton's method does not come to a residual of 1e-8 plus that of rounding in
+ *  one return, or they follow a block of JLT_HOMOCLINIC_ROW without a crossing. In: mirrored, the stable branch and its polygon are
+ *  the images of the unstable ones under the chart's reversor, so that crossings come in pairs, of which one is refined; fine, maps
+ *  of the branches' section; coarse, the same maps at ten times the tolerance, from which angle_error is found. Errors:
+ *  NO_CONVERGENCE, interrupted (flow.interrupt of fine); NOMEM; as jlt_map_batch_apply. Cost: count_u*count_s comparisons, and
+ *  about 24 branch points a crossing that is refined, all crossings of a block at once. */
 JLT_CHECKED jlt_status jlt_homoclinic_find(jlt_homoclinic **points, size_t *count, size_t *touching, const jlt_manifold *unstable,
                                            const jlt_branch *unstable_branch, const jlt_manifold *stable,
                                            const jlt_branch *stable_branch, bool mirrored, jlt_map_batch *fine,

@@ -6,10 +6,10 @@
 enum {
     N = JLT_CHART_STATES_MAX,
     SOON = 4,    /* steps after they became shorter: before a jump they grow again until one is rejected, or leads across */
-    HALVINGS = 4 /* of a step: what is smooth, and was integrated as such, is smooth within a sixteenth of it */
+    HALVINGS = 4 /* of a step: a rate that is smooth, and was integrated as smooth, shows it within a sixteenth of the step */
 };
 
-/* Of what is smooth over a step, the rate's change is that of its tangent: the Jacobian times the field. */
+/* A rate that is smooth over a step changes by at most so many times what its tangent, the Jacobian times the field, predicts. */
 static const double more = 16;
 /* Part of the field and of the terms of its rates below which a change is rounding, or too small a jump to matter. */
 static const double noise = 1e-8;
@@ -39,7 +39,7 @@ static bool is_unexplained(const end *from, const end *to, unsigned n, unsigned 
     return fabs(to->both[i] - from->both[i]) > more * explained + noise * terms;
 }
 
-/* Whether rate i jumps within a step on which it is unexplained: it is so in one half, too, in a half of that, and so on. */
+/* Whether rate i jumps within a step that does not explain its change: nor does one half of the step, a half of that, and so on. */
 static bool jumps(const end ends[2], const jlt_varied *varied, unsigned i, double h)
 {
     const unsigned n = varied->plain->dim;

@@ -1,12 +1,12 @@
-/** Tells where a rate jumps on an orbit, as dry friction does where the velocity changes its sign. States pass there, in steps as
- *  short as the tolerance asks; but tangent vectors jump too, by what the Jacobian does not have. */
+/** Detects jumps of a rate on an orbit, as by dry friction where the velocity changes its sign. States are integrated across a
+ *  jump, in steps as short as the tolerance asks; but tangent vectors jump there too, which the Jacobian does not show. */
 #ifndef JLT_DYNAMICS_JUMP_H
 #define JLT_DYNAMICS_JUMP_H
 
 #include "dynamics/varied.h"
 #include "integrate/stepper.h"
 
-/** What is known of the orbit's steps so far. Zeroed at first. */
+/** What detection keeps of the orbit's earlier steps. Zeroed at first. */
 typedef struct {
     size_t rejected; /* of the stepper, as it was at the last step */
     double length;   /* of that step; 0: there is none */
@@ -14,8 +14,9 @@ typedef struct {
 } jlt_jump_watch;
 
 /** Whether a rate has jumped within the last step of an orbit of the varied field: it has changed by far more than the Jacobian
- *  tells, and so it has within a small part of the step. Called after every step. Cost: two evaluations of field and Jacobian, only
- *  after a step that is short for its motion, or soon after steps became much shorter, as they do at a jump. */
+ *  predicts, also within a small part of the step. Called after every step. Cost: two evaluations of field and Jacobian, and up to
+ *  four more for each rate that changed so, only after a step that is short for its motion, or soon after steps became much
+ *  shorter, as they do at a jump. */
 bool jlt_jump_is_behind(jlt_jump_watch *self, const jlt_stepper *stepper, const jlt_varied *varied);
 
 #endif

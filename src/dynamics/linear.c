@@ -91,8 +91,8 @@ static jlt_status eigenvalues_of_two(double *re, double *im, const double *matri
     return jlt_guard_finite(re, 2) && jlt_guard_finite(im, 2) ? JLT_OK : JLT_ERR_NONFINITE;
 }
 
-/* Whether eigenvalue i comes before j. Moduli that are equal but for rounding, as on the unit circle, leave it to the real parts,
- * so that the order does not change from one matrix to the next. */
+/* Whether eigenvalue i comes before j: by modulus, or, if these are equal up to rounding, as on the unit circle, by real part, so
+ * that the order does not change from one matrix to the next. */
 static bool comes_first(const double *re, const double *im, unsigned i, unsigned j)
 {
     const double a = hypot(re[i], im[i]), b = hypot(re[j], im[j]), same = 1e-7 * fmax(a, b);

@@ -16,7 +16,7 @@ typedef struct {
     double exponents[JLT_CHART_DIM_MAX]; /* (dim,), per unit of time, largest first in the limit */
     size_t blurred;   /* returns whose DP contracts some direction by more than the tolerance resolves: the exponent of that
                          direction and those after it are NaN from then on */
-    jlt_saddle_watch saddle; /* by which it passes */
+    jlt_saddle_watch saddle; /* passages by a saddle */
     double sum_check; /* mean divergence along the orbit; it differs from the exponents' sum by log(flux at start/flux at q)/t */
     double q[JLT_CHART_DIM_MAX]; /* (dim,), the last return */
 } jlt_lyapunov_state;

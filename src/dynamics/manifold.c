@@ -117,8 +117,8 @@ static bool ends_orbits(jlt_status st)
            || st == JLT_ERR_NONFINITE;
 }
 
-/* Cut the stretch behind a point that has none, behind the length asked for, before points that no finer step tells apart, and to
- * the number of points asked for. */
+/* Cut the stretch after a point where orbits end, after the length asked for, before a point where the finest step is still too
+ * coarse, and to the number of points asked for. */
 static jlt_status cut_at_end(stretch *self)
 {
     const size_t room = self->options->points_max - self->curve.count;

@@ -9,7 +9,7 @@
 
 #include "dynamics/branch.h"
 
-#define JLT_MANIFOLD_FINEST 1e-4 /* distance of neighbouring points, in coordinates of the section */
+#define JLT_MANIFOLD_FINEST 1e-4 /* distance of neighbouring points (jlt_chart_distance) */
 
 enum { JLT_MANIFOLD_RETURNS_A_POINT = 100 }; /* on average, at most; where multipliers are about 1.5, points take some ten */
 
@@ -26,7 +26,7 @@ typedef enum {
 } jlt_manifold_end;
 
 typedef struct {
-    double spacing;    /* in coordinates of the section, as all lengths here; default 0.01 */
+    double spacing;    /* in scaled coordinates (jlt_chart_distance), as all lengths here; default 0.01 */
     double turn;       /* in radians, default 0.2 */
     double finest;     /* default JLT_MANIFOLD_FINEST; below spacing */
     double length_max; /* of arc; default 5 */

@@ -136,7 +136,8 @@ static jlt_status to_section(jlt_map *self, jlt_outcome *outcome, const double *
     return outcome->end == JLT_END_OBSERVER ? JLT_ERR_DOMAIN : JLT_ERR_NO_CONVERGENCE;
 }
 
-/* Follow the orbit to the section; where tangent vectors grew far beyond what is left of them, again so that they keep digits. */
+/* Follow the orbit to the section; if tangent vectors were much longer on the way than at the end, do it again, so that they keep
+ * digits. */
 static jlt_status follow(jlt_map *self, jlt_outcome *outcome, const double *start, int time_direction)
 {
     static const double far = 64; /* ordinary returns have ratios of 1 to 3, passages close to a singularity of 1e3 to 1e12 */
@@ -153,7 +154,7 @@ static jlt_status follow(jlt_map *self, jlt_outcome *outcome, const double *star
     return to_section(self, outcome, start, time_direction);
 }
 
-/* What is known of the steps to the return whose varied orbit ends in `end`. */
+/* Sizes on the way to the return whose varied orbit ends in `end`, for its bound. */
 static jlt_map_return_steps steps_of(const jlt_map *self, const double *end)
 {
     const jlt_stepper *stepper = jlt_orbit_stepper(self->orbit);

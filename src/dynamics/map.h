@@ -47,12 +47,12 @@ const jlt_flow *jlt_map_flow(const jlt_map *self);
 /** Watch the conditions of the model, of all returns that jlt_map_apply makes from now on; NULL, as at first: none. */
 void jlt_map_watch(jlt_map *self, const jlt_observed *observed);
 
-/* What they were least since then. */
+/* The least values of these conditions since jlt_map_watch. */
 jlt_section_least jlt_map_least(const jlt_map *self);
 
 /** P^count(q), shape (dim,), count >= 1 returns forwards (time_direction +1) or backwards (-1), with its derivative. Every
  *  return starts from the chart's point, exactly on the levels.
- *  Where tangent vectors grow far beyond what is left of them the return is followed twice (passage.h).
+ *  A return on which tangent vectors grow far above their size at its end is followed twice (passage.h).
  *  The variational equations are neither projected (flow.kept) nor ended by conditions of the model (flow.end_where_invalid).
  *  Errors: ARG, count is 0; EMPTY, no state of the section has these coordinates; DOMAIN, q is no start, or the orbit ended: at
  *  a pole, at rest, or at the edge of its table's domain; BUDGET, a return took more than flow.max_steps or flow.t_max; NONFINITE,
@@ -61,7 +61,7 @@ jlt_section_least jlt_map_least(const jlt_map *self);
 JLT_CHECKED jlt_status jlt_map_apply(jlt_map *self, jlt_image *out, const double *q, size_t count, int time_direction);
 
 /** P^count(q) without the derivative, five times cheaper, as a jlt_section follows the orbit: fills q, T and x; slope, determinant,
- *  flux_determinant, expansion, defect and bound are NaN. Errors: as jlt_map_apply, but that a return on another branch is none;
+ *  flux_determinant, expansion, defect and bound are NaN. Errors: as jlt_map_apply, but a return on another branch is not one;
  *  DOMAIN also where a condition of the model breaks and flow.end_where_invalid is set. */
 JLT_CHECKED jlt_status jlt_map_point(jlt_map *self, jlt_image *out, const double *q, size_t count, int time_direction);
 

@@ -186,8 +186,8 @@ static void add(const worker *self, size_t point, const jlt_map_batch_return *ma
     if (out->bound != NULL) out->bound[point] = bound;
 }
 
-/* Store the return of a lane, whose start is replaced by it, after time t in the flow's unit, unless it is doubted: where less than
- * half of the digits asked for agree, a bound is wanted and the least one does not hold, or steps do not see how tangents fall. */
+/* Store the return of a lane, whose start is replaced by it, after time t in the flow's unit. It becomes DOUBTED instead where
+ * less than half of the digits asked for agree, or a bound is wanted and the least one does not hold, or jlt_varied_is_kept. */
 static void arrive(const worker *self, size_t lane, double t)
 {
     const double *varied = self->starts + lane * self->batch->columns;

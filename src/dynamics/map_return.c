@@ -68,9 +68,9 @@ jlt_status jlt_map_return_end(jlt_map_return *out, double *q, double *slope, con
 }
 
 /* Every step errs by one tolerance in every component, relative to its size or that of the start; errors grow as tangent vectors
- * do, at most by the ratio of their sizes' extremes. The rate f_c across the section, on which flux and return time depend, errs
- * by its gradient times the states' errors, much of f_c on a slow crossing; tangent vectors then err by f/f_c times as much along
- * the flow. */
+ * do, at most by the ratio of the largest to the smallest of these. The rate f_c across the section, on which flux and return time
+ * depend, errs by its gradient times the states' errors, a large part of f_c on a slow crossing; along the flow, tangent vectors
+ * then err by f/f_c times as much. */
 double jlt_map_return_bound(const jlt_map_return *self, const jlt_map_return_steps *steps, const jlt_flow *flow,
                             const double *varied, const double *slope)
 {

@@ -24,9 +24,9 @@ typedef struct {
 JLT_CHECKED jlt_status jlt_map_return_end(jlt_map_return *out, double *q, double *slope, const jlt_flow *flow, const double *varied,
                                           double flux);
 
-/** What is known of the steps of a return. The least that is possible: {tolerance, 1, 1, 0}. */
+/** Sizes on the way of a return, for the bound of its errors. The least ones possible: {tolerance, 1, 1, 0}. */
 typedef struct {
-    double error;    /* of all steps, relative to the size of what errs: one tolerance for each */
+    double error;    /* of all steps, relative to the size of each value: one tolerance for each step */
     double growth;   /* ratio of the largest to the smallest tangent vector on the way */
     double swing;    /* largest |integral of the divergence| on the way, at least 1 */
     double gradient; /* sum over the states of |d f_c/dx_i| times the size of x_i, at the return */

@@ -18,7 +18,7 @@ static const double null_cutoff = 1e-11;   /* singular values of I - DP below th
                                               count as 0: the orbit belongs to a family. But none above this: */
 static const double contracting = 1e-2;    /* in a direction that contracts, I - DP is about 1, */
 static const double stretching = 1e6;      /* |I - DP| above which a small residual may leave a large step, */
-static const double drowned = 1e14;        /* which rounding drowns where |I - DP| is above this */
+static const double drowned = 1e14;        /* which rounding errors exceed where |I - DP| is above this */
 
 /* With delta_(i+1) = A_i delta_i + r_i and delta_p = delta_0: (I - A_(p-1)..A_0) delta_0 = sum of the propagated r_i. */
 static jlt_status step(double *delta, double *length, const jlt_shooting *at, unsigned d, size_t period, const unsigned char *held)

@@ -16,8 +16,8 @@ typedef struct {
     double factor;                  /* of delta in the trial */
     double first, noise;            /* the residual at the first points; one that errors of the map may cause, relative to |DP| */
     bool has_begun;
-    double doubt;                   /* 0; or, where |DP| is so large that a small residual makes no orbit, the factor by which delta
-                                       may be too small for the errors of DP */
+    double doubt;                   /* 0; or, where |DP| is so large that a small residual does not show an orbit, the factor by
+                                       which errors of DP may make delta too small */
     jlt_status status;              /* of the whole search, once it has ended */
 } jlt_newton;
 

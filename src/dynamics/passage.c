@@ -8,7 +8,7 @@
 
 enum { N = JLT_CHART_STATES_MAX };
 static const double like = 16;           /* sizes of one kind of state differ by less than this factor */
-static const double finest = 0x1p-40;    /* part of a state below which rounding errors of others drown it */
+static const double finest = 0x1p-40;    /* part of a state below which it is less than rounding errors of others */
 
 /* Scale balanced sizes so that every one is at most as large as the states of its kind count. */
 static void fit(double *size, const double *counted, unsigned n)
@@ -24,8 +24,8 @@ static void fit(double *size, const double *counted, unsigned n)
     for (unsigned i = 0; i < n; i++) size[i] = fmax(size[i] * factor, finest * counted[i]);
 }
 
-/* States that nothing drives but such states, as a clock and what only it drives, are of no kind: balancing leaves their sizes as
- * they are, whatever others count. */
+/* Cap the size of a state that no other state drives, or only such states do, as of a clock and of what only the clock drives:
+ * balancing leaves it as it is, whatever the sizes of others. */
 static void cap(double *size, const double *counted, const double *jacobian, unsigned n)
 {
     bool alone[N] = { false };

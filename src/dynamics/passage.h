@@ -1,5 +1,5 @@
-/** Keeps the digits of tangent vectors along a passage on which they grow far beyond what is left of them at its end, such as one
- *  close to a singularity.
+/** Keeps the digits of tangent vectors along a passage on which they grow far above their size at its end, such as one close to a
+ *  singularity.
  *
  *  - The part of a tangent vector along the field grows with the field's length. The return map's projection along the field
  *    removes that part in the end; here it is removed after every step.

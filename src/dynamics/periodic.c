@@ -18,8 +18,8 @@ static const double open_points = 1e-9;
 static const double settled = 1e-8;        /* largest step left to Newton's method, relative to what the orbit runs through, */
 static const double closed = 1e-6;         /* and largest distance by which a point is missed, relative to the same */
 static const double standstill = 1e-6;     /* orbits that move less, relative to the state, only touch the section */
-/* An orbit lies in the section as far as can be told if no more than this part of its velocity crosses it: at the edge of a level,
- * where a state varies as the square root of coordinates, a residual of 1e-10 in these leaves an error of 1e-5. */
+/* An orbit counts as lying in the section if at most this part of its velocity crosses it: at the edge of a level, where a state
+ * varies as the square root of coordinates, a residual of 1e-10 in these leaves an error of 1e-5. */
 static const double in_section = 2e-5;
 
 const char *jlt_periodic_type_name(jlt_orbit_type type)
@@ -29,9 +29,9 @@ const char *jlt_periodic_type_name(jlt_orbit_type type)
     return (unsigned)type < sizeof names / sizeof *names ? names[type] : "unknown";
 }
 
-/* Where DP stretches a lot, whether the step that is left, and the residual, are small in the orbit's own sizes. A residual as
- * large as the errors of the map allow says nothing there, least of all in sizes of a start whose motion ran far off, or along a
- * coordinate much smaller than 1; and the step leaves out what counts as a family. */
+/* Where DP stretches a lot (`doubt` is not 0), whether the step that is left, and the residual, are small relative to the orbit:
+ * there a residual as large as the map's errors does not show an orbit, least of all relative to a start whose motion ran far off,
+ * or in a coordinate much smaller than 1; and the step is 0 in directions that count as those of a family. */
 static jlt_status check_step(jlt_map *map, const jlt_newton *newton)
 {
     const unsigned d = newton->chart->dim;
@@ -115,9 +115,9 @@ static bool may_move(double by, double length, double error, unsigned d)
     return pow(2 * length + error, 1 - 1.0 / d) * pow(error, 1.0 / d) >= by;
 }
 
-/* Replace the multipliers that the error of DP changes by more than a thousandth, as those of two do where its determinant is off
- * by that: a single one follows from the determinant, which the divergence gives; several become NaN, and with all the trace, and
- * the type, unless they are all small, or cannot come to the unit circle. */
+/* Replace the multipliers that the error of DP may change by more than a thousandth. A single one follows from the determinant,
+ * which the divergence gives. Several become NaN; if all do, so does the trace, and the type is DEGENERATE unless all multipliers
+ * are small, or none can come to the unit circle. */
 static void leave_known(jlt_periodic *orbit, double length, double error, unsigned d)
 {
     double rest = orbit->determinant;

@@ -11,7 +11,7 @@ static const double far = 1e-3; /* a move of a return, of reach, by far more tha
 
 static double tolerance_of(const jlt_flow *flow) { return flow->tolerance != 0 ? flow->tolerance : JLT_ORBIT_TOLERANCE; }
 
-/* Errors by which an orbit leaves a separatrix are about the tolerance, and it then passes at the root of that. */
+/* An orbit that errors of about the tolerance move off a separatrix passes the saddle at the square root of the tolerance. */
 static double near_of(const jlt_flow *flow, double reach) { return sqrt(tolerance_of(flow)) * fmax(reach, 1); }
 
 /* Whether a return begins at a saddle, nearer than `near`. move: of the return; slope: DP; both in units of the coordinates' sizes.
@@ -53,8 +53,8 @@ void jlt_saddle_note(jlt_saddle_watch *self, const jlt_flow *flow, const double 
     if (is_at_saddle(move, slope, made->flux_determinant, flow, near_of(flow, self->reach))) self->at = number;
 }
 
-/* The orbit has gone from where it moved least: compute DP there. Where the map contracts volume, so it most likely does elsewhere:
- * few passages are looked at after that. */
+/* Once the orbit has gone from where it moved least, compute DP there. A map that contracts volume there most likely contracts it
+ * elsewhere too: few passages are examined after that. */
 static jlt_status judge(jlt_saddle_search *self, jlt_map **map, const jlt_flow *flow, int time_direction)
 {
     jlt_status st = *map != NULL ? JLT_OK : jlt_map_create(map, flow);

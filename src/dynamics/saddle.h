@@ -1,5 +1,5 @@
-/** Passages of an orbit by a saddle of the return map, nearer than errors tell separatrices apart: where the orbit goes from there
- *  is up to errors. A saddle counts of maps that nearly keep volume: thin attractors bring orbits as near by chance. */
+/** Detects passages of an orbit so near to a saddle of the return map that errors decide on which side of the separatrices it goes
+ *  on. Only maps that nearly preserve volume count: on a thin attractor orbits come as near by chance. */
 #ifndef JLT_DYNAMICS_SADDLE_H
 #define JLT_DYNAMICS_SADDLE_H
 
@@ -8,8 +8,8 @@
 
 /** What is known of an orbit. Zeroed at its start. */
 typedef struct {
-    size_t at;     /* number of the first return from a point nearer to a saddle than the square root of the tolerance is of reach;
-                      0: there is none */
+    size_t at;     /* number of the first return from a point nearer to a saddle than max(1, reach) times the square root of the
+                      tolerance; 0: there is none */
     double reach;  /* the longest move of a return, in units of the coordinates' sizes */
     bool has_left; /* it has gone from there */
 } jlt_saddle_watch;
@@ -18,8 +18,8 @@ typedef struct {
 void jlt_saddle_note(jlt_saddle_watch *self, const jlt_flow *flow, const double *before, const jlt_map_batch_return *made,
                      size_t number);
 
-/** The same of an orbit whose derivatives are not computed: one is, where the orbit was nearest to a fixed point, once it has gone
- *  from there. Zeroed at its start. */
+/** The same for an orbit whose derivatives are not computed. One derivative is computed, at the point nearest to a fixed point,
+ *  once the orbit has gone from there. Zeroed at its start. */
 typedef struct {
     jlt_saddle_watch watch;
     double nearest; /* the least move since the orbit last went away, in return `number`, 0: none yet, from `point` to `next` */

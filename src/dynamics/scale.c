@@ -11,7 +11,7 @@ enum { SAMPLES = 16 };
 static const double pi = 3.14159265358979323846;
 static const double ordinary = 64; /* sizes that differ from 1 by no more than this factor count as 1 */
 
-/* The binary exponent that stands for a size; 0 for those that count as 1, and where nothing is known. */
+/* The binary exponent of a size; 0 for sizes that count as 1, and for unknown ones. */
 static int exponent_of(double size)
 {
     return !(size > 0) || !isfinite(size) || (size >= 1 / ordinary && size <= ordinary) ? 0 : ilogb(size);

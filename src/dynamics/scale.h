@@ -18,9 +18,9 @@ JLT_CHECKED jlt_status jlt_scale_find(jlt_system *system, const double *starts, 
  *  Out: shape (dim + 1,). Errors: as jlt_map_point, jlt_orbit_create. Cost: two returns. */
 JLT_CHECKED jlt_status jlt_scale_moves(double *out, jlt_map *map, const double *q);
 
-/** Where tangent vectors are to be measured, and where one start told the sizes: if the derivative of the return from q, shape
- *  (dim,), is more than 64 times as large in the sizes found as in the flow's units, take the latter. A state that the motion
- *  hardly moves may move others, and its size says nothing of that.
+/** For systems whose tangent vectors are to be computed, and whose sizes are from one start: if the derivative of the return from
+ *  q, shape (dim,), is more than 64 times as large in the sizes found as in the flow's units, take the flow's units as sizes. A
+ *  state that the motion hardly moves may move others, which its size does not show.
  *  Errors: NOMEM; ARG, as jlt_map_create. Cost: a return with its derivative. */
 JLT_CHECKED jlt_status jlt_scale_for_tangents(jlt_system *system, const double *q);
 

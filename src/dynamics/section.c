@@ -30,7 +30,7 @@ struct jlt_section {
     jlt_settling settling;
     bool settled; /* the orbit has settled on the section */
     double limit[JLT_CHART_STATES_MAX]; /* when rests: the equilibrium */
-    bool accepted;   /* restart the integrator at x: it has not been there, or its state differs by turns */
+    bool accepted;   /* restart the integrator at x: it is elsewhere, or differs from x by turns */
     jlt_section_conditions watched; /* the model's conditions since the start */
 };
 
@@ -275,7 +275,7 @@ static void end_at_pole(jlt_section *self, jlt_return *row, const jlt_outcome *o
     if (chart->side != NULL) row->fate = jlt_section_fate_at_pole(chart->side(chart, row->x));
 }
 
-/* Make *row the end that the outcome reports, which is no crossing of the section. */
+/* Make *row the end that the outcome reports, other than a crossing of the section. */
 static void end_by(jlt_section *self, jlt_return *row, const jlt_outcome *outcome)
 {
     const double t = jlt_epoch_time(&self->began, outcome->t);

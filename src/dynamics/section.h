@@ -35,7 +35,7 @@ typedef enum {
     JLT_FATE_POLE_PLUS,    /* ended at the pole of side +1, see chart.h */
     JLT_FATE_POLE_MINUS,   /* ended at that of side -1 */
     JLT_FATE_INVALID,      /* ended where a condition of the model breaks */
-    JLT_FATE_EQUILIBRIUM,  /* has come to rest (integrate/rest.h): crossings would drown in errors; x is the limit */
+    JLT_FATE_EQUILIBRIUM,  /* has come to rest (integrate/rest.h): crossings would be errors alone; x is the limit */
     JLT_FATE_LEFT_DOMAIN,  /* came to the edge of its table's domain, which that table does not call a pole */
     JLT_FATE_BUDGET,       /* max_steps or t_max was spent without a return or an end; or the orbit has settled on the section */
     /* The method failed; x is the last point it accepted. */
@@ -83,8 +83,8 @@ typedef struct {
 
 typedef struct jlt_section jlt_section;
 
-/** Create a section; *flow is copied. Call jlt_section_start before jlt_section_next. Errors: ARG, chart and field do not fit, or a
- *  direction or t_max that is none;
+/** Create a section; *flow is copied. Call jlt_section_start before jlt_section_next. Errors: ARG, chart and field do not fit, or
+ *  direction or t_max are not valid;
  *  UNSUPPORTED, end_where_invalid with more conditions than events fit (JLT_ORBIT_EVENTS_MAX); as jlt_orbit_create; NOMEM. */
 JLT_CHECKED jlt_status jlt_section_create(jlt_section **out, const jlt_flow *flow);
 void jlt_section_destroy(jlt_section *self); /* NULL is legal */
@@ -103,7 +103,7 @@ JLT_CHECKED jlt_status jlt_section_start_state(jlt_section *self, jlt_return *ro
 JLT_CHECKED jlt_status jlt_section_next(jlt_section *self, jlt_return *row);
 
 /** Tell the section that another integrator has found the next return: at time t since the start, at x, shape (states,), both
- *  in the units of chart and field. *row becomes what jlt_section_next would have made of it, except that `least` takes
+ *  in the units of chart and field. *row becomes as jlt_section_next would have set it, except that `least` takes
  *  conditions at this point alone into account; jlt_section_next goes on from here. Not to be called after an end. */
 void jlt_section_accept(jlt_section *self, jlt_return *row, double t, const double *x);
 

@@ -13,7 +13,7 @@
  * model's conditions, and the index of that condition. */
 enum { WATCHED = 2, COLUMNS_MAX = JLT_CHART_STATES_MAX + 1 + WATCHED, ROOM = 1024, BYTES = 1 << 28 };
 
-/* What is known of an orbit beside its rows. */
+/* An orbit, without its rows. */
 typedef struct {
     size_t rows;
     unsigned lost;

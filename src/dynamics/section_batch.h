@@ -22,8 +22,8 @@ typedef struct {
     const jlt_instance *project; /* the flow's instance: lanes restore its integrals, and the relation of a root, at crossings;
                                     NULL: they do not */
     bool backwards;   /* in time */
-    bool watches;     /* the model's conditions: whether one has been lost, `least` is then <= 0 and that of the first loss; if the
-                         flow seeks_least, the least value */
+    bool watches;     /* the model's conditions: `least` is <= 0 where one has broken, but the least value only if the flow
+                         seeks_least */
     bool last_only;   /* orbits are read by jlt_section_batch_last alone: no other rows are kept */
     /* Called with the number of returns made since the run began, by all threads; NULL: not called. */
     void (*progress)(void *context, size_t returns);

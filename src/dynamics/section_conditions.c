@@ -4,7 +4,7 @@
 
 #include "integrate/locate.h"
 
-static const double told = 0x1p-20; /* part of a condition by which it falls within a step, beyond errors of what is within */
+static const double told = 0x1p-20; /* part of a condition by which it must fall within a step: errors within it are less */
 
 void jlt_section_conditions_turn(jlt_section_conditions *self)
 {
@@ -55,8 +55,8 @@ static void above_values(void *context, double *out, const double *x)
     for (unsigned k = 0; k < JLT_STEPPER_NODES; k++) out[k] -= self->bound;
 }
 
-/* Where a condition is least within the last step, if it is below the bound there and rises again before the end. hold: all are
- * above at its ends; else it has to be seen whether this one is. */
+/* Whether a condition falls below the bound within the last step and rises again before its end; *least: where it is least. hold:
+ * all conditions are above the bound at both ends of the step; if false, this one is examined there. */
 static bool dips(jlt_event_least *least, jlt_orbit *orbit, const jlt_event *event, bool hold)
 {
     const jlt_stepper *stepper = jlt_orbit_stepper(orbit);

@@ -39,7 +39,7 @@ bool jlt_section_flows_fit(const jlt_flow *first, const jlt_flow *flow);
 JLT_CHECKED jlt_status jlt_section_flows_add(jlt_section_flows *self, const jlt_flow *flow, const jlt_instance *project);
 
 /** Whether these may be kernels of the flow's field: those of another table, or of another field of the same one, follow another
- *  motion. True for NULL, and for a field of one's own, of which no kernels are known. */
+ *  motion. True for NULL, and for a field that no table has. */
 bool jlt_section_flows_owns(const jlt_flow *flow, const jlt_kernel_batch *kernels);
 
 /** Returns why orbits of this flow cannot go in lanes, a clause such as "returns have an end in time"; NULL: they can. */

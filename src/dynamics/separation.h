@@ -11,12 +11,12 @@
 
 typedef struct {
     size_t returns;        /* counted of each orbit, at most, after those left out */
-    size_t alive_forward, alive_backward; /* orbits that had not ended after options->returns: the same in every row */
+    size_t alive_forward, alive_backward; /* orbits alive after options->settle + options->returns: the same in every row */
     size_t strayed;        /* orbits that left the branch of a chart that solves for states, and were followed no further: the same
                               in every row */
     size_t forward, backward, common;     /* cells visited: forwards, backwards, and both ways */
     double overlap;        /* common/(forward + backward - common); 1: the same set, 0: apart; NaN: no cell was visited */
-    double mirror_overlap; /* the same of the forward set's mirror image and the backward set: tends to 1 with length */
+    double mirror_overlap; /* that of the forward set's mirror image and the backward set: tends to 1 with `returns` */
 } jlt_separation;
 
 typedef struct {

@@ -124,7 +124,7 @@ static bool serves(jlt_link *link, const jlt_claim **claim, const jlt_descriptor
     return true;
 }
 
-/* Table `number` of the search: the asked one, those beside it, then those built in; NULL where a built-in one has come before. */
+/* Table `number` of the search: the asked one, tables beside it, then built-in ones; NULL for a built-in one that came before. */
 static const jlt_descriptor *candidate(size_t number, const jlt_descriptor *asked, const jlt_way_tables *others)
 {
     const size_t beside = others != NULL ? others->count : 0;

@@ -40,11 +40,11 @@ typedef struct jlt_surface {
 JLT_CHECKED jlt_status jlt_surface_find(jlt_surface *out, const jlt_claim **broken, const jlt_descriptor *asked,
                                         const jlt_way_tables *others, const char *name);
 
-/** What else of the asked table has the name of a level, which neither the section's record nor reductions show to be it; NULL if
- *  nothing has, or the name is no level. */
+/** Another quantity of the asked table that has the name of a level, where neither the section's record nor reductions show the two
+ *  to be the same; NULL if there is none, or the name is not that of a level. */
 const char *jlt_surface_taken(const jlt_surface *surface, const char *level);
 
-/** The index of a value; surface->count where there is none of this name. */
+/** The index of a value; surface->count where none has this name. */
 unsigned jlt_surface_value(const jlt_surface *surface, const char *name);
 
 /** Arrange values, shape (count,), as the section's kernels take them. Out: out, shape (JLT_CHART_VALUES_MAX,), the table's
@@ -59,8 +59,8 @@ void jlt_surface_arrange(double *out, const jlt_surface *surface, const double *
 JLT_CHECKED jlt_status jlt_surface_system(jlt_system **out, const jlt_surface *surface, const double *values,
                                           const jlt_flow *options);
 
-/** The same for values so near those of another system of the surface, `near`, that the section lies and is crossed as there:
- *  neither is looked at again, and the flow counts in the same units. A tenth of the cost. Errors: as jlt_surface_system, but for
+/** jlt_surface_system for values so near those of another system of the surface, `near`, that the section's place and crossings are
+ *  taken to be the same: neither is examined, and the flow counts in the same units. A tenth of the cost. Errors: as there, but for
  *  EMPTY and ARG. */
 JLT_CHECKED jlt_status jlt_surface_system_near(jlt_system **out, const jlt_system *near, const double *values,
                                                const jlt_flow *options);

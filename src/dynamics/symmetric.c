@@ -179,7 +179,7 @@ static jlt_status compute(const search *self, samples *of, size_t *done)
     return JLT_OK;
 }
 
-/* Whether h_(j+1) may touch zero beside sample i, between two samples of one sign: a parabola through three values goes below the
+/* Whether h_(j+1) may touch zero next to sample i, between two samples of one sign: a parabola through three values goes below the
  * least of them by an eighth of their largest difference at most. */
 static bool may_dip(const samples *of, size_t i, size_t j)
 {

@@ -24,15 +24,15 @@ typedef struct {
 typedef struct {
     /* Called for every orbit found; a status other than JLT_OK ends the search with it. */
     jlt_status (*found)(void *context, const jlt_periodic *orbit);
-    /* Called now and then, by the caller's thread: `done` of `all` are done of `what`, first "samples", to which those that are
-     * added count, then "zeros" of the h_j. NULL: not called. */
+    /* Called now and then, by the caller's thread: `done` of `all` are done; what: first "samples", among them those that are
+     * added, then "zeros" of the h_j. NULL: not called. */
     void (*progress)(void *context, const char *what, size_t done, size_t all);
     void *context;
 } jlt_symmetric_sink;
 
 /** Search for the orbits of up to period_max returns. kernels: of the flow's field, for samples in lanes (NULL: they go one at a
  *  time), on `threads` threads. Two zeros of h_j between neighbouring samples are not seen: samples are added where an h_j changes
- *  by more than a quarter from one to the next, where orbits begin or cease to return j times, and beside the least of |h_j| if a
+ *  by more than a quarter from one to the next, where orbits begin or cease to return j times, and next to the least |h_j| if a
  *  parabola through it may reach zero. Each orbit is refined by jlt_periodic_find and starts at its point nearest to the fixed set.
  *  Samples without a state are skipped.
  *  Errors: UNSUPPORTED, the chart is not reversible, or does not mirror exactly one coordinate other than `free`; ARG, samples,

@@ -28,8 +28,8 @@ typedef struct {
 JLT_CHECKED jlt_status jlt_system_bind(jlt_system *self, const jlt_descriptor *descriptor, const double *params,
                                        const jlt_units *units, const jlt_flow *options);
 
-/** The kernel by which orbits of `descriptor`, a general field or a variant, are followed to plane sections: if every pole is
- *  proved, that of the time that lifts the root of the poles, so that orbits end there; otherwise `descriptor` itself. */
+/** The kernel that follows orbits of `descriptor`, a general field or a variant, to plane sections: if every pole is proved, the
+ *  kernel in the time that lifts the root of the poles, so that orbits end there; otherwise `descriptor` itself. */
 const jlt_descriptor *jlt_system_regular(const jlt_descriptor *descriptor);
 
 /** The section x[column] = level of any kernel. In a time that lifts roots these are not among the coordinates. Out: *out, NULL
@@ -40,7 +40,7 @@ const jlt_descriptor *jlt_system_regular(const jlt_descriptor *descriptor);
 JLT_CHECKED jlt_status jlt_system_plane(jlt_system **out, const jlt_descriptor *descriptor, const double *params,
                                         unsigned column, double level, const int *signs, const jlt_flow *options);
 
-/** Declare states of a plane section to be angles: periods, shape (states,), 0 for a state that is none. Call it before
+/** Declare states of a plane section to be angles: periods, shape (states,), 0 for the others. Call it before
  *  jlt_system_levels. Errors: DOMAIN, a period that the table does not prove, of a state that has an interval, or one that field,
  *  domain and conditions do not have at one of five test points; *state is then the index of that state. */
 JLT_CHECKED jlt_status jlt_system_angles(jlt_system *self, const double *periods, unsigned *state);
@@ -55,8 +55,8 @@ bool jlt_system_is_reversed(const jlt_system *self, const int *signs);
 JLT_CHECKED jlt_status jlt_system_levels(jlt_system *self, const jlt_level *levels, unsigned count);
 
 /** Let the flow of a plane section, whose angles and levels are set, count in units of the problem (jlt_instance_units) where
- *  states are of these sizes, shape (states of the general field,). It stays as it is where the table's units are no dimensions of
- *  its terms, or an angle has a unit. Maps and sections made from the flow before become invalid. Errors: as
+ *  states are of these sizes, shape (states of the general field,). Nothing changes if terms do not have the dimensions of the
+ *  table's units, or an angle has a unit. Maps and sections made from the flow before become invalid. Errors: as
  *  jlt_instance_create. */
 JLT_CHECKED jlt_status jlt_system_count(jlt_system *self, const double *sizes);
 

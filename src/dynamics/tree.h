@@ -29,9 +29,9 @@ typedef struct {
     size_t last, longer;
 } jlt_tree_left;
 
-/** Follow the branch of the first orbit, then branches that begin on it, for that many generations: both
- *  sides of a branch point, one side of a period doubling. Sections of two coordinates only, where generations > 0.
- *  Errors: NOMEM; those of the sink; of the first branch those of jlt_continuation_run. */
+/** Follow the branch of the first orbit, then branches that begin on it, for that many generations: on both sides of a branch
+ *  point, on one side of a period doubling. Sections of two coordinates only, where generations > 0. Errors: NOMEM; those of the
+ *  sink; of the first branch those of jlt_continuation_run. */
 JLT_CHECKED jlt_status jlt_tree_grow(jlt_tree_left *left, const jlt_chart *chart, const jlt_family *family,
                                      const jlt_continuation_point *first, int direction, size_t generations,
                                      const jlt_continuation_options *options, const jlt_tree_sink *sink);

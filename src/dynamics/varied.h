@@ -27,11 +27,12 @@ JLT_CHECKED jlt_status jlt_varied_make(jlt_varied *self, const jlt_field *plain,
                                        unsigned tangents);
 void jlt_varied_clear(jlt_varied *self); /* legal on a zeroed one */
 
-/** Whether a state of x, shape (n,), that the plain field keeps is 0, or all of a group are. Tangents there may fall along them
- *  below what the tolerance tells, and grow again. */
+/** Whether a kept state (jlt_field) of x, shape (n,), is 0, or all states of a group are. Components of tangent vectors along these
+ *  states may fall below what the tolerance resolves, and grow again. */
 bool jlt_varied_is_kept(const jlt_field *plain, const double *x);
 
-/** Before an orbit begins in x, shape (n,): along states that stay 0 tangents have relative errors, and elsewhere scale 1. */
+/** Set the scales before an orbit begins in x, shape (n,): 0, for relative errors, for tangents' components along kept states that
+ *  stay 0, and 1 for all others. */
 void jlt_varied_begin(jlt_varied *self, const double *x);
 
 /** Compute the plain field, then its Jacobian, at x: both, shape (n + n*n,). */

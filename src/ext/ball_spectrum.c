@@ -101,8 +101,8 @@ static void attribute(jlt_ball_spectrum *s, const jlt_ball_problem *p)
     _arb_vec_clear(gradients, (slong)p->table->integral_count * p->n);
 }
 
-/* Give this row of A a column of its own in which it is not zero, by which rows before it may get another. owner: shape (n,), -1 or
- * the row that has the column. Returns false if there is none. */
+/* Give this row of A a column of its own in which it is not zero; rows before it may get other columns. owner: shape (n,), -1 or
+ * the row that has the column. Returns false if this is impossible. */
 static bool place_row(const jlt_ball_problem *p, slong row, slong *owner, bool *seen)
 {
     for (slong j = 0; j < p->n; j++) {

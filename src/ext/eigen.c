@@ -132,9 +132,9 @@ static bool is_orthogonal(const gsl_matrix *u)
     return true;
 }
 
-/* Decompose u by rotations of its columns, in place. GSL ends them where its bounds of their errors have grown, which can leave
- * columns that are not orthogonal, and small singular values too large by any factor where there are 24 columns or more. Such
- * columns are decomposed again. */
+/* Decompose u by rotations of its columns, in place. GSL stops where its bounds of their errors have grown, which can leave columns
+ * that are not orthogonal, and, with 24 columns or more, small singular values that are too large by any factor. Such columns are
+ * decomposed again. */
 static jlt_status rotate(decomposition *self)
 {
     enum { TIMES = 50 };

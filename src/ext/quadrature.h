@@ -8,7 +8,7 @@
 typedef jlt_status (*jlt_quadrature_integrand)(void *context, double *value, double at);
 
 /** Integral from low to high, in either order, by adaptive 31-point Gauss-Kronrod. If that does not reach the accuracy, as at
- *  singular ends, 21 points with extrapolation are tried, which take a peak beside an end for a singularity, and lose digits there.
+ *  singular ends, 21 points with extrapolation are tried, which take a peak near an end for a singularity, and lose digits there.
  *  Out: *integral; *error, an estimate of its absolute error; both untouched on failure.
  *  In:  absolute, relative: the accuracy required, of which the looser one decides; the integrand is never evaluated at the ends.
  *  Errors: the integrand's; NO_CONVERGENCE if the accuracy is not reached for another reason than rounding; NONFINITE; NOMEM.

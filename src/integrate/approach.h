@@ -1,8 +1,8 @@
 /** How an orbit decays onto an equilibrium, judged by the field's Jacobian at the orbit's current point.
  *
- *  The remaining displacement y solves J y = x' in the decaying subspace: x(infinity) = x - y up to second order. States that rest
- *  exactly and that no moving state pushes (as those across a plane in which the motion stays) are left out: an orbit on such an
- *  invariant plane decays or grows in it alone. */
+ *  The remaining displacement y solves J y = x' in the decaying subspace: x(infinity) = x - y up to second order. A state whose
+ *  rate is exactly 0 and depends on no moving state, such as a coordinate across an invariant plane, is left out: an orbit in that
+ *  plane is judged by its motion in the plane alone. */
 #ifndef JLT_INTEGRATE_APPROACH_H
 #define JLT_INTEGRATE_APPROACH_H
 
@@ -22,8 +22,8 @@ bool jlt_approach_is_known(const jlt_approach *self, const jlt_stepper *stepper)
 
 /** Whether an equilibrium lies within `distance` of x, shape (dim,), relative to max(|x_i|, size): J y = x' has such a solution y,
  *  up to rounding and terms of second order. An orbit without one goes farther, however slowly. A field with more than
- *  JLT_JACOBIAN_DIM_MAX states is taken to have one where no rate is above distance times size; one whose eigenvalues are not
- *  found, to have one; one whose Jacobian is not finite, as far out, to have none. Cost: as below. */
+ *  JLT_JACOBIAN_DIM_MAX states is taken to have one where no rate is above distance times size; there is one where eigenvalues are
+ *  not found, and none where the Jacobian is not finite, as far out. Cost: as jlt_approach_judge. */
 bool jlt_approach_is_near(const jlt_field *field, const double *x, double size, double distance);
 
 /** Judge the stepper's current point. Cost: a Jacobian and its eigenvalues. A field with more than JLT_JACOBIAN_DIM_MAX states is

@@ -15,7 +15,8 @@
 #include "integrate/field.h"
 #include "kernel/instance.h"
 
-/** Longer tangent vectors may be those of a close passage, in which lanes lose more digits than a return may. */
+/** The factor by which a tangent vector may lengthen in a lane. A longer one may come from a close passage, in which lanes lose
+ *  more digits than a return may. */
 enum { JLT_BATCH_STRETCHED = 10000 };
 
 enum {
@@ -30,11 +31,13 @@ typedef enum {
     JLT_LANE_ROOT,    /* the lifted root fell below root_floor and all else has come to rest: near a pole; go on from there with a
                          scalar method */
     JLT_LANE_DOMAIN,  /* the orbit would have left the domain, or may have: go on from there with a scalar method */
-    JLT_LANE_STALLED, /* the step fell below what time resolves, a value is not finite, or a tangent vector has more than
-                         JLT_BATCH_STRETCHED times its length: go on from there with a scalar method */
+    JLT_LANE_STALLED, /* the step fell below what time resolves, a value is not finite, a tangent vector has more than
+                         JLT_BATCH_STRETCHED times its length, or the root came back (root_least): go on from there with a scalar
+                         method */
     JLT_LANE_BUDGET,  /* max_steps are spent on one return */
-    JLT_LANE_DOUBTED  /* steps, taken again in two halves, differed by far more than estimated errors: the rows so far are
-                         void; begin again, from the start that x is, with a scalar method */
+    JLT_LANE_DOUBTED  /* steps that were taken again, in two halves, differed by far more than their estimated errors, or
+                         watch->ends applies: the rows so far are void; x is the start, from which to begin again with a scalar
+                         method */
 } jlt_lane_end;
 
 /** What orbits of one map may differ in. Plain data; what it points to must live as long as it is used. */
@@ -47,12 +50,12 @@ typedef struct {
 } jlt_batch_case;
 
 /** Conditions under which the model holds, by the kernel `valid_values`: evaluated at the end of every accepted step, and within it
- *  where one may be lost and come back. */
+ *  where one may break and hold again. A condition holds while its value is > 0. */
 typedef struct {
     const jlt_kernel_batch *kernels; /* of the instruction set that the map's kernels have */
     unsigned count;                  /* 1 .. JLT_BATCH_CONDITIONS_MAX */
-    bool until_lost;                 /* an orbit is watched only until a value is <= 0: what is watched stays as it is there */
-    bool seeks_least;                /* within a step also where one may only be less than before */
+    bool until_lost;                 /* steps are watched only until a value is <= 0; rows count values at their points as well */
+    bool seeks_least;                /* look within a step also where a value may only be less than the least so far */
     bool ends;                       /* an orbit on which a value is <= 0 or NaN ends as doubted: another method finds where */
 } jlt_batch_watch;
 
@@ -73,7 +76,7 @@ typedef struct {
     bool backwards;                  /* orbits are followed back in time */
     int root;                        /* index of the lifted root, whose error is controlled relative to itself. Set -1 for none: a
                                         zeroed structure makes x[0] the root */
-    uint64_t kept;                   /* bit i: state i is kept, as of jlt_field: its error is compared with at most
+    uint64_t kept;                   /* bit i: state i is kept (jlt_field): its error is compared with at most
                                         JLT_FIELD_SPREAD times itself, however small it is */
     const jlt_state_groups *groups;  /* as of jlt_field; NULL: none */
     uint64_t angles;                 /* bit i: state i is an angle, as of jlt_field: no other state's error is relative to it */
@@ -117,8 +120,8 @@ typedef struct {
     size_t stages;   /* evaluations of a full vector */
 } jlt_batch_work;
 
-/** The usual max_steps for a tolerance: 400 at 1e-12, where returns take some 40; fewer at looser ones, 100 at least. A creeping
- *  orbit takes more: stability then limits the steps of explicit methods, and their error is no power of the step. */
+/** The usual max_steps for a tolerance: 400 at 1e-12, where returns take some 40; fewer at looser ones, 100 at least. An orbit that
+ *  is almost at rest takes more: stability then limits the steps of explicit methods, and their error is no power of the step. */
 size_t jlt_batch_most_steps(double tolerance);
 
 /** The usual root_rest, where rates of decay are from 0.1 to 2 (integrate/approach.h). Ten tolerances at least: explicit methods at

@@ -18,8 +18,8 @@ typedef struct jlt_batch_method {
     jlt_stage_sum sum[JLT_BATCH_STAGES_MAX]; /* [i - 1] leads to slope i; the last one is the solution */
     jlt_stage_sum error;                     /* its error estimate */
     jlt_stage_sum high, low; /* divided differences of the slopes in time, of orders n and n - 2, at instants of the step */
-    double quadrature;       /* of an oscillation that advances a radian in a step, three times the error that the step makes in an
-                                integral over time is quadrature high (high/low)^2 */
+    double quadrature;       /* three times the error, in a time integral over a step, of an oscillation that advances a radian in
+                                it is quadrature high (high/low)^2 */
 } jlt_batch_method;
 
 /** The table: verner8, stepanov10. NULL past the end. */

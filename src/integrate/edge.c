@@ -8,7 +8,8 @@
 enum { SAMPLES = 16, BISECTIONS = 60 };
 static const double ahead = 1e-8; /* part of |tau|: half of its digits */
 
-/* How far x is from where it counts as being at an end of its interval, which may be infinite. */
+/* The distance of x from the place where it counts as being at an end of its interval, which may be infinite: just inside that end.
+ * side: +1 for the lower end, -1 for the upper one. */
 static double margin(double x, double end, double side)
 {
     return isfinite(end) ? side * (x - end) - JLT_FIELD_NEAREST * fabs(end) : INFINITY;
@@ -19,8 +20,8 @@ static bool is_kept_from(const jlt_field *field, unsigned state, double end)
     return end == 0 && jlt_field_keeps(field, state);
 }
 
-/* Where an interval's end counts as such: below the least scale nothing is left of a kept state but errors, which may change its
- * sign. */
+/* The level that counts as this end of the interval. A kept state may come as near to 0 as it likes, but below the least scale it
+ * is only errors, which may change its sign: there the level is beyond 0 by that scale. */
 static double end_of(const jlt_field *field, unsigned state, double end, double side)
 {
     return is_kept_from(field, state, end) ? -side * JLT_STEPPER_SCALE_LEAST : end;
@@ -34,7 +35,7 @@ static const jlt_quantity *interval_of(const jlt_domain *domain, unsigned state)
     return domain->intervals != NULL ? &domain->intervals[state] : &whole;
 }
 
-/* Whether nothing is left of this state, and `end` is the end of its interval that it was kept from, or any where 0 is none. */
+/* Whether this state is lost (edge.h), and `end` is the 0 that it was kept from, or either end of an interval with 0 inside. */
 static bool is_lost_at(const jlt_stepper *stepper, unsigned state, double end)
 {
     if (!jlt_state_set_has(&stepper->lost, state)) return false;
@@ -42,14 +43,15 @@ static bool is_lost_at(const jlt_stepper *stepper, unsigned state, double end)
     return end == 0 || (interval->low < 0 && interval->high > 0);
 }
 
-/* What is lost may not come back as errors that have grown: its end is where it would. */
+/* The distance of a lost state from twice the least scale, where the domain ends for it: beyond, it would be errors that have
+ * grown. */
 static double below_return(double x)
 {
     return 2 * JLT_STEPPER_SCALE_LEAST - fabs(x);
 }
 
-/* How far x is from an end of this state's interval. A kept state may be as near to 0 as it likes: its distance is in units of what
- * it is at the step's start. */
+/* The distance of x from an end of this state's interval, relative to the larger of |end| and the state's unit. The unit of a kept
+ * state, at the end 0, is its value at the start of the step. */
 static double distance(const jlt_stepper *stepper, unsigned state, double x, double end, double side)
 {
     const jlt_field *field = stepper->field;
@@ -75,8 +77,8 @@ static double least_of_intervals(const jlt_stepper *stepper, const double *x)
     return least;
 }
 
-/* The least value of a condition, in units of what it is at the step's start. At its pole the domain ends as well: what has grown
- * counts by its inverse. */
+/* The least value of a condition relative to that at the step's start. The domain ends at a pole of a condition as well, so that a
+ * condition that has grown counts by the inverse of this ratio. */
 static double least_of_conditions(const jlt_stepper *stepper, const double *x)
 {
     const jlt_domain *domain = &stepper->field->domain;
@@ -124,7 +126,7 @@ static double time_to_zero(double value, double rate)
     return rate < 0 ? -value / rate : INFINITY;
 }
 
-/* Whether a condition is as near to its zero, or its pole, in time as in value: one of higher order is small long before. */
+/* Whether a condition is as near to its zero, or its pole, in time as in value. A zero of higher order is not, at small values. */
 static bool is_soon(const jlt_stepper *stepper)
 {
     const jlt_domain *domain = &stepper->field->domain;

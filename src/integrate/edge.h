@@ -1,9 +1,9 @@
 /** Where an orbit leaves the domain of its field: an end of a state's interval, or a condition that comes to zero.
  *
- *  Both are functions that are positive inside. At the ends of steps they are evaluated. Within a step they are looked
- *  at as loss.h says, so that an orbit which leaves and comes back within one step is detected if it is outside by more than
- *  jlt_locate_noise, or a condition is negative by more than rounding. A kept state that has been below the least scale is
- *  outside where it comes back above twice that. */
+ *  Both are functions that are positive inside. They are evaluated at the ends of steps. Within a step they are examined as in
+ *  loss.h: an orbit which leaves and comes back within one step is detected if it is outside by more than jlt_locate_noise, or if a
+ *  condition is negative by more than rounding. A kept state (jlt_field) that has been below JLT_STEPPER_SCALE_LEAST is lost, as
+ *  only errors are left of it: the orbit counts as outside where that state rises above twice this scale. */
 #ifndef JLT_INTEGRATE_EDGE_H
 #define JLT_INTEGRATE_EDGE_H
 
@@ -11,17 +11,17 @@
 
 /** Find where in the last step the orbit is outside for the first time, as far as the polynomial tells. Out: *theta, 1 where only
  *  the end of the step is known to be outside, INFINITY when the orbit stays inside.
- *  Cost: that of jlt_stepper_dense where the step comes so near to an end that its variation does not exclude it; of conditions,
- *  that of jlt_loss_first. Errors: those of
- *  jlt_stepper_dense and of partial steps. */
+ *  Errors: those of jlt_stepper_dense and of partial steps. Cost: that of jlt_stepper_dense where the step comes so near to an end
+ *  that its variation does not exclude it; of conditions, that of jlt_loss_first. */
 JLT_CHECKED jlt_status jlt_edge_left(double *theta, jlt_stepper *stepper);
 
 /** Whether the stepper's point is outside the domain. */
 bool jlt_edge_is_outside(const jlt_stepper *stepper);
 
-/** Whether the point counts as being at the domain's end: its distance from an interval's end, relative to the larger of |end|
- *  and the state's scale, or a condition's value, relative to that at the start of the step, or the inverse of that beside a pole,
- *  is at most the larger of the tolerance and 2^-46; and a condition, at its rate, as near in time, relative to the step. */
+/** Whether the point counts as being at the domain's end. It does if its distance from an interval's end, relative to the larger of
+ *  |end| and the state's scale, is at most d, the larger of the tolerance and 2^-46; or if the ratio of a condition's value to that
+ *  at the start of the step, or the inverse of that ratio near a pole, is at most d, and a condition comes to 0 at its present
+ *  rate, or came from there, in a time of at most d steps. */
 bool jlt_edge_reached(const jlt_stepper *stepper);
 
 /** Whether the orbit would be outside, or have passed the zero of a condition, after going straight on for 1e-8 |tau|: where the
@@ -33,7 +33,7 @@ typedef struct {
     bool is_condition;
     unsigned index; /* of the condition, or of the state */
     bool is_upper;  /* of the interval's ends */
-    bool is_lost;   /* nothing is left of the state, which keeps its sign: its end is 0 */
+    bool is_lost;   /* the state keeps its sign and is lost, as above: its end is 0 */
 } jlt_edge_part;
 
 /** Find the end that the stepper's point is beyond, or comes to first if it goes straight on. Returns false if it comes to none.

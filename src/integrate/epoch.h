@@ -1,5 +1,5 @@
-/** Long times in parts: the time at which a clock was set to 0, which carries its rounding error along. Those of a million returns
- *  of one period may all have one sign. */
+/** A long time as a sum of two numbers: the time at which a clock was set to 0, and its rounding error. Without that error a
+ *  million returns of one period might all round in one direction, and add up. */
 #ifndef JLT_INTEGRATE_EPOCH_H
 #define JLT_INTEGRATE_EPOCH_H
 

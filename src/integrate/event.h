@@ -28,7 +28,8 @@ typedef struct {
     void *context;
     jlt_direction direction;
     bool grazing; /* report touches too, whatever the direction asked for */
-    bool loss;    /* report, instead, where a function ceases to be positive, beside poles too: the first time in a step (loss.h) */
+    bool loss;    /* report, instead, the first place in a step where the function ceases to be positive, near its poles too
+                     (loss.h) */
     /* Largest allowed |dtau| of a step from x, where f is the field, in this direction of tau: for fields that are rough near
      * g = 0. NULL: no limit. */
     double (*longest_step)(void *context, const double *x, const double *f, double direction);

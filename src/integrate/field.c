@@ -35,7 +35,7 @@ unsigned jlt_field_unbounded(const jlt_field *field, const double *x, double t)
     return found;
 }
 
-/* How many conditions restrict orbits: none where all are on parameters alone. */
+/* The number of conditions that restrict orbits: 0 if all are on parameters alone. */
 static unsigned conditions_of(const jlt_descriptor *descriptor)
 {
     for (unsigned i = 0; i < descriptor->domain_count; i++)

@@ -13,13 +13,13 @@
 #include "kernel/instance.h"
 #include "kernel/region.h"
 
-/* JLT_FIELD_DIM_MAX: 128 states, their derivatives by 128 coordinates, and one integral. JLT_JACOBIAN_DIM_MAX: orbits of a field
+/* JLT_FIELD_DIM_MAX: 128 states, their derivatives by 127 coordinates, and one integral. JLT_JACOBIAN_DIM_MAX: orbits of a field
  * with more states are not tested for poles, and come to rest only where they are slower than JLT_REST_STILL. */
 enum { JLT_FIELD_DIM_MAX = 128 * 128 + 1, JLT_JACOBIAN_DIM_MAX = 32 };
 
 enum { JLT_DOMAIN_STATES_MAX = JLT_STATE_SET_MAX }; /* as in a table, with lifted roots */
 
-/** Where a field means something: in open intervals of its states, and where conditions on them are positive. */
+/** Where a field is defined: in open intervals of its states, and where conditions on them are positive. */
 typedef struct {
     unsigned states;               /* leading columns that are restricted, <= JLT_DOMAIN_STATES_MAX */
     const jlt_quantity *intervals; /* (states,); NULL: not watched */
@@ -29,7 +29,8 @@ typedef struct {
     const double *p;               /* passed through */
 } jlt_domain;
 
-/** The factor by which a state's relative error may be larger beside a larger state: six bits, less than two digits. */
+/** A state's error is relative to larger states beside it, but to at most this many times the state itself: six bits, or less than
+ *  two digits, of it are lost. */
 enum { JLT_FIELD_SPREAD = 64 };
 
 typedef struct {
@@ -47,12 +48,12 @@ typedef struct {
     const double *scale;           /* (dim,), >= 0, the size below which a state counts as small: its error is measured
                                       against max(|x_i|, scale_i). NULL: 1, and 0 for the root and the kept states,
                                       whose errors are relative */
-    jlt_state_set kept;            /* those that keep their sign, as their rates go to 0 with them; their errors are relative */
+    jlt_state_set kept;            /* the kept states: each keeps its sign, as its rate goes to 0 with it; its error is relative */
     jlt_state_groups groups;       /* of states that are 0 only together: their errors are relative to JLT_FIELD_SPREAD times the
                                       largest of the group, where that is less than their scales */
-    unsigned tangents;             /* vectors along the domain's states, which follow them: where a group is 0, their components
-                                      along it are 0 only together */
-    jlt_state_set angles;          /* those that may grow by turns: in lanes other states' errors are not relative to them */
+    unsigned tangents;             /* how many tangent vectors along the domain's states follow these: where a group is 0, a
+                                      vector's components along it are 0 only together */
+    jlt_state_set angles;          /* these may grow by whole turns: in lanes other states' errors are not relative to them */
     unsigned sized;                /* leading states for which a scale of 1 means jlt_field_size of an orbit's start; 0: none */
 } jlt_field;
 
@@ -84,7 +85,7 @@ double jlt_field_size_at(const jlt_field *field, const double *x);
 /** Whether state i is one of the kept ones. */
 bool jlt_field_keeps(const jlt_field *field, unsigned i);
 
-/** The scale of state i as the field declares it: 1 also where the orbit's size is to stand for it. */
+/** The scale of state i as the field declares it: 1 also for a state whose scale is in fact the orbit's size (`sized`). */
 double jlt_field_scale(const jlt_field *field, unsigned i);
 
 /** The size below which state i counts as small on an orbit of this size. */

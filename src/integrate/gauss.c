@@ -1,7 +1,7 @@
 /* Collocation at the eight Gauss nodes (E. Hairer, C. Lubich, G. Wanner, Geometric Numerical Integration, II.1.3 and
  * VIII.6): order 16 at the ends, symmetric, and exact on quadratic integrals. The implicit equations are solved by sweeps over
- * all nodes, x <- x0 + h A f(x), which a vector processor does for the price of one evaluation; the first guess is the
- * last step's polynomial, continued, and the field there is asked for at the end of that step already, so that it is evaluated
+ * all nodes, x <- x0 + h A f(x), which a vector processor does for the price of one evaluation. The first guess is the last step's
+ * polynomial, continued. The field at the guess is evaluated already at the end of the last step, so that the processor does it
  * while events are looked for.
  * Errors of steps are estimated in gauss_error.h and gauss_between.h.
  *
@@ -179,8 +179,8 @@ static double moved_by(gauss *self, jlt_stepper *stepper, double part, bool of_s
 }
 
 /* Solve for the nodes of a step h, beginning with those in place. The field is evaluated before a sweep is judged, so that the two
- * overlap. *rate: by which a sweep contracts, 1 if not known; replaced where it is measured. insist: for a part of a step that was
- * solved, where sweeps are known to contract: if they seem not to, they do in pairs, or are down to rounding. */
+ * overlap. *rate: the factor by which a sweep contracts, 1 if not known; replaced where it is measured. insist: go on where sweeps
+ * do not contract, in a part of a step already solved: they do so in pairs there, or only rounding is left. */
 static bool solve(gauss *self, jlt_stepper *stepper, const jlt_gauss_nodes *nodes, double h, double *rate, bool insist)
 {
     const double enough = left_by_sweeps * stepper->tolerance;
@@ -251,7 +251,7 @@ static jlt_status step(jlt_stepper *stepper, double limit)
                     .rounding = rounding, .left = jlt_larger(left_by_sweeps * stepper->tolerance, rounding)
                 };
                 if (!falls) stepper->evaluations += jlt_gauss_error_see_tail(&seen, &made, self->sizes, stepper->tolerance);
-                /* where a step that is too long would have led tells nothing of a shorter one */
+                /* where the step is too long anyway, an end that is not finite says nothing of a shorter one */
                 if (seen.local <= 0) stepper->evaluations += jlt_gauss_error_see_ends(&seen, &made);
                 else defect = 0;
                 if (seen.local <= 0) {
@@ -291,8 +291,8 @@ static jlt_status step(jlt_stepper *stepper, double limit)
     return JLT_OK;
 }
 
-/* The inverse of the field's Lipschitz constant, estimated in an arbitrary direction. Beside an unstable equilibrium a first step
- * much longer than that may seem to be solved, where the growing part of the start is so small that no sweep detects it. */
+/* The inverse of the field's Lipschitz constant, estimated in an arbitrary direction. Near an unstable equilibrium a first step
+ * much longer than that may seem to be solved, since the growing part of the start is so small that no sweep detects it. */
 static double time_of_change(gauss *self, jlt_stepper *stepper)
 {
     static const double small = 1e-7;

@@ -110,7 +110,7 @@ static const _Alignas(64) double jlt_gauss_between[JLT_GAUSS_NODES][JLT_GAUSS_NO
       0.00010336432652596986417, -0.0011866861240377473723, 0.00070312891690772459901, -0.00012220239274642796164 },
 };
 
-/* Where it has them between the nodes. */
+/* Its places between the nodes. */
 static const double jlt_gauss_place_between[JLT_GAUSS_NODES - 1] = {
     0.061008259047490159, 0.155746818779124165, 0.324269348852608946, 0.5,
     0.675730651147391054, 0.844253181220875835, 0.938991740952509841

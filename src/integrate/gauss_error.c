@@ -83,7 +83,7 @@ static jlt_gauss_error corrected(jlt_gauss_error e, double miss, double doubt)
     return e;
 }
 
-/* Whether this error, in place of the other, would change a next step, which otherwise need not wait for it. */
+/* Whether the next step would change if this error took the place of the other; if not, it need not wait for it. */
 static bool is_notable(double error, double other)
 {
     return error > 0 || (error > limiting && error > other + notable);

@@ -50,7 +50,7 @@ static void destroy(jlt_stepper *stepper)
     free(self);
 }
 
-/* Give GSL the stepper's scales, by `set`. It multiplies them, so that of a column not controlled must be finite. */
+/* Give GSL the stepper's scales, by `set`. GSL multiplies them: the scale of a column that is not controlled must be finite. */
 static jlt_status set_scales(const jlt_stepper *stepper, jlt_status (*set)(jlt_gsl_ode *, const double *))
 {
     const gsl_state *self = stepper->state;

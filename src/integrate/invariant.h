@@ -24,8 +24,8 @@ void jlt_invariant_begin(jlt_invariant_watch *self, const jlt_invariants *of, co
 
 /** Put x, shape (dim,), back onto the levels, shape (count,), by two Gauss-Newton steps x <- x - W A^T (A W A^T)^-1 (F -
  *  level), where A holds the gradients and W the squares of the sizes of the states, `size`, shape (dim,). dim <=
- *  JLT_FIELD_DIM_MAX. An invariant whose gradient depends on those before it follows from these, and asks for nothing.
- *  x stays as it was where that gives no numbers.
+ *  JLT_FIELD_DIM_MAX. An invariant whose gradient depends linearly on those of the invariants before it is skipped. x is unchanged
+ *  where the result is not finite.
  *  Cost: two evaluations of F and of the gradients. */
 void jlt_invariant_restore(double *x, const jlt_invariants *of, const double *level, const double *size, unsigned dim);
 

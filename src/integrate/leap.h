@@ -7,10 +7,9 @@
 
 enum { JLT_LEAPS = 4 };
 
-/** Whether a step h to `end`, shape (columns,), is taken whatever its error estimate, because a shorter one could hardly be told
- *  from none, and this one moves no state by more than a billionth of its size. Then a rate jumps in it, or its slope does, and the
- *  error is no more than what rounding of time makes of it. After some such steps one must become longer, as it does not where an
- *  orbit slides along a jump. */
+/** Whether a step h to `end`, shape (columns,), is taken whatever its error estimate: time hardly resolves a shorter one, and this
+ *  one moves no state by more than a billionth of its size. A rate, or its slope, then jumps in it, and the error is at most that
+ *  of rounding time. After JLT_LEAPS such steps one must become longer, which fails where an orbit slides along a jump. */
 static inline bool jlt_leap_is_taken(jlt_stepper *self, double h, const double *end)
 {
     if (!jlt_step_is_short(self->tau, h) || self->leaps >= JLT_LEAPS) return false;

@@ -67,7 +67,7 @@ jlt_status jlt_locate_refine(jlt_crossing *crossing, double *x, double *slope_wo
                                jlt_stepper *stepper)
 {
     double *f = slope_work, *theta = &crossing->theta;
-    const double reach = event->loss ? 0x1p-10 : 0.5; /* beside a pole there may be other zeros, and slopes tell nothing */
+    const double reach = event->loss ? 0x1p-10 : 0.5; /* near a pole there may be other zeros, and slopes do not lead to them */
     double lo = fmax(*theta - reach, -0.01), hi = fmin(*theta + reach, 1.01); /* shrinks about the sign change */
     const double span = fabs(stepper->h), turn = crossing->direction * stepper->direction;
     if (*theta == 0) lo = -jlt_larger(1, stepper->h_next / span), hi = 1; /* found as the orbit left the noise */

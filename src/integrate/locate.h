@@ -11,8 +11,8 @@ double jlt_locate_value(const jlt_event *event, const double *x);
 /** dg/dtau at x, where f is the field at x: by central differences along f where the event has no `rate`. */
 double jlt_locate_slope(const jlt_event *event, const jlt_stepper *stepper, const double *x, const double *f);
 
-/** The size relative to which x[column] - level is measured: |level|, or jlt_stepper_unit of the column if that is larger, unless
- *  the state is kept, which is known as well at small levels. */
+/** The size relative to which x[column] - level is measured: |level|, or jlt_stepper_unit of the column if that is larger; |level|
+ *  alone for a kept state (jlt_field) and a level other than 0, since such a state is known as well at small levels. */
 double jlt_locate_unit(const jlt_event *event, const jlt_stepper *stepper);
 
 /** Compute the state x at theta by a partial step, the field f there, and g with its rate dg/dtau. Errors: the partial step's. */

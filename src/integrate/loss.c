@@ -22,7 +22,7 @@ static double value_at(const jlt_stepper *stepper, const jlt_event *event, doubl
     return jlt_locate_value(event, x);
 }
 
-/* Where between these places, at the first of which an event's function has the sign `side`, it has it no more. */
+/* Bisect for the place from which on an event's function has the sign `side` no longer, which it has at `low`. */
 static double change_between(const jlt_stepper *stepper, const jlt_event *event, int side, double low, double high)
 {
     for (int k = 0; k < BISECTIONS; k++) {
@@ -78,8 +78,8 @@ static double first_beyond(const jlt_stepper *stepper, const jlt_event *event, i
     return INFINITY;
 }
 
-/* Where a function itself changes sign near a zero of its polynomial, which at a zero of higher order is not as sharp, and may have
- * others beside it; INFINITY: nowhere. */
+/* The place where the function itself changes sign near a zero of its polynomial, which is less accurate at a zero of higher order,
+ * where the function may also have other zeros; INFINITY: there is none. */
 static double sharpened(const jlt_stepper *stepper, const jlt_event *event, int side, double theta)
 {
     for (double about = 0x1p-40; about < 0.1; about *= 16) {
@@ -90,8 +90,8 @@ static double sharpened(const jlt_stepper *stepper, const jlt_event *event, int 
     return INFINITY;
 }
 
-/* Beside a pole the polynomial of a function is far from it, and has zeros where the function has none, neither relative to the
- * step's start nor to the step. */
+/* Near a pole the polynomial of a function is far from it, and has zeros at which the function is small neither relative to its
+ * value at the step's start nor to that in the middle: then the function itself is searched for a change of sign. */
 jlt_status jlt_loss_zero(double *theta, jlt_stepper *stepper, const jlt_event *event, int side)
 {
     jlt_crossing list[JLT_CROSSINGS_MAX];
@@ -144,8 +144,8 @@ static bool stands_still(const jlt_stepper *stepper, const jlt_event *event, dou
     return rate[0] == 0 && rate[1] == 0;
 }
 
-/* What the polynomials through all values but the last, and all but the first, leave out: about as much as their last coefficient
- * in Chebyshev's polynomials, a divided difference. weight: shape (count - 1,). */
+/* The error of the polynomials through all values but the last, and all but the first: about their last coefficient in Chebyshev's
+ * polynomials, a divided difference. weight: shape (count - 1,). */
 static double left_out(const double *w, const double *weight, unsigned count)
 {
     double from_start = 0, from_end = 0;

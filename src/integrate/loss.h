@@ -1,9 +1,9 @@
 /** Where within the last step a function of the state comes to zero, or loses its sign and gets it back.
  *
- *  At the ends of the step, and where a method has been between, its values are those of the function. Elsewhere it is a polynomial
- *  through 13 values, all of whose zeros are isolated as those of events are (event.h). Values of the function itself correct both
- *  where the polynomial is not as sharp: at zeros of higher order, beside poles and in narrow dips. A dip is found if what it adds
- *  to values some tenth of a step away is more than 1e-4 of the function's least value there; others may be stepped over. */
+ *  At the ends of the step, and at the method's nodes within it, its values are those of the function. Elsewhere it is a polynomial
+ *  through 13 values, all of whose zeros are isolated as those of events are (event.h). The function's own values correct the
+ *  polynomial where it is not accurate enough: at zeros of higher order, near poles and in narrow dips. A dip is found if what it
+ *  adds to values some tenth of a step away is more than 1e-4 of the function's least value there; others may be stepped over. */
 #ifndef JLT_INTEGRATE_LOSS_H
 #define JLT_INTEGRATE_LOSS_H
 

@@ -22,7 +22,8 @@ struct jlt_method {
     jlt_status (*step)(jlt_stepper *self, double limit);
     jlt_status (*dense)(jlt_stepper *self);     /* fill dense and dense_degree (>= 3) for the last step */
     /* Compute the state at tau_start + theta*h by a step of its own from the start, local error not above the whole step's;
-     * out has shape (stride,) and must not be one of the stepper's arrays. theta may leave [0, 1] by a little. */
+     * out has shape (stride,) and must not be one of the stepper's arrays. theta may leave [0, 1] by a hundredth; it is as low as
+     * -max(1, h_next/|h|) where a crossing at the start of the step is looked for before it (locate.h). */
     jlt_status (*partial)(jlt_stepper *self, double theta, double *out);
     /* These two make a step far from an event cheap; one of them may be NULL. variation: an upper estimate of the total
      * variation of a column over the last step, without an evaluation of the field. bernstein: the column's polynomial in

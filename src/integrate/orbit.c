@@ -181,7 +181,7 @@ static jlt_status watch_events(jlt_orbit *self, const jlt_event *events, unsigne
         self->watch[e].side = (before > 0) - (before < 0);
     }
     JLT_PASS(locate_step(self));
-    for (unsigned i = 0; i < self->pending_count; i++) { /* refined, as the point handed out is, which may be one of them */
+    for (unsigned i = 0; i < self->pending_count; i++) { /* refined, as the crossing last returned, which may be among them */
         jlt_crossing crossing = self->pending[i];
         JLT_PASS(jlt_watch_refine(&self->watch[crossing.event], &crossing, self->at, self->slope, self->stepper));
         if (crossing.theta > self->cursor + same_point) self->pending[ahead++] = self->pending[i];
@@ -260,7 +260,7 @@ static jlt_status rest_of_step(jlt_orbit *self, jlt_outcome *out, bool *found, d
     return JLT_OK;
 }
 
-/* Whether the orbit reaches the pole before t_end, or in no time that doubles tell from none. */
+/* Whether the orbit reaches the pole before t_end, or so soon that the time does not change. */
 static bool ends_before(const jlt_orbit *self, double t_end)
 {
     const double pole = self->pole.t_end;
@@ -304,9 +304,9 @@ static double longest_step(const jlt_orbit *self)
     return longest;
 }
 
-/* Whether `steps` more steps may take the orbit to t_end; or, where t_last is known, as many as one call has to that. They do not
- * if it is stiff, and would not even go a fourth of the way if steps went on to grow as they have grown from the last PACE steps
- * but one to the last. */
+/* Whether `steps` more steps may take the orbit to t_end; or, where t_last is known, max_steps to that. They may not if the motion
+ * is stiff and they would not go even a fourth of the way, supposing that the physical time of PACE steps grows by the same factor
+ * each time as it did last. */
 static bool may_arrive(jlt_orbit *self, double t_end, size_t steps)
 {
     const size_t total = self->stepper->steps + self->stepper->rejected;

@@ -57,8 +57,8 @@ typedef int (*jlt_observer)(void *context, jlt_orbit *orbit);
 
 /** Create an orbit; call jlt_orbit_start before the rest. Out: *out, NULL on failure. In: method and options, NULL for the
  *  defaults. `field` must live as long as the orbit.
- *  Errors: as jlt_stepper_create; ARG, an option below 0 or NaN, more than JLT_INVARIANTS_MAX invariants, or project without their
- *  gradients; UNSUPPORTED, project with a multistep method. */
+ *  Errors: as jlt_stepper_create; ARG, a tolerance or step below 0, an infinite first_step, an option that is NaN, more than
+ *  JLT_INVARIANTS_MAX invariants, or project without their gradients; UNSUPPORTED, project with a multistep method. */
 JLT_CHECKED jlt_status jlt_orbit_create(jlt_orbit **out, const jlt_method *method, const jlt_field *field,
                                         const jlt_options *options);
 void jlt_orbit_destroy(jlt_orbit *self); /* NULL is legal */

@@ -1,9 +1,10 @@
 /** An orbit that comes to rest: it decays onto an equilibrium, or is on one as far as its accuracy goes.
  *
- *  Time never ends there, but what is left of the motion drowns in the errors of the method. Speeds are changes in a unit of
+ *  Time never ends there, but the rest of the motion is less than the errors of the method. Speeds are changes in a unit of
  *  physical time, relative to the state or the size of the orbit's start (jlt_field_size): near a pole everything slows down in
- *  tau, and that is no rest. Nor is it one where a state that the field keeps grows, as from 1e-20 an epidemic does: its speed is
- *  relative to the state alone; nor where states that are 0 only together do. `direction` is that of time, +1 or -1. */
+ *  tau, and that is no rest. An orbit is not at rest while a kept state (jlt_field) grows, as an epidemic does from 1e-20: the
+ *  speed of such a state is relative to the state alone. Nor is it while states that are 0 only together grow. `direction` is that
+ *  of time, +1 or -1. */
 #ifndef JLT_INTEGRATE_REST_H
 #define JLT_INTEGRATE_REST_H
 
@@ -23,7 +24,8 @@ bool jlt_rest_is_slower(const jlt_field *field, const double *x, double size, do
  *  evaluation; a Jacobian and its eigenvalues where it is slow. */
 bool jlt_rest_is_still(const jlt_field *field, const double *x, double direction);
 
-/** Whether a kept state still falls towards this level of it, which it then crosses, however small both are: no rest before. */
+/** Whether state `column` is a kept one that still moves towards this level, however small both are: it will cross the level, and
+ *  the orbit is not at rest before. */
 bool jlt_rest_is_ahead(const jlt_stepper *stepper, unsigned column, double level);
 
 /** Counts of an orbit's steps. The caller zeroes it at the start, and at every crossing of a section, since an orbit that comes to
@@ -32,7 +34,7 @@ typedef struct {
     unsigned steps, slow_steps;
 } jlt_rest_watch;
 
-/** Call after an accepted step. Returns true if the orbit has been slow for more than 64 steps and jlt_rest_ends holds, or if it
+/** Call after an accepted step. Returns true if the orbit has been slow for 64 steps and jlt_rest_ends holds, or if it
  *  decays and is nearer to its equilibrium than jlt_locate_noise (a method at its stability limit may never become slow), tested
  *  every 1024 steps. limit as below. Cost: at most a Jacobian and its eigenvalues every 1024 steps until the orbit is slow. */
 bool jlt_rest_watch_step(jlt_rest_watch *self, const jlt_stepper *stepper, double *limit);

@@ -4,7 +4,7 @@
 
 enum {
     PLACES = 32,
-    FIRST = 4, /* places that are enough to look for groups: what is found is tried at all */
+    FIRST = 4, /* places that are enough to look for groups: what is found there is tested at all PLACES */
     N = JLT_DOMAIN_STATES_MAX
 };
 
@@ -13,8 +13,9 @@ typedef struct {
     const jlt_quantity *states; /* whose intervals */
 } rates;
 
-/* Compute the rates, shape (dim,), where the states of the set are `at`, and others all over their intervals, each in another part,
- * lest terms cancel; where an interval is infinite, at distances of all sizes from its end, or from 0 on either side. */
+/* Compute the rates, shape (dim,), where the states of the set have the value `at`, and the others are spread over their intervals,
+ * in different parts of these, so that terms do not cancel; where an interval is infinite, at distances of all sizes from its end,
+ * or from 0 on either side. */
 static void rates_at(const rates *self, double *f, const jlt_state_set *set, double at, unsigned place)
 {
     static const double golden = 0.6180339887498949;
@@ -41,8 +42,8 @@ static double size(const rates *self, const double *f, const jlt_state_set *set)
     return sum;
 }
 
-/* Whether the rates of the set's states go to 0 with them, about as fast: after sqrt(x) x comes to 0. *moves becomes true where one
- * is not 0 before. Outside the domain there may be no rates. */
+/* Whether the rates of the set's states go to 0 with these states, and about as fast (a rate like sqrt(x) lets x reach 0). *moves
+ * becomes true if one is not 0 near there. Outside the domain there may be no rates: NaN counts as going to 0. */
 static bool rest_at_zero(const rates *self, const jlt_state_set *set, double side, unsigned place, bool *moves)
 {
     double f[N];
@@ -57,7 +58,7 @@ static bool rest_at_zero(const rates *self, const jlt_state_set *set, double sid
     return !(size(self, f, set) * 0x1p40 > 4 * near);
 }
 
-/* Whether they do so wherever the others are. */
+/* Whether rest_at_zero holds whatever the other states are, and some rate is not 0 near there. */
 static bool vanish_together(const rates *self, const jlt_state_set *set)
 {
     double low = -INFINITY, high = INFINITY;
@@ -76,8 +77,8 @@ static bool vanish_together(const rates *self, const jlt_state_set *set)
     return moves;
 }
 
-/* Take from the set those states whose rates are not 0 where all of the set are, until there are none. A rate that has no value
- * there, as beside a centre of attraction, is taken for 0: what is found by that is tried elsewhere. */
+/* Remove states from the set until the rates of those left are 0 where all of these are 0. A rate that has no value there, as at a
+ * centre of attraction, is taken for 0: what is found by that is tested elsewhere. */
 static void shrink(const rates *self, jlt_state_set *set)
 {
     double f[N];
@@ -95,8 +96,8 @@ static void shrink(const rates *self, jlt_state_set *set)
     }
 }
 
-/* Find by which states of `all` each of them is driven: by j if its rate is not 0 where j is the only one that is not. Then add
- * what drives those. drivers: shape (dim,). */
+/* Find the drivers of each state of `all`: itself; each j such that its rate is not 0 where j alone is not 0; and the drivers of
+ * these. drivers: shape (dim,). */
 static void find_drivers(const rates *self, jlt_state_set *drivers, const jlt_state_set *all)
 {
     const unsigned dim = self->field->dim;
@@ -118,7 +119,7 @@ static void find_drivers(const rates *self, jlt_state_set *drivers, const jlt_st
             if (jlt_state_set_has(&drivers[i], via)) jlt_state_set_join(&drivers[i], &drivers[via]);
 }
 
-/* Make a group of the set if it vanishes together, and none of its states is in one. */
+/* Make the set a group if its states vanish together, and none of them is in a group. */
 static void add_group(const rates *self, jlt_state_groups *groups, const jlt_state_set *set)
 {
     for (unsigned i = 0; i < self->field->dim; i++)

@@ -2,7 +2,7 @@
  *
  *  Where a state's rate is 0 whenever the state is, as in I' = (b S - g) I, no orbit takes the state to 0. Where several states
  *  have this together, as in x' = a x - y and y' = a y + x, only all of them together may be small. However small such states are,
- *  they may grow again, so that their errors must be small beside them. */
+ *  they may grow again, so that their errors must be small relative to them. */
 #ifndef JLT_INTEGRATE_SIGNS_H
 #define JLT_INTEGRATE_SIGNS_H
 

@@ -62,13 +62,13 @@ static inline double jlt_first_unit(double speed)
     return speed > 0 && speed < 1e-5 ? 1 / jlt_larger(speed, 1e-290) : 1;
 }
 
-/** Whether a step h from tau is so short that a few times shorter ones are too short to be told from none. */
+/** Whether a step h from tau is so short that one a few times shorter would not change tau. */
 static inline int jlt_step_is_short(double tau, double h)
 {
     return !(fabs(h) > 64 * DBL_EPSILON * fabs(tau));
 }
 
-/** Whether a step h from tau is too short to be told from none. */
+/** Whether a step h is too short to change tau by more than rounding, or below 1e-290. */
 static inline int jlt_step_vanishes(double tau, double h)
 {
     return !(fabs(h) > 4 * DBL_EPSILON * fabs(tau)) || !(fabs(h) > 1e-290);

@@ -17,8 +17,8 @@ static const double long_again = 0x1p-30; /* part of tau: after a longer step le
 static double shortest_step(const jlt_stepper *self) { return 8 * DBL_EPSILON * fabs(self->tau); }
 
 /* Set the scales for an orbit that starts at self->x with the rates self->f. Scales past the columns, where all is 0, are 1. The
- * shortest step moves a state by a hundredth of its scale at most, unless that is 1: else no step were short enough for a phase
- * that starts at 0 beside states of 1e-20. */
+ * shortest step moves a state by a hundredth of its scale at most, unless the scale is 1: otherwise no step would be short enough
+ * for a phase that starts at 0 beside states of 1e-20. */
 static void set_scales(jlt_stepper *self)
 {
     const jlt_field *field = self->field;
@@ -27,7 +27,7 @@ static void set_scales(jlt_stepper *self)
     self->size = jlt_field_size_at(field, self->x);
     for (unsigned i = 0; i < self->stride; i++) self->scale[i] = 1;
     for (unsigned i = 0; i < field->dim; i++) {
-        const bool stays = jlt_field_keeps(field, i) && self->x[i] == 0; /* if not, it is none that the field keeps */
+        const bool stays = jlt_field_keeps(field, i) && self->x[i] == 0; /* a kept state that starts at 0 stays 0 */
         const double small = stays ? self->size : jlt_field_small(field, i, self->size);
         const double moved = 100 * shortest_step(self) * fabs(self->f[i]);
         self->scale[i] = i >= controlled ? INFINITY : small > 0 ? fmax(small, fmin(1, moved)) : JLT_STEPPER_SCALE_LEAST;
@@ -45,7 +45,8 @@ static bool fit_scale(jlt_stepper *self, unsigned i, double largest)
     return self->scale[i] < before || self->scale[i] > before;
 }
 
-/* Set the scales of the group's states to what they are beside; where they are all 0, those of tangents along them. */
+/* Fit the scales of the states of a group to the largest of them; where all are 0, those of the components of tangent vectors along
+ * them. */
 static void fit_group(jlt_stepper *self, const unsigned char *member, unsigned members)
 {
     for (unsigned v = 0; v <= self->field->tangents; v++) {
@@ -57,7 +58,7 @@ static void fit_group(jlt_stepper *self, const unsigned char *member, unsigned m
     }
 }
 
-/* Set the scales of states that vanish together. */
+/* Fit the scales of each group of states that vanish together. */
 static void fit_groups(jlt_stepper *self)
 {
     const jlt_state_groups *groups = &self->field->groups;
@@ -222,8 +223,9 @@ static jlt_status step_back(jlt_stepper *self)
     return self->method->start(self);
 }
 
-/* Replace a step that led out of the domain at theta by one that ends before that, and within the tolerance of the domain's end if
- * the longer step's polynomial was good enough. Returns DOMAIN, at the step's start, if that is so near that none can be made. */
+/* Replace a step that led out of the domain at theta by one that ends before that place, and within the tolerance of the domain's
+ * end if the longer step's polynomial was accurate enough. Returns DOMAIN, at the step's start, if that is so near the end that no
+ * step can be made. */
 static jlt_status approach_edge(jlt_stepper *self, double theta)
 {
     for (int attempt = 0; attempt < ATTEMPTS_MAX && self->approaches < APPROACHES_MAX; attempt++) {
@@ -244,8 +246,8 @@ static jlt_status approach_edge(jlt_stepper *self, double theta)
     return JLT_ERR_DOMAIN;
 }
 
-/* Whether rates have changed within the last step by no more than makes an error of the tolerance in all the time until now: what
- * an overflow takes from them is missing from there on. */
+/* Whether the change of the rates within the last step is so small that it makes no error above the tolerance, even over all the
+ * time until now. What an overflow removes from the rates is missing from there on. */
 static bool is_steady(const jlt_stepper *self)
 {
     const double time = jlt_larger(fabs(self->h), fabs(self->tau));
@@ -257,8 +259,8 @@ static bool is_steady(const jlt_stepper *self)
     return true;
 }
 
-/* Undo the last step if a kernel overflows at its end, and rates become others there: one division of all denominators makes a rate
- * of 0 of that. A force that fades far away is 0 to rounding before. */
+/* Undo the last step if a kernel overflows at its end and the rates change there: its one division, by the product of all
+ * denominators, then gives a rate of 0. A force that fades far away is 0 to rounding before that. */
 static jlt_status stay_finite(jlt_stepper *self)
 {
     jlt_guard guard;
@@ -288,7 +290,8 @@ static jlt_status stay_inside(jlt_stepper *self)
     return back != JLT_OK ? back : st;
 }
 
-/* Make a step that stays in the domain. A part of a step across a jump of a rate may not be solved: that of a shorter step is. */
+/* Make a step that stays in the domain. A partial step across a jump of a rate may not converge: then a step of half the length is
+ * tried. */
 static jlt_status step_inside(jlt_stepper *self, double limit)
 {
     jlt_status st = JLT_ERR_NO_CONVERGENCE;

@@ -48,11 +48,11 @@ typedef struct {
     double *gradients;    /* room for those of the field's conditions, (conditions, domain states) */
     double size;          /* jlt_field_size_at the start */
     double *scale;        /* below which a column counts as small; INFINITY: not controlled */
-    double *full_scale;   /* the same where states that vanish together are not small */
+    double *full_scale;   /* `scale` before it is reduced for small groups (jlt_field.groups) */
     bool rescaled;        /* the last point changed scales */
     unsigned controlled;  /* columns in the error norm */
     bool watches;         /* jlt_field_watches(field) */
-    jlt_state_set lost;   /* kept states that have been below the least scale: nothing is left of them but errors */
+    jlt_state_set lost;   /* kept states that have been below the least scale, of which only errors are left */
     bool at_edge;         /* the last point counts as the domain's end; the next advance returns DOMAIN */
     unsigned approaches;  /* steps that were shortened because they would have left the domain */
     unsigned leaps;       /* steps since a long one that were taken in spite of their error (leap.h) */
@@ -64,7 +64,7 @@ typedef struct {
 
 /** Create a stepper; call jlt_stepper_start before jlt_stepper_advance. Out: *out, NULL on failure.
  *  In: method, NULL for the default; tolerance in (0, 1); max_step > 0 in tau, or INFINITY. The stepper keeps a pointer to
- *  `field`, which must live as long. Errors: ARG, also a field whose root, controlled states, scales or domain are none;
+ *  `field`, which must live as long. Errors: ARG, also a field whose root, controlled states, scales or domain are out of range;
  *  UNSUPPORTED, taylor on a field without a jet; NOMEM. */
 JLT_CHECKED jlt_status jlt_stepper_create(jlt_stepper **out, const jlt_method *method, const jlt_field *field,
                                           double tolerance, double max_step);
@@ -77,7 +77,7 @@ JLT_CHECKED jlt_status jlt_stepper_start(jlt_stepper *self, double t, const doub
                                          double first_step);
 
 /** The size below which state i counts as small, for distances from an end of its interval or from a level near 0: its scale; the
- *  orbit's size for a kept one; 1 for one that has none, being a root or not controlled. */
+ *  orbit's size for a kept one; 1 for a root or a state that is not controlled, which has no scale. */
 static inline double jlt_stepper_unit(const jlt_stepper *self, unsigned i)
 {
     if (self->scale[i] > JLT_STEPPER_SCALE_LEAST && self->scale[i] < INFINITY) return self->scale[i];

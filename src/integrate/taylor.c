@@ -123,7 +123,8 @@ static bool expand(taylor *self, jlt_stepper *stepper, double h)
     return true;
 }
 
-/* Whether a condition that the step's slope makes rise at its end falls by the field there, to zero within such a step. */
+/* Whether a condition rises at the step's end by the polynomial's slope, but falls by the field there, so fast that it would come
+ * to zero within a step of this length. */
 static bool turned_at_edge(const jlt_stepper *stepper, const double *end, const double *slope, const double *f, double h)
 {
     const jlt_domain *domain = &stepper->field->domain;
@@ -139,16 +140,16 @@ static bool turned_at_edge(const jlt_stepper *stepper, const double *end, const 
     return false;
 }
 
-/* By how much the polynomial's slope may miss the field, relative to the states: its truncation error is the order times that of
- * the state; a hundred times as much is none. */
+/* By how much the polynomial's slope may miss the field, relative to the states. The truncation error of the slope is the order
+ * times that of the state; a miss a hundred times as large has another cause. */
 static double slope_allowance(const taylor *self, const jlt_stepper *stepper)
 {
     return 100 * self->usable * jlt_larger(stepper->tolerance, 1e-15);
 }
 
 /* Whether the polynomial still obeys the field where it ends. A series runs smoothly through a pole, where the field's root would
- * change its sign, and comes out as a motion that does not obey the field. As near the bound as what is allowed, where both are
- * small, the signs decide: a step whose slope is opposite to the field's went through, and is halved until it ends before. */
+ * change its sign, and beyond it obeys the field no more. Where the end is nearer to an interval's end than the allowance, the miss
+ * is too small to tell, and the signs decide: a step whose slope is opposite to the field's went through, and is halved. */
 static bool follows_field(const taylor *self, const jlt_stepper *stepper, double h)
 {
     double end[JLT_FIELD_DIM_MAX], f[JLT_FIELD_DIM_MAX], slopes[JLT_FIELD_DIM_MAX];

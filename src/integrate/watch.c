@@ -84,8 +84,8 @@ static unsigned interpolate(double *b, const double value[NODES], unsigned apart
     return degree;
 }
 
-/* What a polynomial through every other value may be off by: four times its last two coefficients in Chebyshev's polynomials. That
- * is no less than twice the sum of all that follow, where each is at most half of the one before. */
+/* A bound on the error of a polynomial through every other value: four times its last two coefficients in Chebyshev's polynomials.
+ * It is at least twice the sum of all that follow, where each is at most half of the one before. */
 static double left_out(const double value[NODES])
 {
     static const double half_root = 0.86602540378443865; /* cos(pi/6) */

@@ -11,7 +11,7 @@ typedef struct {
     jlt_event event;
     int side;     /* sign of g at the end of the last step, or, where g is 0 there, before; 0: the start is on the section */
     double value; /* g at the end of the last step */
-    double *zero; /* (2, stride): the state at a zero of g among steps that end within the noise, and work; lent by the user */
+    double *zero; /* (2, stride): the state at a zero of g among steps that end within the noise, and work; the caller's memory */
     double zero_tau;
     jlt_crossing at_zero;
     bool has_zero;

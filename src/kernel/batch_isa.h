@@ -14,7 +14,7 @@ unsigned jlt_batch_isa_lanes(void);
 
 /** The widest batched kernels of a descriptor that run here with at most `lanes` lanes; lanes = 0 takes the bound from the
  *  environment variable JELLETT_LANES (2, 4 or 8; unset: no bound). Returns NULL if there are none. Built-in descriptors always
- *  have kernels of 2 lanes; those of `ttc build` have the one number of lanes that `--lanes` asks for, and none without it. */
+ *  have kernels of 2 lanes; those of `ttc build` have kernels only with `--lanes`, of one number of lanes. */
 const jlt_kernel_batch *jlt_batch_isa_best(const jlt_descriptor *descriptor, unsigned lanes);
 
 /** Replicate the prepared values p, shape (kernels->prepared,), to all lanes: the result, shape (prepared, lanes), is the argument

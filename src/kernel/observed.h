@@ -52,7 +52,7 @@ void jlt_observed_condition_values(void *condition, double *out, const double *x
  *  (states,): multiply state i by 2^exponents[i] before the call; NULL: pass states as they are. */
 const jlt_kernel_batch *jlt_observed_lanes(const jlt_observed *observed, const double **p, const int **exponents, unsigned lanes);
 
-/** The number of conditions (NULL has none), and the name of the condition with an index. JLT_OBSERVED_ANY stands for all of them
+/** The number of conditions (0 for NULL), and the name of the condition with an index. JLT_OBSERVED_ANY stands for all of them
  *  together: its name is that of the only condition, or "valid" if there are several. */
 enum { JLT_OBSERVED_ANY = JLT_OBSERVED_CONDITIONS_MAX };
 unsigned jlt_observed_conditions(const jlt_observed *observed);

@@ -14,8 +14,8 @@ typedef struct {
 /* Widen the interval so that it contains the value; NaN and infinities are ignored. */
 void jlt_extent_add(jlt_extent *self, double value);
 
-/** The interval for an axis: longer by a twentieth at both ends; around a single value, or values that hardly differ, some interval
- *  in which ticks can be told apart; OPEN for an empty one. */
+/** The interval for an axis: longer by a twentieth at both ends; around a single value, or values that hardly differ, an interval
+ *  so wide that ticks have different labels; OPEN for an empty one. */
 jlt_extent jlt_extent_wider(jlt_extent self);
 
 #endif

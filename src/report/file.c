@@ -137,7 +137,7 @@ jlt_status jlt_file_commit(jlt_file *self)
     return JLT_OK;
 }
 
-/* The length of a file up to and with its last newline; 0 if it has none or cannot be read. */
+/* The length of a file up to and with its last newline; 0 if there is none, or the file cannot be read. */
 static off_t whole_lines(const char *path)
 {
     char piece[4096];

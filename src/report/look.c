@@ -99,8 +99,8 @@ double jlt_look_breadth(const char *label)
 }
 
 /* How many bytes of a text to put on a line with this room, in units of the font size: up to a newline or its end, or to the last
- * blank that fits. A first word that does not fit ends after its last underscore that does, in markup one that is no mark, or after
- * a comma inside an index; a word without any stays whole. size: of its first letter. */
+ * blank that fits. A first word that does not fit ends after its last underscore that does, in markup one that is not a mark, or
+ * after a comma inside an index; a word without these stays whole. size: of its first letter. */
 static size_t fitting(const char *text, double room, bool markup, double size)
 {
     size_t last = 0, joint = 0, i;

@@ -71,7 +71,7 @@ void jlt_look_key(FILE *stream, const jlt_look *self, const char *where);
 typedef struct {
     const char *with;
     unsigned colour, dash, mark;
-    double size; /* of points; 0: there are none, and lines are wider */
+    double size; /* of points; 0: no points, and wider lines */
 } jlt_pen;
 
 /** Write the "with ..." of `plot`. Colour-blind readers can distinguish the colours; in grey, dashes and marks distinguish

@@ -175,8 +175,8 @@ static void put_text(char *to, size_t width, const char *from, bool was_text, si
     memcpy(to, text, strlen(text));
 }
 
-/* Make a column one of texts at least `width` bytes long. Rows do not become shorter, so moving the last row first overwrites
- * none. Where a row cannot be moved, those stay that none was moved over. */
+/* Make a column one of texts at least `width` bytes long. Rows do not become shorter, so moving the last row first overwrites no
+ * other. If a row cannot be moved, the rows that moved ones have not overwritten are kept as they were. */
 static jlt_status widen(jlt_npy *self, size_t index, size_t width)
 {
     jlt_table_column *column = &self->form.columns[index];

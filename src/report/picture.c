@@ -84,7 +84,7 @@ static char *read_all(int descriptor, size_t *size)
     return data;
 }
 
-/* In the child. Its standard descriptors are open, so that script, picture and words are none of them. */
+/* In the child. Its standard descriptors are open, so that script, picture and words are other descriptors. */
 static void run_gnuplot(int script, int picture, int words)
 {
     prctl(PR_SET_PDEATHSIG, SIGKILL); /* when the parent ends, nobody reads the picture */

@@ -9,7 +9,7 @@
 bool jlt_picture_is_named(const char *path);
 bool jlt_picture_known(const char *path);
 
-/* Whether such a picture is drawn in fonts of this machine: not so .svg, which leaves letters to who shows it. */
+/* Whether such a picture is drawn in fonts of this machine: not .svg, whose letters the viewer draws. */
 bool jlt_picture_has_fonts(const char *path);
 
 /** Write the first lines of a script: the terminal for this look and the extension of `path`, for which jlt_picture_known is

@@ -1,4 +1,4 @@
-/** Ticks of axes: where they are, and labels that tell them apart. */
+/** Ticks of axes: where they are, and labels of which no two are equal. */
 #ifndef JLT_REPORT_TICKS_H
 #define JLT_REPORT_TICKS_H
 

@@ -307,8 +307,8 @@ static void tell_step(const jlt_course *self, jlt_course_row *row)
     row->stiff = jlt_stepper_is_held(stepper);
 }
 
-/* Whether the states of a smaller tier have led the orbit astray, as where they no longer tell the asked model's: the next larger
- * one passes the pole at which this one ends, or keeps an integral that drifts. A drift is judged once in a tier. */
+/* Whether the orbit is wrong in a smaller tier, as where its states no longer determine those of the asked model: the next larger
+ * tier passes the pole at which this one ends, or keeps an integral that drifts. A drift is judged once in a tier. */
 static bool is_astray(jlt_course *self, const jlt_course_row *row)
 {
     const jlt_tier *tier = &self->plan.candidates[self->taken].tier;

@@ -1,7 +1,7 @@
 /** A course: one motion, computed in the tier that a plan has chosen, and given as states of the model asked for. Where the orbit
  *  leaves the region that the tier covers, the next larger tier that serves continues it, unless the tier was asked for by name;
- *  it begins at the orbit's start, if it serves there, for at the edge of such a region digits are lost. A pole that it passes is
- *  not believed, and where an integral drifts in a smaller tier, the larger one computes the orbit again.
+ *  it begins at the orbit's start, if it serves there, for at the edge of such a region digits are lost. Where a smaller tier ends
+ *  at a pole that the larger one passes, or an integral drifts in the smaller one alone, the larger one computes the orbit again.
  *
  *      JLT_TRY(jlt_course_create(&course, &plan, &question, &options));
  *      for (...) JLT_TRY(jlt_course_to(course, t, &row));          // times in one direction, row.end == JLT_END_TIME
@@ -37,7 +37,7 @@ typedef struct {
     const char *lost;         /* the condition that broke then; NULL: none */
     double unknown_at;        /* first time, up to t, at which a condition had no value and none was broken; NaN: never */
     const char *unknown;      /* that condition; NULL: none */
-    bool unwatched;           /* the motion beside quadratures could not be followed further */
+    bool unwatched;           /* the motion besides quadratures could not be followed further */
     const double *more;       /* shape (jlt_course_tells_more,): with question.more, what a larger table adds, such as attitude and
                                  track; NULL: nothing; the course's own */
     jlt_fate fate;            /* POLE: at which end of an interval; LEFT_DOMAIN: the asked model has no poles, as the tier's has */

@@ -93,7 +93,7 @@ static double refined(watched *one, const jlt_stepper *stepper, double theta)
 
     for (int k = 0; k < 2; k++) {
         if (jlt_orbit_value(one->leg->orbit, &value, &event, theta) != JLT_OK) break;
-        if (!(fabs(value) <= 0x1p-12 * fabs(slope))) break; /* beside a pole, or at a turning point */
+        if (!(fabs(value) <= 0x1p-12 * fabs(slope))) break; /* near a pole, or at a turning point */
         theta = fmin(fmax(theta - value / slope, 0), 1);
     }
     return theta;

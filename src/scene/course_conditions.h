@@ -27,7 +27,7 @@ void jlt_course_conditions_close(jlt_course_conditions *self); /* legal on zeros
  *  there but one has no value; *unknown is then its name. */
 bool jlt_course_conditions_note(jlt_course_conditions *self, const char **unknown, double t, const double *x);
 
-/** Watch no longer than to time t, beyond which the motion beside quadratures cannot be followed: if all conditions hold up to
+/** Watch no longer than to time t, beyond which the motion besides quadratures cannot be followed: if all conditions hold up to
  *  there, it is not known whether they hold from there on. */
 void jlt_course_conditions_stop(jlt_course_conditions *self, double t);
 
@@ -35,8 +35,7 @@ void jlt_course_conditions_stop(jlt_course_conditions *self, double t);
 bool jlt_course_conditions_by(double noted, double t);
 
 /** Find, within the last step of a leg, where a condition that holds at its start breaks first; updates least, lost_at and lost.
- *  Cost: for each condition 13 values with methods that have an interpolant of their own; with others two values and their slopes,
- *  and more where the condition comes near zero; where it is broken and falls, 150 values. */
+ *  Cost: for each condition two values and those of jlt_loss_first (integrate/loss.h); where it is broken and falls, 150 values. */
 void jlt_course_conditions_look_within(jlt_course_conditions *self, const jlt_leg *leg);
 
 #endif

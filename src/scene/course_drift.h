@@ -22,12 +22,12 @@ JLT_CHECKED jlt_status jlt_course_drift_begin(jlt_course_drift *out, const jlt_i
 /** Set `value` from the integrals at x. */
 void jlt_course_drift_note(jlt_course_drift *self, const double *x);
 
-/** Whether an integral has drifted by more than a hundred errors of one tolerance and random ones at all steps explain, as where a
- *  tier divides by what is 0 up to rounding and leads the orbit astray. In: tier, its name; tolerance, 0: the default. Out: text,
- *  shape (JLT_TIER_TEXT_MAX,): what has drifted. */
+/** Whether an integral has drifted by more than a hundred errors of one tolerance, and random errors at all steps, explain: as
+ *  where a tier divides by a quantity that is 0 up to rounding. In: tier, its name; tolerance, 0: the default. Out: text, shape
+ *  (JLT_TIER_TEXT_MAX,): what has drifted. */
 bool jlt_course_drift_tells(char *text, const jlt_course_drift *self, const char *tier, const jlt_orbit *orbit, double tolerance);
 
-/** Whether a leg, at its start, comes to time t with a tenth of the largest drift at most. */
+/** Whether a leg, at its start, comes to time t with at most a tenth of the largest drift. */
 bool jlt_course_drift_is_less(const jlt_course_drift *self, jlt_leg *leg, double t);
 
 #endif

@@ -35,7 +35,7 @@ static jlt_status lift(double *x, const jlt_way *way, const jlt_system *system, 
 }
 
 /* Find the state of the asked table, a field with states x, that the way hands on as state `section` of the smaller table: the one
- * to which that state is equal at x and at other points nearby, all of whose states differ. Returns false if there is none. */
+ * to which that state is equal at x and at other points nearby, all of whose states differ. Returns false if no state is. */
 static bool find_column(unsigned *column, const jlt_way *way, unsigned section, unsigned states, const double *x,
                         const double *params)
 {
@@ -113,7 +113,7 @@ static void restore(double *x, const jlt_drift_whole *whole, const double *count
     jlt_units_restore(x, counted, field->states, field->state_count, &whole->units);
 }
 
-/* How an orbit ends by this outcome, which is no crossing of the section. */
+/* The fate of an orbit that ends with this outcome, other than a crossing of the section. */
 static jlt_fate fate_of(const jlt_drift_whole *whole, const jlt_outcome *at)
 {
     double x[JLT_WAY_VALUES_MAX];

@@ -106,8 +106,8 @@ static jlt_status judge_way(jlt_candidate *out, const jlt_tier *tier, const jlt_
     return JLT_OK;
 }
 
-/* Judge a tier by all ways to its table, and take the first by which it serves; if none does, keep the refusal of the first by
- * which it may serve elsewhere, or of the first. Errors: NOMEM. */
+/* Judge a tier by all ways to its table, and take the first by which it serves; if there is none, keep the refusal of the first
+ * way by which it may serve elsewhere, or else of the first way. Errors: NOMEM. */
 static jlt_status judge(jlt_candidate *out, const jlt_tier *tier, const jlt_question *question)
 {
     jlt_status st = judge_way(out, tier, question);

@@ -44,7 +44,7 @@ typedef struct {
 
 typedef struct {
     char *file, *title;
-    char *over;     /* of a study, NAME=LOW:HIGH:COUNT,...; NULL: nothing runs beside the command's own grid */
+    char *over;     /* of a study, NAME=LOW:HIGH:COUNT,...; NULL: nothing runs besides the command's own grid */
     unsigned over_line;
     size_t piece;   /* points of the command's grid in a piece; 0: not given */
     const struct jlt_descriptor *model; /* the general field of the scene's model */

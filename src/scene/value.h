@@ -16,8 +16,8 @@ typedef struct {
     const char *file;
     char *message;               /* shape (JLT_SCENE_MESSAGE_MAX,) */
     const jlt_scene_program *program;
-    const jlt_descriptor *model; /* what names of states and parameters are checked against; */
-    jlt_way_tables others;       /* with those tables beside it in which it may find its section */
+    const jlt_descriptor *model; /* gives the names of states and parameters, */
+    jlt_way_tables others;       /* with the tables beside it, which may describe its section */
     const config_setting_t *section, *solve; /* the groups `section` and `solve` of the entry; section NULL: the section is one that
                                                 tables describe, */
     const char *named;                       /* of this name; NULL: the first one */

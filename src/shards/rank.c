@@ -34,7 +34,7 @@ static jlt_status complain(char *message, const char *format, ...)
     return JLT_ERR_ARG;
 }
 
-/* Read a decimal number of at most NUMBER_MAX that extends to `end`. Returns false if the text is none. */
+/* Read a decimal number of at most NUMBER_MAX that extends to `end`. Returns false if the text is not one. */
 static bool whole(size_t *value, const char *text, const char *end)
 {
     char *after;

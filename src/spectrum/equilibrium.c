@@ -99,7 +99,7 @@ static bool untouched(double x, const char *fraction)
     return fraction != NULL && jlt_number_parse(&typed, fraction, strlen(fraction)) == JLT_OK && !(typed < x) && !(typed > x);
 }
 
-/* Which states are away from the family, NULL for none, by whole periods. */
+/* Find the states, turned[i] = 1, that differ from those of the family (NULL: none) by whole periods. */
 static void find_turned(unsigned char *turned, const jlt_equilibria *family, const jlt_descriptor *d, const double *params,
                         const double *x)
 {

@@ -42,7 +42,7 @@ const ttc_id *jlt_oracle_gradient(jlt_oracle *oracle, const char *integral);
 
 /** Bound the errors of computed gradients of integrals against the exact gradients at the values set.
  *  Out: errors, shape (count, n). In: gradients, shape (count, n), as computed; integrals, whose names are claims of the table.
- *  Errors: DOMAIN, UNSUPPORTED (a name that is no claim), NONFINITE. */
+ *  Errors: DOMAIN, UNSUPPORTED (a name that is not a claim), NONFINITE. */
 JLT_CHECKED jlt_status jlt_oracle_gradient_errors(jlt_oracle *oracle, double *errors, const double *gradients,
                                                   const jlt_named *integrals, size_t count);
 

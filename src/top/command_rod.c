@@ -149,7 +149,7 @@ static jlt_exit check_start(const request *r)
 }
 
 /* Compute and write a row, unless an interrupt came meanwhile, which cuts the check short. A point of a sweep that fails leaves
- * fields empty; the first is told of. */
+ * fields empty; the first is reported. */
 static jlt_exit write_row(FILE *file, request *r)
 {
     double values[10];

@@ -26,7 +26,7 @@
 typedef enum {
     JLT_CERTIFICATE_GOOD,
     JLT_CERTIFICATE_REFUSED, /* the certificate does not prove what it says */
-    JLT_CERTIFICATE_MALFORMED, /* this is no certificate, its table is not available, or its kind does not serve what is given */
+    JLT_CERTIFICATE_MALFORMED, /* not a certificate, or one without its table, or of a kind that does not fit `given` */
     JLT_CERTIFICATE_FAILED   /* the proof could not be carried out */
 } jlt_certificate_verdict;
 
@@ -35,8 +35,8 @@ typedef struct {
     char problem[JLT_GIVEN_PROBLEM_MAX]; /* "" if the verdict is GOOD */
 } jlt_certificate_report;
 
-/** Prove a theorem and write its certificate. In: kind; given, borrowed; own, a table that is not built in, or NULL; watch, told of
- *  the steps of the proof, or NULL. Returns a new reference, NULL if the report's verdict is not GOOD. Cost: seconds to minutes. */
+/** Prove a theorem and write its certificate. In: kind; given, borrowed; own, a table that is not built in, or NULL; watch, as in
+ *  jlt_step_create. Returns a new reference, NULL if the report's verdict is not GOOD. Cost: seconds to minutes. */
 json_t *jlt_certificate_make(jlt_certificate_report *report, const char *kind, json_t *given, const jlt_descriptor *own,
                              jlt_step_watch *watch);
 

@@ -40,7 +40,7 @@ typedef struct {
     arb_srcptr turns;                 /* (legs, states): multiples of periods that states have grown by at the end of each leg,
                                        * where they are subtracted; the levels do not change by them. NULL: none */
     unsigned digits;                  /* decimal digits of accuracy */
-    jlt_step_watch *watch;            /* is told of the steps of proofs; NULL: nobody */
+    jlt_step_watch *watch;            /* is called after the steps of proofs; NULL: nobody */
 } jlt_cycle_question;
 
 typedef enum {

@@ -321,8 +321,8 @@ static ttc_id put(const ttc_model *model, const ttc_bindings *bindings, ttc_id i
     return out;
 }
 
-/* Substitute what the family gives, in the expression and in those `let`s that it changes, so that terms cancel: states first, so
- * that parameters are then substituted in their expressions too. Returns TTC_NONE if this divides by zero. */
+/* Substitute the family's states and parameters in the expression, and in the `let`s that they change, so that terms cancel: states
+ * first, so that parameters are then substituted in their expressions too. Returns TTC_NONE if this divides by zero. */
 static ttc_id on_family(const ttc_model *model, const ttc_claim *family, ttc_id id)
 {
     return put(model, &family->when, put(model, &family->bindings, id));

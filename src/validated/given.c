@@ -17,7 +17,7 @@ const jlt_descriptor *jlt_given_table(const json_t *given, const jlt_descriptor 
         jlt_refuse(problem, "it names no table by name and sha256");
         return NULL;
     }
-    /* a table of this name that was asked for is meant, though it may be an edited copy of one that is built in */
+    /* `own` is meant if it has the name, even if a built-in table has it too: it may be an edited copy of that */
     const size_t count = own != NULL && strcmp(own->model, name) == 0 ? 0 : jlt_descriptor_count();
     for (size_t i = 0; i <= count; i++) {
         const jlt_descriptor *d = i == 0 ? own : jlt_descriptor_at(i - 1);
@@ -65,7 +65,7 @@ bool jlt_given_read_params(arb_ptr params, const json_t *given, const jlt_descri
     return true;
 }
 
-/* Those that are intervals are free. */
+/* Read the parameters; those that are intervals become free. */
 static bool read_params(jlt_given *self, const json_t *given, slong bits, char *problem)
 {
     const jlt_descriptor *d = self->question.descriptor;

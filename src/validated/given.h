@@ -33,8 +33,8 @@ typedef struct {
 
 enum { JLT_GIVEN_DIGITS_MAX = 1000 };
 
-/** The general field, in its own time, of the table that is named: `own`, if it has this name, else a built-in one. Returns NULL
- *  if that has another digest, or there is none, and describes that in problem. */
+/** The general field, in its own time, of the table that `given` names: of `own` if it has this name, else of a built-in table.
+ *  Returns NULL if there is no such table, or it has another digest, and describes that in problem. */
 const jlt_descriptor *jlt_given_table(const json_t *given, const jlt_descriptor *own, char problem[JLT_GIVEN_PROBLEM_MAX]);
 
 /** Read a NUMBER or a ball. Returns false if the value is neither. */
@@ -45,7 +45,7 @@ bool jlt_given_read_value(arb_t out, const json_t *value, slong bits);
 bool jlt_given_read_params(arb_ptr params, const json_t *given, const jlt_descriptor *descriptor, slong bits,
                            char problem[JLT_GIVEN_PROBLEM_MAX]);
 
-/** Read the question without coordinates and legs. watch, borrowed, is told of the steps of its proofs; may be NULL. In any case
+/** Read the question without coordinates and legs. watch, borrowed, may be NULL, is called after the steps of proofs. In any case
  *  the caller must call jlt_given_clear. Returns false if the JSON is not of this form, or outside what the table allows, and
  *  describes why in problem. */
 bool jlt_given_read(jlt_given *self, const json_t *given, const jlt_descriptor *descriptor, jlt_step_watch *watch,

@@ -5,7 +5,7 @@
  *        "parameters": {NAME: NUMBER or {"middle": NUMBER, "radius": NUMBER}, ...},      all of the table
  *        "pole": NAME, "time": NAME,                             of records `pole` and `time`
  *        "box": {NAME: NUMBER or a ball likewise, ...},          all states: where the motions begin
- *        "instant": NUMBER,                                      in that time, from where they settle
+ *        "instant": NUMBER,                                      the value of that time from which they settle
  *        "digits": N }
  *      "shown": {
  *        "end": FRACTION,                                        of the pole's state

@@ -24,7 +24,7 @@ static arb_ptr at(const jlt_jets *self, size_t value)
     return self->values + (self->of->dim + value) * self->terms * self->length;
 }
 
-/* The index of the state that a value is, free parameters being appended to the states; SIZE_MAX if it is none. */
+/* The index of the state that a value is, free parameters being appended to the states; SIZE_MAX if it is not a state. */
 static size_t state_of(const jlt_jets *self, ttc_value value)
 {
     const ttc_instruction *i = ttc_program_at(self->program, value);

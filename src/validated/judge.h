@@ -12,7 +12,7 @@ jlt_certificate_report jlt_judge_say(jlt_certificate_verdict verdict, const char
 /** The proof could not be carried out. */
 jlt_certificate_report jlt_judge_failure(jlt_status status);
 
-/** The same of a proof that follows an orbit: one that may leave the table's domain, or miss the section, is refused. */
+/** jlt_judge_failure of a proof that follows an orbit: one that may leave the table's domain, or miss the section, is refused. */
 jlt_certificate_report jlt_judge_failure_along(jlt_status status);
 
 /** Whether the orbit, y of shape (legs, unknowns), is proved to lie in the boxes as `legs` writes them, which may differ by

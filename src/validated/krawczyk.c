@@ -131,7 +131,7 @@ static double width_of(arb_srcptr box, slong n)
     return width;
 }
 
-/* The same of M G(y0), which is that of no K smaller. */
+/* log2 of the largest radius of M G(y0): no K has a smaller one. */
 static double least_width(const operator *self)
 {
     double width = -INFINITY;

@@ -24,7 +24,7 @@ bool jlt_numerals_fraction(fmpq_t out, const char *text);
 /** Whether this is {"middle": NUMBER, "radius": NUMBER} with a radius that is not negative. */
 bool jlt_numerals_is_ball(const json_t *ball);
 
-/** Read such a ball, rounded outwards. Returns false if it is none. */
+/** Read such a ball, rounded outwards. Returns false if it is not one. */
 bool jlt_numerals_ball(arb_t out, const json_t *ball, slong bits);
 
 /** Whether all of `value` certainly lies in such a ball, exactly as it is written. */

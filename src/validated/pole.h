@@ -1,11 +1,11 @@
 /** Proves that all motions from a box of states end at a pole: an end of a state's interval, which they reach in finite time.
  *
- *  The record `pole` of a table claims that in a time tau that lifts a root r, dt/dtau is r times what does not vanish at the
+ *  The record `pole` of a table claims that in a time tau that lifts a root r, dt/dtau is r times a factor other than 0 at the
  *  pole, and that r = 0 is invariant there, so that motions reach the pole only as tau tends to infinity. To show that they do,
  *  the box is carried to an instant tau from which it settles on equilibria with r = 0 (settle.h). These lie at an end of the
  *  state's interval: roots are positive wherever the table is defined, and all other conditions of its domain are shown to hold
- *  there, as on the way. So until then motions keep off the ends, where r = 0, and other lifted roots stay positive. The table's
- *  time t is one of the states, and has a finite limit. */
+ *  there, as on the way. So until then motions stay away from the ends, where r = 0, and other lifted roots stay positive. The
+ *  table's time t is one of the states, and has a finite limit. */
 #ifndef JLT_VALIDATED_POLE_H
 #define JLT_VALIDATED_POLE_H
 
@@ -18,14 +18,14 @@ typedef struct {
     arb_srcptr params;                /* (params,), numbers or intervals */
     arb_srcptr box;                   /* (states,), where the motions begin */
     unsigned digits;                  /* decimals to compute with */
-    jlt_step_watch *watch;            /* is told of the steps of the proof; NULL: nobody */
+    jlt_step_watch *watch;            /* is called after the steps of the proof; NULL: nobody */
 } jlt_pole_question;
 
 typedef enum {
     JLT_POLE_PROVED,
     JLT_POLE_OPEN,    /* not shown to settle from the instant on */
     JLT_POLE_OUTSIDE, /* the box is not shown to lie in the table's domain */
-    JLT_POLE_LEAVES,  /* nor, on the way to the instant, are the motions */
+    JLT_POLE_LEAVES,  /* the motions are not shown to stay in it on the way to the instant */
     JLT_POLE_EITHER   /* the motions settle, but are not shown to do so at one particular end of this state's interval */
 } jlt_pole_verdict;
 

@@ -42,8 +42,9 @@ void jlt_rough_clear(jlt_rough *self); /* legal when zeroed */
 /** Shorten h to `caution` times the step at which the last two Taylor coefficients over the set, in `hull`, reach the tolerance. */
 void jlt_rough_choose(const jlt_rough *self, arf_t h);
 
-/** Shorten h until the step has a rough enclosure, and remainders not far above the tolerance; `caution` follows. further: log2 of
- *  other remainders over the tolerated ones, once the step is enclosed; NULL: there are none. Returns false if no length serves. */
+/** Shorten h until the step has a rough enclosure, and remainders not far above the tolerance; adapts `caution` for the next step.
+ *  further: log2 of other remainders over the tolerated ones, once the step is enclosed; NULL: none. Returns false if no length is
+ *  short enough. */
 typedef double (*jlt_rough_excess)(void *context, const arf_t h);
 bool jlt_rough_validate(jlt_rough *self, arf_t h, jlt_rough_excess further, void *context);
 

@@ -15,7 +15,7 @@ bool jlt_said_is_form(const char *kind, const json_t *given);
  *  contains that of `proved`, no lower bound of a condition is above that of `proved`, and everything else is equal. */
 bool jlt_said_follows(const json_t *said, const json_t *proved);
 
-/** A sentence that names the words of a certificate of this kind that its numbers do not support; NULL if they support all. In:
+/** A sentence that names the words of a certificate of this kind that its numbers do not support; NULL: all are supported. In:
  *  given, and shown, which has the form of what was proved. */
 const char *jlt_said_problem(const char *kind, const json_t *given, const json_t *shown);
 

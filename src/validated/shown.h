@@ -20,8 +20,8 @@ json_t *jlt_shown_twist(const jlt_elliptic_result *result, const jlt_given *give
  *  begins; "first", its point there; "point", the symmetric one; "tangent" of the unstable manifold there; "conditions". */
 json_t *jlt_shown_homoclinic(const jlt_homoclinic_result *result, const jlt_given *given);
 
-/** {"middle": DECIMAL, "radius": DECIMAL}, a new reference: with so many digits, and twice the ball's radius, of which a replay in
- *  steps of other lengths need not find the same; or, if it is that of a replay, as it is, with ten digits more. */
+/** {"middle": DECIMAL, "radius": DECIMAL}, a new reference. It has `digits` digits and twice the ball's radius, since a replay may
+ *  take steps of other lengths and find another radius. With `replays` it is the ball itself, with ten digits more. */
 json_t *jlt_shown_ball(const arb_t ball, unsigned digits, bool replays);
 
 /** A decimal of five digits that is at most the lower bound `bound`, "-inf" for NaN; and one that is at least the upper bound. A

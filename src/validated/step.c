@@ -137,8 +137,8 @@ static void bound_variation(const jlt_step *self)
 }
 
 /* Set the step's `rest` to the derivative's remainder over a step of length h: W_K h^K times a bound of the derivative over the
- * step. It need only reach three quarters of the digits, since it multiplies sets that are already small. Returns log2 of its
- * largest entry over what that tolerates. */
+ * step. Three quarters of the digits are enough, since it multiplies sets that are already small. Returns log2 of its largest entry
+ * over the size that this tolerates. */
 static double vary_rest(void *context, const arf_t h)
 {
     jlt_step *self = context;
@@ -226,7 +226,7 @@ static void over(const jlt_step *self, arb_t value, unsigned output, const arb_t
                   self->accuracy.bits);
 }
 
-/* The same by the mean value theorem, P(m) + P'(span)(span - m) + remainder with m the midpoint of span, which is sharper over
+/* As `over`, by the mean value theorem: P(m) + P'(span)(span - m) + remainder with m the midpoint of span. This is sharper over
  * short parts, above all near a minimum of the output. */
 static void over_by_slope(const jlt_step *self, arb_t value, unsigned output, const arb_t span)
 {

@@ -20,7 +20,7 @@ jlt_rough_accuracy jlt_step_accuracy_for(unsigned digits);
 
 typedef struct jlt_step jlt_step;
 
-/** Is told after each step how many steps have been made; of several proofs, in all. */
+/** `told` is called after each step with the number of steps so far; for several proofs, that of all. */
 typedef struct {
     void (*told)(void *context, size_t steps);
     void *context;
@@ -28,7 +28,7 @@ typedef struct {
 } jlt_step_watch;
 
 /** Out: *step, NULL on failure; destroy it with jlt_step_destroy. In: of, borrowed; params, shape (of->params,), copied; watch,
- *  borrowed, NULL: nobody is told. Errors: as jlt_jets_create. */
+ *  borrowed, may be NULL. Errors: as jlt_jets_create. */
 JLT_CHECKED jlt_status jlt_step_create(jlt_step **step, const jlt_formulas *of, arb_srcptr params, jlt_rough_accuracy accuracy,
                                        jlt_step_watch *watch);
 void jlt_step_destroy(jlt_step *step); /* legal on NULL */

@@ -13,7 +13,7 @@
 typedef struct {
     const jlt_descriptor *descriptor;
     const json_t *given, *shown;
-    const char *where; /* conditions hold */
+    const char *where; /* in words, where the model's conditions hold */
 } jlt_theorem_subject;
 
 /** A function that writes one sentence; it may write none. */
@@ -22,7 +22,7 @@ typedef void jlt_theorem_sentence(FILE *out, const jlt_theorem_subject *subject)
 jlt_theorem_sentence jlt_theorem_family_setting, jlt_theorem_family_trace, jlt_theorem_family_measure, jlt_theorem_pole_setting,
     jlt_theorem_pole_end, jlt_theorem_pole_limits, jlt_theorem_symmetry_write, jlt_theorem_symmetry_write_twist;
 
-/* Members of a certificate as they appear in its theorem; a member that is missing or no text is written as "?". */
+/* Members of a certificate as they appear in its theorem; a member that is missing or not a text is written as "?". */
 
 /** The text of a member; never NULL. */
 const char *jlt_theorem_text(const json_t *value);
