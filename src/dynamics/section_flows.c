@@ -78,6 +78,15 @@ const jlt_kernel_batch *jlt_section_flows_watching(const jlt_flow *flow, const j
     return jlt_observed_lanes(flow->observed, &p, &exponents, kernels->lanes);
 }
 
+/* Whether two domains have the same intervals, which lanes take from the first flow. */
+static bool have_same_intervals(const jlt_domain *a, const jlt_domain *b)
+{
+    if (a->intervals == NULL || b->intervals == NULL) return a->intervals == b->intervals;
+    for (unsigned i = 0; i < a->states; i++)
+        if (!(a->intervals[i].low == b->intervals[i].low && a->intervals[i].high == b->intervals[i].high)) return false;
+    return true;
+}
+
 bool jlt_section_flows_fit(const jlt_flow *first, const jlt_flow *flow)
 {
     const jlt_chart *a = first->chart, *b = flow->chart;
@@ -90,7 +99,7 @@ bool jlt_section_flows_fit(const jlt_flow *first, const jlt_flow *flow)
            && f->dim == g->dim && f->root == g->root && memcmp(&f->kept, &g->kept, sizeof f->kept) == 0
            && memcmp(&f->angles, &g->angles, sizeof f->angles) == 0 && memcmp(&f->groups, &g->groups, sizeof f->groups) == 0
            && jlt_field_watches(f) == jlt_field_watches(g)
-           && f->domain.conditions == g->domain.conditions && f->domain.intervals == g->domain.intervals
+           && f->domain.conditions == g->domain.conditions && have_same_intervals(&f->domain, &g->domain)
            && first->method == flow->method && first->tolerance == flow->tolerance && first->direction == flow->direction
            && first->max_steps == flow->max_steps && first->kept.count == flow->kept.count && first->t_max == flow->t_max
            && first->interrupt == flow->interrupt && first->end_where_invalid == flow->end_where_invalid

@@ -45,6 +45,14 @@ for lanes in 2 4 8; do
         rows backwards.csv $command --sweep a3=0.2:-0.2:5
         same <(sort each.csv) <(sort backwards.csv) "$command, $lanes lanes: rows depend on the order of the sweep"
     done
+    # A table whose intervals, if any, lanes watch by themselves.
+    for command in "section roessler --section y=0 --start x=-5,z=0.01 --returns 20" \
+        "lyapunov roessler --section y=0 --start x=-5,z=0.01 --returns 12 --skip 3" \
+        "fates roessler --section y=0 --grid x=-6:-4:2,z=0:0.1:2 --returns 10"; do
+        one_by_one each.csv c "5 5.25 5.5" $command
+        OMP_NUM_THREADS=1 rows all_of_them.csv $command --sweep c=5:5.5:3
+        same each.csv all_of_them.csv "$command, $lanes lanes: points of a sweep differ from each by itself"
+    done
 done
 unset JELLETT_LANES
 
