@@ -331,7 +331,10 @@ jlt_status jlt_system_count_in(jlt_system *self, const jlt_units *units)
     self->flow.observed = self->observed = observed;
     instance = NULL; /* ownership moved to the system */
     set_units(self, units);
-    return jlt_field_of(&self->field, self->instance);
+    const jlt_state_set angles = self->field.angles; /* also those that jlt_system_angles has declared */
+    JLT_PASS(jlt_field_of(&self->field, self->instance));
+    self->field.angles = angles;
+    return JLT_OK;
 }
 
 jlt_status jlt_system_count(jlt_system *self, const double *sizes)
