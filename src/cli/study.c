@@ -80,6 +80,10 @@ static jlt_exit check_options(const jlt_study *self)
         if (strcmp(option->name, "json") == 0) return refuse(self, option->line, "a study's rows are tables: leave out 'json'");
         if (strcmp(option->name, "start") == 0 && self->dealt < job->count && strcmp(job->options[self->dealt].name, "grid") == 0)
             return refuse(self, option->line, "every piece of the grid would begin with this 'start': leave it out");
+        /* each piece of the grid would run over all of it, and its rows begin with other columns than those of the grid */
+        if (strcmp(option->name, "sweep") == 0 && self->dealt < job->count && self->dealt != k)
+            return refuse(self, option->line, "a study with a grid of starts runs over parameters and levels by 'over', not by "
+                                              "'sweep': write them there");
     }
     return JLT_EXIT_DONE;
 }

@@ -253,6 +253,11 @@ done 2> /dev/null | diff - inside.rows || fail "a sweep within a study has other
 expect 3 "portrait cannot be a study; these can: section, fates, lyapunov, eigen" jellett sweep \
     <(sed 's/"section"/"portrait"/; s/grid = .*; returns = 3;//' map.scene)
 expect 3 "add 'grid': a study of section is cut into pieces along it" jellett sweep <(sed 's/grid = .*; returns/returns/' map.scene)
+for study in map ends; do # a sweep, whose columns come first, is no part of a study of section; fates are cut along it
+    sed 's/; returns/; sweep = { E = (2.1, 2.2, 2); }; returns/; s/ E = 2.15;//' $study.scene > swept.scene
+    [ $study = map ] && expect 3 "by 'over', not by 'sweep': write them there" jellett sweep swept.scene --into=swept
+    [ $study = map ] || expect 0 "" jellett sweep swept.scene --into=swept
+done
 expect 3 "leave out 'output'" jellett sweep <(sed 's/returns = 3;/& output = "o.csv";/' map.scene)
 expect 3 "a second entry" jellett sweep "$JLT_SOURCE_DIR/tools/scenes/fig3a.scene"
 expect 5 "" jellett sweep map.scene --into=own.tt
