@@ -79,6 +79,9 @@ for cut in 0 3 100 $((size / 3)) $((size / 2)) $((size - 1)); do
     cmp again.csv map.1.csv && cmp again.sqlite map.1.sqlite || fail "cut at $cut of $size: other bytes"
 done
 expect 0 "0 of them now" jellett sweep map.scene --into=map.3 --shard=2/3 --resume
+# No more is said of the start of a piece than is known: one that took less than a millisecond was told to start in a millisecond.
+sed 's/piece = 11/piece = 1/; s/returns = 3/returns = 1/' ends.scene > short.scene
+expect 0 "much of which may be its start: 'piece = " jellett sweep short.scene --into=short
 printf x | dd of=$file bs=1 seek=$((size / 2)) conv=notrunc 2> dd
 expect 1 "pieces are missing" jellett merge map.3 -o none.csv
 [ ! -e none.csv ] || fail "pieces are missing, and something is written"
