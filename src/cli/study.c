@@ -234,23 +234,30 @@ static void points_of(size_t *outer, size_t *first, size_t *count, const jlt_stu
     *count = self->inner - *first < self->piece ? self->inner - *first : self->piece;
 }
 
+bool jlt_study_give(char ***argv, int *argc, const jlt_grid_axis *over, size_t count, size_t point, const jlt_descriptor *model)
+{
+    char **grown = realloc(*argv, ((size_t)*argc + 3) * sizeof *grown);
+
+    if (grown == NULL) return false;
+    *argv = grown;
+    for (int params = 1; params >= 0; params--) {
+        char *text = jlt_grid_assignments(params != 0 ? "--set" : "--level", over, count, point, model, params != 0);
+        if (text == NULL) return false;
+        if (text[0] != '\0') grown[(*argc)++] = text;
+        else free(text);
+    }
+    grown[*argc] = NULL;
+    return true;
+}
+
 char **jlt_study_arguments(const jlt_study *self, size_t piece, int *argc)
 {
     size_t outer, first, count;
     int used = 0;
     char **argv = jlt_job_arguments(self->job, NULL, &used);
-    char **grown = argv != NULL ? realloc(argv, ((size_t)used + 3) * sizeof *argv) : NULL;
-    bool whole = grown != NULL;
 
     points_of(&outer, &first, &count, self, piece);
-    if (whole) argv = grown;
-    for (int params = 1; whole && params >= 0; params--) {
-        char *text = jlt_grid_assignments(params != 0 ? "--set" : "--level", self->over, self->over_count, outer,
-                                          self->scene->model, params != 0);
-        whole = text != NULL;
-        if (whole && text[0] != '\0') argv[used++] = text;
-        else free(text);
-    }
+    bool whole = argv != NULL && jlt_study_give(&argv, &used, self->over, self->over_count, outer, self->scene->model);
     if (whole && self->dealt < self->job->count) {
         char **option = &argv[(self->job->model != NULL ? 2 : 1) + self->dealt], *part = NULL;
         whole = asprintf(&part, "%s@%zu:%zu", *option, first, count) > 0;
@@ -260,10 +267,7 @@ char **jlt_study_arguments(const jlt_study *self, size_t piece, int *argc)
         }
     }
     *argc = used;
-    if (whole) {
-        argv[used] = NULL;
-        return argv;
-    }
+    if (whole) return argv;
     jlt_command_free(argv, used);
     return NULL;
 }

@@ -261,6 +261,10 @@ for study in map ends; do # a sweep, whose columns come first, is no part of a s
     [ $study = map ] && expect 3 "by 'over', not by 'sweep': write them there" jellett sweep swept.scene --into=swept
     [ $study = map ] || expect 0 "" jellett sweep swept.scene --into=swept
 done
+# The plan of a study is that of its first point, not of defaults that no piece has.
+sed '1s/ E = 2.15;//; 1i over = { a3 = (0, 0.5, 2); E = (1, 2, 2); };' map.scene > over.scene
+expect 0 "at a3=0, E=1, the first of 4 points:" jellett plan over.scene
+grep -q '\* level .* balanced ' out && grep -q 'on levels E=1 ' out || fail "the plan of a study: $(tail -4 out)"
 expect 3 "leave out 'output'" jellett sweep <(sed 's/returns = 3;/& output = "o.csv";/' map.scene)
 expect 3 "a second entry" jellett sweep "$JLT_SOURCE_DIR/tools/scenes/fig3a.scene"
 expect 5 "" jellett sweep map.scene --into=own.tt
