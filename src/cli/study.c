@@ -1,5 +1,6 @@
 #include "cli/study.h"
 
+#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -173,6 +174,17 @@ static json_t *kernels_of(const jlt_descriptor *model, const jlt_way_tables *oth
     return kernels;
 }
 
+/* Kernels with four and with eight lanes do the same operations; those with two have no fused multiply-add. Those for one orbit
+ * have it where the compiler was told to count on it. */
+static const char *arithmetic(void)
+{
+#ifdef FP_FAST_FMA
+    return jlt_batch_isa_lanes() > 2 ? "fused, single orbits too" : "plain, single orbits fused";
+#else
+    return jlt_batch_isa_lanes() > 2 ? "fused" : "plain";
+#endif
+}
+
 static jlt_exit make_manifest(jlt_study *self)
 {
     const jlt_scene_job *job = self->job;
@@ -188,12 +200,11 @@ static jlt_exit make_manifest(jlt_study *self)
     for (size_t k = 0; k < job->count; k++)
         (void)json_object_set_new(options, job->options[k].name,
                                   job->options[k].value != NULL ? json_string(job->options[k].value) : json_true());
-    /* Kernels with four and with eight lanes do the same operations; those with two have no fused multiply-add. */
     whole = json_pack("{s:i, s:s, s:s, s:o, s:s?, s:I, s:I, s:I, s:s, s:o, s:s}", "format", 1, "command", job->what, "model",
                       typed + strlen(job->what) + 1, "options", options, "over", self->scene->over, "points",
                       (json_int_t)(self->outer * self->inner), "piece", (json_int_t)self->piece, "pieces",
                       (json_int_t)self->pieces, "version", JLT_VERSION, "kernels", kernels_of(model, &others), "arithmetic",
-                      jlt_batch_isa_lanes() > 2 ? "fused" : "plain");
+                      arithmetic());
     self->manifest = whole != NULL ? json_dumps(whole, JSON_COMPACT) : NULL;
     json_decref(whole);
     return self->manifest != NULL ? JLT_EXIT_DONE : jlt_command_no_memory();
