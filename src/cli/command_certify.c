@@ -93,6 +93,7 @@ static void check_typed(const options *o, const struct argp_state *state)
                              : m->flow.direction != JLT_RISING      ? "--direction"
                              : m->flow.tolerance != tolerance       ? "--tol"
                              : m->flow.method != jlt_method_find(NULL) ? "--method"
+                             : m->flow.max_steps != 0               ? "--max-steps"
                                                                     : NULL;
 
     for (unsigned i = 0; i < own_option_count; i++)

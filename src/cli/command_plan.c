@@ -8,6 +8,7 @@
 #include "cli/interrupt.h"
 #include "cli/job.h"
 #include "cli/program.h"
+#include "cli/study.h"
 #include "kernel/descriptor.h"
 #include "scene/tier.h"
 #include "top/top.h"
@@ -47,7 +48,7 @@ static const struct argp parser = {
     "\vFor each question the plan lists the tiers from the smallest up; for each tier the most special kernel that fits the "
     "parameters, and the operations of one call of its right-hand side.\n\n"
     "On a section it also shows the levels, what is proved of them, where orbits start, and by which method they are followed. "
-    "A start that would be refused is reported.\n\n"
+    "A start that would be refused is reported. The plan of a study is that of the first point of what it runs over.\n\n"
     "Examples:\n"
     "  jellett plan section --grid 24x16 --set a3=0\n"
     "  jellett plan continue --along a3=0.4:0.6\n"
@@ -77,6 +78,21 @@ static bool is_still(const char *name)
     return false;
 }
 
+/* Give a study's command the first values of what the study runs over, and say so. */
+static jlt_exit give_over(char ***argv, int *argc, const jlt_scene *scene)
+{
+    jlt_grid_axis over[JLT_STUDY_OVER_MAX] = { 0 };
+    char place[JLT_GRID_PLACE_MAX];
+    size_t count = 0, all = 1;
+
+    JLT_PASS(jlt_grid_parse(over, &count, JLT_STUDY_OVER_MAX, scene->over, "over"));
+    JLT_PASS(jlt_grid_size(&all, over, count, scene->over, "over"));
+    if (!jlt_study_give(argv, argc, over, count, 0, scene->model)) return jlt_command_no_memory();
+    (void)jlt_grid_place(place, over, count, 0);
+    printf("at %s, the first of %zu points:\n", place, all);
+    return JLT_EXIT_DONE;
+}
+
 /* Print a command's plan in a child process, since argp may end the process on an error. */
 static jlt_exit plan_job(const jlt_scene *scene, size_t index)
 {
@@ -84,11 +100,12 @@ static jlt_exit plan_job(const jlt_scene *scene, size_t index)
     const jlt_command *command = jlt_command_find(job->what);
     int argc = 0, ending = 0;
     char **argv = jlt_job_arguments(job, JLT_COMMON_PLAN, &argc);
-    jlt_exit code;
+    jlt_exit code = JLT_EXIT_DONE;
 
     printf("%zu. %s (%s:%u)\n", index + 1, job->what, scene->file, job->line);
     if (argv == NULL) return jlt_command_no_memory();
-    code = is_still(job->what) ? jlt_common_still() : jlt_job_run(&ending, command, argv, argc);
+    if (scene->over != NULL) code = give_over(&argv, &argc, scene);
+    if (code == JLT_EXIT_DONE) code = is_still(job->what) ? jlt_common_still() : jlt_job_run(&ending, command, argv, argc);
     jlt_command_free(argv, argc);
     if (ending != 0) jlt_interrupt_end(ending);
     if (code == JLT_EXIT_DONE || code == JLT_EXIT_PLANNED) return JLT_EXIT_DONE;

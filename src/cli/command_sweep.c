@@ -257,8 +257,7 @@ static void advise(const sweep *self, size_t done, double lasted)
     const double factor = WORTH_SECONDS * (double)done / lasted;
 
     if (done < 8 || factor < 5 || self->study.piece >= self->study.inner) return;
-    fprintf(stderr, "jellett: a piece took %.2g s, of which its start is about a millisecond: 'piece = %.0f;' in the study wastes "
-                    "less\n",
+    fprintf(stderr, "jellett: a piece took %.2g s, much of which may be its start: 'piece = %.0f;' in the study wastes less\n",
             lasted / (double)done, fmin((double)self->study.inner, ceil(factor * (double)self->study.piece)));
 }
 

@@ -1,5 +1,6 @@
 #include "cli/study.h"
 
+#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -80,6 +81,10 @@ static jlt_exit check_options(const jlt_study *self)
         if (strcmp(option->name, "json") == 0) return refuse(self, option->line, "a study's rows are tables: leave out 'json'");
         if (strcmp(option->name, "start") == 0 && self->dealt < job->count && strcmp(job->options[self->dealt].name, "grid") == 0)
             return refuse(self, option->line, "every piece of the grid would begin with this 'start': leave it out");
+        /* each piece of the grid would run over all of it, and its rows begin with other columns than those of the grid */
+        if (strcmp(option->name, "sweep") == 0 && self->dealt < job->count && self->dealt != k)
+            return refuse(self, option->line, "a study with a grid of starts runs over parameters and levels by 'over', not by "
+                                              "'sweep': write them there");
     }
     return JLT_EXIT_DONE;
 }
@@ -169,6 +174,17 @@ static json_t *kernels_of(const jlt_descriptor *model, const jlt_way_tables *oth
     return kernels;
 }
 
+/* Kernels with four and with eight lanes do the same operations; those with two have no fused multiply-add. Those for one orbit
+ * have it where the compiler was told to count on it. */
+static const char *arithmetic(void)
+{
+#ifdef FP_FAST_FMA
+    return jlt_batch_isa_lanes() > 2 ? "fused, single orbits too" : "plain, single orbits fused";
+#else
+    return jlt_batch_isa_lanes() > 2 ? "fused" : "plain";
+#endif
+}
+
 static jlt_exit make_manifest(jlt_study *self)
 {
     const jlt_scene_job *job = self->job;
@@ -184,12 +200,11 @@ static jlt_exit make_manifest(jlt_study *self)
     for (size_t k = 0; k < job->count; k++)
         (void)json_object_set_new(options, job->options[k].name,
                                   job->options[k].value != NULL ? json_string(job->options[k].value) : json_true());
-    /* Kernels with four and with eight lanes do the same operations; those with two have no fused multiply-add. */
     whole = json_pack("{s:i, s:s, s:s, s:o, s:s?, s:I, s:I, s:I, s:s, s:o, s:s}", "format", 1, "command", job->what, "model",
                       typed + strlen(job->what) + 1, "options", options, "over", self->scene->over, "points",
                       (json_int_t)(self->outer * self->inner), "piece", (json_int_t)self->piece, "pieces",
                       (json_int_t)self->pieces, "version", JLT_VERSION, "kernels", kernels_of(model, &others), "arithmetic",
-                      jlt_batch_isa_lanes() > 2 ? "fused" : "plain");
+                      arithmetic());
     self->manifest = whole != NULL ? json_dumps(whole, JSON_COMPACT) : NULL;
     json_decref(whole);
     return self->manifest != NULL ? JLT_EXIT_DONE : jlt_command_no_memory();
@@ -230,23 +245,30 @@ static void points_of(size_t *outer, size_t *first, size_t *count, const jlt_stu
     *count = self->inner - *first < self->piece ? self->inner - *first : self->piece;
 }
 
+bool jlt_study_give(char ***argv, int *argc, const jlt_grid_axis *over, size_t count, size_t point, const jlt_descriptor *model)
+{
+    char **grown = realloc(*argv, ((size_t)*argc + 3) * sizeof *grown);
+
+    if (grown == NULL) return false;
+    *argv = grown;
+    for (int params = 1; params >= 0; params--) {
+        char *text = jlt_grid_assignments(params != 0 ? "--set" : "--level", over, count, point, model, params != 0);
+        if (text == NULL) return false;
+        if (text[0] != '\0') grown[(*argc)++] = text;
+        else free(text);
+    }
+    grown[*argc] = NULL;
+    return true;
+}
+
 char **jlt_study_arguments(const jlt_study *self, size_t piece, int *argc)
 {
     size_t outer, first, count;
     int used = 0;
     char **argv = jlt_job_arguments(self->job, NULL, &used);
-    char **grown = argv != NULL ? realloc(argv, ((size_t)used + 3) * sizeof *argv) : NULL;
-    bool whole = grown != NULL;
 
     points_of(&outer, &first, &count, self, piece);
-    if (whole) argv = grown;
-    for (int params = 1; whole && params >= 0; params--) {
-        char *text = jlt_grid_assignments(params != 0 ? "--set" : "--level", self->over, self->over_count, outer,
-                                          self->scene->model, params != 0);
-        whole = text != NULL;
-        if (whole && text[0] != '\0') argv[used++] = text;
-        else free(text);
-    }
+    bool whole = argv != NULL && jlt_study_give(&argv, &used, self->over, self->over_count, outer, self->scene->model);
     if (whole && self->dealt < self->job->count) {
         char **option = &argv[(self->job->model != NULL ? 2 : 1) + self->dealt], *part = NULL;
         whole = asprintf(&part, "%s@%zu:%zu", *option, first, count) > 0;
@@ -256,10 +278,7 @@ char **jlt_study_arguments(const jlt_study *self, size_t piece, int *argc)
         }
     }
     *argc = used;
-    if (whole) {
-        argv[used] = NULL;
-        return argv;
-    }
+    if (whole) return argv;
     jlt_command_free(argv, used);
     return NULL;
 }

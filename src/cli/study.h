@@ -26,6 +26,10 @@ typedef struct {
 jlt_exit jlt_study_open(jlt_study *out, const char *path, const jlt_assign_list *set);
 void jlt_study_clear(jlt_study *self);
 
+/** Add to a command line, of *argc arguments, the options that give it point number `point` of what a study runs over; over: shape
+ *  (count,). Returns false if memory is out; *argc counts what was added before. */
+bool jlt_study_give(char ***argv, int *argc, const jlt_grid_axis *over, size_t count, size_t point, const jlt_descriptor *model);
+
 /** The command line of piece number `piece`, *argc arguments, for jlt_command_free. NULL: memory is out. */
 char **jlt_study_arguments(const jlt_study *self, size_t piece, int *argc);
 

@@ -185,13 +185,16 @@ static jlt_status append_list(const jlt_value_reader *r, const config_setting_t 
 /* (first, last, count) */
 static jlt_status append_range(const jlt_value_reader *r, const config_setting_t *at, jlt_value *v, const char *name)
 {
+    char count[160];
+
     if (config_setting_length(at) != 3)
         return jlt_value_complain(r, jlt_value_line(at), "'%s' takes one number or (first, last, how many)", name);
     JLT_PASS(append_number(r, config_setting_get_elem(at, 0), v, name));
     JLT_PASS(append(r, at, v, ":"));
     JLT_PASS(append_number(r, config_setting_get_elem(at, 1), v, name));
     JLT_PASS(append(r, at, v, ":"));
-    return append_whole(r, config_setting_get_elem(at, 2), v, name, 1);
+    snprintf(count, sizeof count, "how many of %s", name);
+    return append_whole(r, config_setting_get_elem(at, 2), v, count, 1);
 }
 
 /* (low, high) */

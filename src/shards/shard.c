@@ -80,34 +80,6 @@ static jlt_status read_record(jlt_shard_reader *self, jlt_shard_record *record, 
     return JLT_OK;
 }
 
-jlt_status jlt_shard_reader_open(jlt_shard_reader *self, char **study, int descriptor)
-{
-    jlt_shard_record record = { .piece = 0 };
-    char kind[6] = "", key[JLT_SHARD_KEY] = "", start[7] = "";
-    jlt_status st;
-
-    *self = (jlt_shard_reader){ .descriptor = descriptor };
-    *study = NULL;
-    self->size = lseek(descriptor, 0, SEEK_END);
-    if (self->size < 0) return JLT_ERR_IO;
-    if (self->size == 0) return JLT_OK;
-    const size_t known = self->size < 6 ? (size_t)self->size : 6;
-    if (read_bytes(self, start, known, 0) != JLT_OK) return JLT_ERR_IO;
-    if (strncmp(start, "study ", known) != 0) return JLT_ERR_ARG;
-    st = read_record(self, &record, kind, key, &self->at, 0);
-    if (st == JLT_ERR_EMPTY) return JLT_OK;
-    if (st == JLT_OK && (*study = strndup(record.rows, record.rows_size)) == NULL) st = JLT_ERR_NOMEM;
-    if (st != JLT_OK) return st;
-    jlt_shard_key(self->key, *study);
-    return strcmp(self->key, key) == 0 ? JLT_OK : JLT_ERR_ARG;
-}
-
-void jlt_shard_reader_close(jlt_shard_reader *self)
-{
-    free(self->data);
-    *self = (jlt_shard_reader){ .descriptor = -1 };
-}
-
 /* Move *at to the next line that begins as the record of a piece does. Errors: EMPTY, there is none; IO. */
 static jlt_status find_piece(const jlt_shard_reader *self, off_t *at)
 {
@@ -125,6 +97,38 @@ static jlt_status find_piece(const jlt_shard_reader *self, off_t *at)
         }
     }
     return JLT_ERR_EMPTY;
+}
+
+jlt_status jlt_shard_reader_open(jlt_shard_reader *self, char **study, int descriptor)
+{
+    jlt_shard_record record = { .piece = 0 };
+    char kind[6] = "", key[JLT_SHARD_KEY] = "", start[7] = "";
+    jlt_status st;
+
+    *self = (jlt_shard_reader){ .descriptor = descriptor };
+    *study = NULL;
+    self->size = lseek(descriptor, 0, SEEK_END);
+    if (self->size < 0) return JLT_ERR_IO;
+    if (self->size == 0) return JLT_OK;
+    const size_t known = self->size < 6 ? (size_t)self->size : 6;
+    if (read_bytes(self, start, known, 0) != JLT_OK) return JLT_ERR_IO;
+    if (strncmp(start, "study ", known) != 0) return JLT_ERR_ARG;
+    st = read_record(self, &record, kind, key, &self->at, 0);
+    if (st == JLT_ERR_EMPTY) {
+        off_t behind = 0; /* a piece behind a first record that seems torn: what is damaged is that record's length */
+        st = find_piece(self, &behind);
+        return st == JLT_OK ? JLT_ERR_ARG : st == JLT_ERR_EMPTY ? JLT_OK : st;
+    }
+    if (st == JLT_OK && (*study = strndup(record.rows, record.rows_size)) == NULL) st = JLT_ERR_NOMEM;
+    if (st != JLT_OK) return st;
+    jlt_shard_key(self->key, *study);
+    return strcmp(self->key, key) == 0 ? JLT_OK : JLT_ERR_ARG;
+}
+
+void jlt_shard_reader_close(jlt_shard_reader *self)
+{
+    free(self->data);
+    *self = (jlt_shard_reader){ .descriptor = -1 };
 }
 
 jlt_status jlt_shard_reader_next(jlt_shard_reader *self, jlt_shard_record *record)

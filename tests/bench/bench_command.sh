@@ -60,6 +60,11 @@ expect() { # STATUS COMMAND...
 }
 expect 2 jellett bench
 expect 2 jellett bench section
+# An option that would have no effect is refused: --list, above all, measures nothing.
+expect 2 jellett bench jacobian --list
+expect 2 jellett bench eigenvalues --returns 3
+expect 2 jellett bench tiers --reference "$data" --threads 2
+expect 2 jellett bench slope --reference "$data/slopes_regular_51.csv" --form level
 expect 5 jellett bench section --reference "$folder/nothing.csv"
 echo "orbit,return,t,gamma3,v_nu,omega_n,omega3" > "$folder/empty.csv"
 expect 3 jellett bench section --reference "$folder/empty.csv"

@@ -197,7 +197,7 @@ for option in '--period 2' '--start x=1' '--radius 1e-9' '--spread a3=1e-9' '--d
     refuse 2 "${option% *} is an option of" equilibria --family spin --box I1=0.2:1 $option
 done
 for option in '--section z=27' '--level E=1' '--solve gamma3=0' '--modulo gamma3=1' '--mirror gamma3' '--direction down' \
-    '--tol 1e-9' '--method rk8pd'; do
+    '--tol 1e-9' '--method rk8pd' '--max-steps 7'; do
     refuse 2 "${option% *} is an option of orbits" equilibria --family spin --box I1=0.2:1 $option
 done
 refuse 2 'one way, up or down' cycle "${orbit[@]}" --direction both

@@ -79,6 +79,9 @@ for cut in 0 3 100 $((size / 3)) $((size / 2)) $((size - 1)); do
     cmp again.csv map.1.csv && cmp again.sqlite map.1.sqlite || fail "cut at $cut of $size: other bytes"
 done
 expect 0 "0 of them now" jellett sweep map.scene --into=map.3 --shard=2/3 --resume
+# No more is said of the start of a piece than is known: one that took less than a millisecond was told to start in a millisecond.
+sed 's/piece = 11/piece = 1/; s/returns = 3/returns = 1/' ends.scene > short.scene
+expect 0 "much of which may be its start: 'piece = " jellett sweep short.scene --into=short
 printf x | dd of=$file bs=1 seek=$((size / 2)) conv=notrunc 2> dd
 expect 1 "pieces are missing" jellett merge map.3 -o none.csv
 [ ! -e none.csv ] || fail "pieces are missing, and something is written"
@@ -101,17 +104,29 @@ for digits in 0 1 99999999; do
 done
 cp whole $file
 
-# A file whose beginning is damaged is not begun anew over what it has.
+# A file whose beginning is damaged is not begun anew over what it has, also where its first record seems to end behind the file.
 cp $file whole
-printf x | dd of=$file bs=1 seek=100 conv=notrunc 2> dd
-cp $file damaged
-for resume in "" --resume; do
-    # shellcheck disable=SC2086
-    expect 3 "its beginning is damaged" jellett sweep map.scene --into=map.3 --shard=2/3 $resume
-    cmp $file damaged || fail "a damaged file is written to"
+for damage in 1s/^study.0.0./\&9999/ 2s/./x/; do
+    LC_ALL=C sed "$damage" whole > damaged
+    cp damaged $file
+    for resume in "" --resume; do
+        # shellcheck disable=SC2086
+        expect 3 "its beginning is damaged" jellett sweep map.scene --into=map.3 --shard=2/3 $resume
+        cmp $file damaged || fail "$damage: a damaged file is written to"
+    done
 done
 expect 3 "jellett: map.3/2-of-3.shard is no shard of a study, or its beginning is damaged" jellett merge map.3
 mv whole $file
+# The study of a program whose kernels for one orbit have a fused multiply-add, and other last digits, is another one. A compiler
+# that is told of it, as by -march=native, sees another text of the file that describes a study.
+python3 - "$JLT_BINARY_DIR/compile_commands.json" << 'END' || fail "kernels with a fused multiply-add make the same study"
+import json, shlex, subprocess, sys
+[unit] = [u for u in json.load(open(sys.argv[1])) if u["file"].endswith("/src/cli/study.c")]
+words = shlex.split(unit["command"])
+words[words.index("-o"):words.index("-o") + 2] = ["-E", "-P"]
+texts = [subprocess.run(words + [x + "__FP_FAST_FMA"], cwd=unit["directory"], capture_output=True).stdout for x in ("-U", "-D")]
+sys.exit(texts[0] == texts[1] or b"" in texts)
+END
 # Names of files and folders are taken to the letter.
 mkdir "map[3]"
 cp map.3/*.shard "map[3]"
@@ -251,6 +266,15 @@ done 2> /dev/null | diff - inside.rows || fail "a sweep within a study has other
 expect 3 "portrait cannot be a study; these can: section, fates, lyapunov, eigen" jellett sweep \
     <(sed 's/"section"/"portrait"/; s/grid = .*; returns = 3;//' map.scene)
 expect 3 "add 'grid': a study of section is cut into pieces along it" jellett sweep <(sed 's/grid = .*; returns/returns/' map.scene)
+for study in map ends; do # a sweep, whose columns come first, is no part of a study of section; fates are cut along it
+    sed 's/; returns/; sweep = { E = (2.1, 2.2, 2); }; returns/; s/ E = 2.15;//' $study.scene > swept.scene
+    [ $study = map ] && expect 3 "by 'over', not by 'sweep': write them there" jellett sweep swept.scene --into=swept
+    [ $study = map ] || expect 0 "" jellett sweep swept.scene --into=swept
+done
+# The plan of a study is that of its first point, not of defaults that no piece has.
+sed '1s/ E = 2.15;//; 1i over = { a3 = (0, 0.5, 2); E = (1, 2, 2); };' map.scene > over.scene
+expect 0 "at a3=0, E=1, the first of 4 points:" jellett plan over.scene
+grep -q '\* level .* balanced ' out && grep -q 'on levels E=1 ' out || fail "the plan of a study: $(tail -4 out)"
 expect 3 "leave out 'output'" jellett sweep <(sed 's/returns = 3;/& output = "o.csv";/' map.scene)
 expect 3 "a second entry" jellett sweep "$JLT_SOURCE_DIR/tools/scenes/fig3a.scene"
 expect 5 "" jellett sweep map.scene --into=own.tt

@@ -127,6 +127,8 @@ static void every_mistake_is_named_with_its_line(void **unused)
         { "accuracy = { tolerence = 1e-3; };\ncompute = ( { what = \"section\"; } );",
           ":1: error: unknown key 'tolerence' in 'accuracy'" },
         { "compute = ( { what = \"section\";\n grid = { eta = (1, 2); }; } );", ":2: error: 'eta' takes one number or (first" },
+        { "compute = ( { what = \"section\";\n grid = { eta = (1, 2, 0); }; } );", ":2: error: 'how many of eta' must be at le" },
+        { "compute = ( { what = \"section\";\n grid = { eta = (1, 2, 2.5); }; } );", ":2: error: 'how many of eta' takes a whole" },
         { "compute = ( { what = \"section\";\n grid = 5; } );",
           ":2: error: 'grid' takes names and numbers in braces, { a = (-1, 1, 21)" },
         { "compute = ( { what = \"section\";\n section = { v_nu = 0; };\n start = \"saddle\"; } );",

@@ -21,8 +21,7 @@ typedef struct {
 typedef struct {
     const char *name, *meaning;
     const char *columns;   /* the table's header */
-    bool needs_reference;  /* whether --reference must be given; otherwise it must not */
-    bool has_forms, has_methods; /* takes --form; takes --method */
+    const char *takes;     /* the letters of its options; where -r is among them, it must be given */
     /* Writes rows. Returns the exit status, after a message unless it is JLT_EXIT_DONE. */
     jlt_exit (*run)(FILE *table, const jlt_bench_options *options);
 } jlt_bench_kind;

@@ -243,5 +243,5 @@ const jlt_bench_kind jlt_bench_eigenvalues = {
     "eigenvalues",
     "all five at fixed points (4.4), 256 random ones of each kind,\n    the matrix being given; error relative to its largest "
     "entry;\n    defective: omega3 = 0; turned: in rotated coordinates",
-    "program,method,points,error,error_least,error_largest,ns_per_matrix,ns_least,ns_largest,failed", false, false, false, run,
+    "program,method,points,error,error_least,error_largest,ns_per_matrix,ns_least,ns_largest,failed", "kqo", run,
 };

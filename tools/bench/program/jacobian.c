@@ -237,5 +237,5 @@ const jlt_bench_kind jlt_bench_jacobian = {
     "jacobian",
     "Jacobian of (3.2) at 256 random points, generic and near a pole,\n    against ball arithmetic; error relative to the largest "
     "entry of the\n    column, inf where a difference leaves the domain",
-    "program,method,points,step,error,error_least,error_largest,ns_per_jacobian,ns_least,ns_largest", false, false, false, run,
+    "program,method,points,step,error,error_least,error_largest,ns_per_jacobian,ns_least,ns_largest", "kqo", run,
 };

@@ -19,6 +19,7 @@ enum { KINDS = sizeof kinds / sizeof *kinds };
 typedef struct {
     const jlt_bench_kind *kind;
     const char *output;
+    unsigned long typed; /* bit n: the option whose letter is n behind 'a' */
     jlt_bench_options bench;
 } options;
 
@@ -35,10 +36,21 @@ static const struct argp_option option_table[] = {
     { 0 },
 };
 
+/* Refuse options that this kind does not take, which would otherwise have no effect. */
+static void check_typed(const options *o, const struct argp_state *state)
+{
+    for (const struct argp_option *each = option_table; each->name != NULL; each++)
+        if ((o->typed >> (each->key - 'a') & 1) != 0 && strchr(o->kind->takes, each->key) == NULL)
+            argp_error(state, "%s knows no --%s", o->kind->name, each->name);
+    if (strchr(o->kind->takes, 'r') != NULL && o->bench.reference == NULL)
+        argp_error(state, "%s needs --reference FILE: errors are measured against it", o->kind->name);
+}
+
 static error_t parse(int key, char *value, struct argp_state *state)
 {
     options *o = state->input;
 
+    if (key >= 'a' && key <= 'z') o->typed |= 1ul << (key - 'a');
     switch (key) {
     case 'r': o->bench.reference = value; return 0;
     case 'f': o->bench.form = value; return 0;
@@ -56,11 +68,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
         return 0;
     case ARGP_KEY_END:
         if (o->kind == NULL) argp_error(state, "what is to be measured? See --help");
-        if (o->kind->needs_reference && o->bench.reference == NULL)
-            argp_error(state, "%s needs --reference FILE: errors are measured against it", o->kind->name);
-        if (!o->kind->needs_reference && o->bench.reference != NULL) argp_error(state, "%s knows no --reference", o->kind->name);
-        if (!o->kind->has_forms && o->bench.form != NULL) argp_error(state, "%s knows no --form", o->kind->name);
-        if (!o->kind->has_methods && o->bench.method != NULL) argp_error(state, "%s knows no --method", o->kind->name);
+        check_typed(o, state);
         return 0;
     default: return ARGP_ERR_UNKNOWN;
     }

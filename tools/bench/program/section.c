@@ -391,5 +391,5 @@ const jlt_bench_kind jlt_bench_section = {
     "section", "section map at (5.1), every method on every tier; errors over the\n    returns that the reference knows",
     "program,method,form,threads,tolerance,error,time_error,drift_E,drift_G,us_per_return,us_least,us_largest,"
     "steps_per_return,failed",
-    true, true, true, run,
+    "rfmntkqlo", run,
 };

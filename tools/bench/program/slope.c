@@ -241,5 +241,5 @@ const jlt_bench_kind jlt_bench_slope = {
     "slope",
     "derivative DP of the section map at (5.1) by the variational\n    equations and by differences; error relative to its largest "
     "entry",
-    "program,method,form,threads,tolerance,error,us_per_derivative,us_least,us_largest,failed", true, false, true, run,
+    "program,method,form,threads,tolerance,error,us_per_derivative,us_least,us_largest,failed", "rmkqlo", run,
 };

@@ -119,5 +119,5 @@ const jlt_bench_kind jlt_bench_tiers = {
     "tiers",
     "states at given times by every tier that serves; --reference is the\n    folder with flow_rod.csv, flow_balanced.csv, "
     "flow_generic.csv",
-    "scene,tier,dimension,tolerance,error,steps,evaluations,us_per_orbit,us_least,us_largest", true, true, false, run,
+    "scene,tier,dimension,tolerance,error,steps,evaluations,us_per_orbit,us_least,us_largest", "rfkqo", run,
 };
