@@ -134,6 +134,7 @@ void jlt_interrupt_begin(void)
     for (int i = 0; i < ENDING_COUNT; i++)
         if (!is_ignored(ending[i])) sigaction(ending[i], &end, NULL);
     signal(SIGXFSZ, SIG_IGN); /* so that the write fails, and is reported like any other failure */
+    signal(SIGCHLD, SIG_DFL); /* where it is ignored, as some parents leave it, no child keeps its status to be waited for */
 }
 
 const volatile sig_atomic_t *jlt_interrupt_install(void)
