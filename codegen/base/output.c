@@ -203,17 +203,14 @@ static int write_all(const ttc_output *output, const char *folder, passage *pass
 
 int ttc_output_write(const ttc_output *output, const char *folder, const char **where, bool *restored)
 {
-    /* Block signals that end the program until the files are consistent: none leaves temporary files, or a mix of two versions. */
-    sigset_t ending, before;
-    sigemptyset(&ending);
-    sigaddset(&ending, SIGINT);
-    sigaddset(&ending, SIGTERM);
-    sigaddset(&ending, SIGHUP);
+    /* Block all signals until the files are consistent: none leaves temporary files, or a mix of two versions. */
+    sigset_t all, before;
+    sigfillset(&all);
     *where = folder;
     *restored = true;
     passage *passages = calloc(output->count + 1, sizeof *passages);
     if (passages == NULL) return ENOMEM;
-    pthread_sigmask(SIG_BLOCK, &ending, &before);
+    pthread_sigmask(SIG_BLOCK, &all, &before);
     int error = write_all(output, folder, passages, where, restored);
     for (size_t i = 0; i < output->count; i++) end(passages + i);
     free(passages);

@@ -74,7 +74,7 @@ done
 
 # Stopped at eight moments of its life by each signal. Files of an earlier version are there already: afterwards each
 # is the old one or the new one, and only SIGKILL may leave files of both versions, or a temporary file.
-for signal in INT TERM KILL; do
+for signal in INT TERM QUIT XCPU KILL; do
     for k in $(seq 1 8); do
         rm -rf "$scratch/killed"
         cp -r "$scratch/whole" "$scratch/killed"
