@@ -1,3 +1,4 @@
+#define _DEFAULT_SOURCE /* flock */
 #include "base/output.h"
 
 #include "base/array.h"
@@ -8,6 +9,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -66,6 +68,15 @@ static int make_folder(const char *path, bool *made)
     struct stat status;
     if (error == EEXIST && stat(path, &status) == 0) return S_ISDIR(status.st_mode) ? 0 : ENOTDIR;
     return error;
+}
+
+/* Wait until no other run writes below the folder: two at once would leave files of both. Returns a descriptor that holds the lock
+ * until it is closed, or without one where the file system has no locks; -1: the folder cannot be read, and is not locked. */
+static int lock(const char *folder)
+{
+    const int descriptor = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    while (descriptor >= 0 && flock(descriptor, LOCK_EX) != 0 && errno == EINTR) continue;
+    return descriptor;
 }
 
 static int write_bytes(int descriptor, const ttc_text *text)
@@ -170,6 +181,7 @@ static int write_all(const ttc_output *output, const char *folder, passage *pass
     bool makes_folder = false;
     *where = folder;
     int error = make_folder(folder, &makes_folder);
+    const int held = error == 0 ? lock(folder) : -1;
     for (size_t i = 0; i < output->count && error == 0; i++) {
         *where = output->files[i].path;
         error = begin(passages + i, output->files + i, folder) ? stage(passages + i, output->files + i) : ENOMEM;
@@ -185,22 +197,20 @@ static int write_all(const ttc_output *output, const char *folder, passage *pass
         if (error != 0 && passages[i].makes_parent) rmdir(passages[i].parent);
     }
     if (error != 0 && makes_folder) rmdir(folder);
+    if (held >= 0) close(held);
     return error;
 }
 
 int ttc_output_write(const ttc_output *output, const char *folder, const char **where, bool *restored)
 {
-    /* Block signals that end the program until the files are consistent: none leaves temporary files, or a mix of two versions. */
-    sigset_t ending, before;
-    sigemptyset(&ending);
-    sigaddset(&ending, SIGINT);
-    sigaddset(&ending, SIGTERM);
-    sigaddset(&ending, SIGHUP);
+    /* Block all signals until the files are consistent: none leaves temporary files, or a mix of two versions. */
+    sigset_t all, before;
+    sigfillset(&all);
     *where = folder;
     *restored = true;
     passage *passages = calloc(output->count + 1, sizeof *passages);
     if (passages == NULL) return ENOMEM;
-    pthread_sigmask(SIG_BLOCK, &ending, &before);
+    pthread_sigmask(SIG_BLOCK, &all, &before);
     int error = write_all(output, folder, passages, where, restored);
     for (size_t i = 0; i < output->count; i++) end(passages + i);
     free(passages);

@@ -24,6 +24,7 @@ ttc_text *ttc_output_add(ttc_output *output, const char *path);
 /** Write every file below `folder`, and create this folder and those within paths if missing. Each file is first written and
  *  flushed under a temporary name; only when all are on disk are they renamed to their places. A file whose content is unchanged is
  *  not touched. On failure former files are put back and created folders removed; *restored says if that succeeded.
+ *  Runs that write to one folder do so one after the other.
  *  Returns 0, or the errno of the failure, with the path it concerns in *where (borrowed from the set, or from `folder`). */
 int ttc_output_write(const ttc_output *output, const char *folder, const char **where, bool *restored);
 

@@ -1,8 +1,10 @@
 /* ttc build: makes a shared object of a table's kernels, or finds it in the cache. */
 #include "build/cache.h"
 #include "build/compile.h"
+#include "base/executable.h"
 #include "base/sha256.h"
 #include "command/command.h"
+#include "command/command_guard.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -11,24 +13,28 @@
 
 enum { DAYS_UNUSED = 90 };
 
-/* Append what identifies a file without reading it. */
+/* Append what identifies a file without reading it; NULL: there is none. */
 static void add_identity(ttc_text *key, const char *path)
 {
     struct stat found;
-    if (stat(path, &found) == 0)
+    if (path != NULL && stat(path, &found) == 0)
         ttc_text_format(key, "%s %lld %lld.%09ld\n", path, (long long)found.st_size, (long long)found.st_mtim.tv_sec,
                         found.st_mtim.tv_nsec);
 }
 
-/* A digest of all that determines the object: ttc, compiler, flags, the table, its file's name, by which others lead back to it,
- * and the tables that its claims lead to. Returns false if one of the latter is wrong: its errors must be reported again. */
+/* A digest of all that determines the object: ttc, QEPCAD and the memory of proofs, on which verdicts depend, the compiler, flags,
+ * the table, its file's name, by which others lead back to it, and the tables that its claims lead to. Returns false if one of the
+ * latter is wrong: its errors must be reported again. */
 static bool make_key(char digest[65], const ttc_model *model, const char *compiler, unsigned lanes)
 {
     bool good = true;
+    char *qepcad = ttc_executable_find("qepcad");
     ttc_text key = { 0 };
-    ttc_text_format(&key, "ttc %s\n%s\n%s\n", JLT_VERSION, ttc_model_base_name(model), model->sha256);
+    ttc_text_format(&key, "ttc %s\n%s\n%s\n%u MiB\n", JLT_VERSION, ttc_model_base_name(model), model->sha256,
+                    ttc_guard_memory());
     ttc_compiler_add_flags(&key, lanes);
     add_identity(&key, "/proc/self/exe");
+    add_identity(&key, qepcad);
     add_identity(&key, compiler);
     /* Arb's headers, where Debian has them: without them there are no kernels on balls. */
     add_identity(&key, "/usr/include/arb.h");
@@ -45,6 +51,7 @@ static bool make_key(char digest[65], const ttc_model *model, const char *compil
     }
     ttc_sha256(digest, ttc_text_string(&key), key.length);
     ttc_text_clear(&key);
+    free(qepcad);
     return good;
 }
 

@@ -90,10 +90,18 @@ static bool send_proof(int descriptor, size_t index, const ttc_proof *proof)
     return ok;
 }
 
+unsigned ttc_guard_memory(void)
+{
+    struct rlimit own;
+    const bool is_less = getrlimit(RLIMIT_AS, &own) == 0 && own.rlim_cur < (rlim_t)MEMORY_MIB << 20;
+    return is_less ? (unsigned)(own.rlim_cur >> 20) : MEMORY_MIB;
+}
+
 /* Runs in the worker. What libraries print when they end it goes to `words`, and the parent reports it. */
 static void work(ttc_proof_run *run, const bool *settled, int descriptor, int words)
 {
-    struct rlimit memory = { (rlim_t)MEMORY_MIB << 20, (rlim_t)MEMORY_MIB << 20 }, core = { 0, 0 };
+    const rlim_t most = (rlim_t)ttc_guard_memory() << 20;
+    const struct rlimit memory = { most, most }, core = { 0, 0 };
     prctl(PR_SET_PDEATHSIG, SIGKILL); /* the worker ends with its parent */
     dup2(words, STDOUT_FILENO); /* FLINT 2 prints there, others on stderr */
     dup2(words, STDERR_FILENO);
@@ -200,7 +208,7 @@ static void give_up(ttc_proof_run *run, bool *settled, int claim_seconds, ttc_pr
     else if (is_ended_by_system(status))
         snprintf(text, sizeof text, "its proof was ended by the system, where memory or processor time is out");
     else if (ending == TTC_ENDED_OUT_OF_MEMORY)
-        snprintf(text, sizeof text, "its proof passes the limit of %d MiB", MEMORY_MIB);
+        snprintf(text, sizeof text, "its proof passes the limit of %u MiB", ttc_guard_memory());
     else
         snprintf(text, sizeof text, "its proof fails, by %s %d%s%s", WIFSIGNALED(status) ? "signal" : "exit status",
                  WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status), words[0] != '\0' ? ": " : "", words);

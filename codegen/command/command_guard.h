@@ -7,8 +7,11 @@
 /* Processor time for a claim; FULL where a verdict is needed on any machine. */
 enum { TTC_GUARD_SECONDS = 20, TTC_GUARD_SECONDS_FULL = 120 };
 
-/** Prove every claim in a child process, with claim_seconds > 0 of processor time a claim, 5/2 as many a table, and 1536
- *  MiB. A claim that passes a bound, or ends its process, is not settled, says why, and has an ending other than
+/* MiB that a process which proves claims may take: 1536, or what this process may, where that is less. */
+unsigned ttc_guard_memory(void);
+
+/** Prove every claim in a child process, with claim_seconds > 0 of processor time a claim, 5/2 as many a table, and
+ *  memory as above. A claim that passes a bound, or ends its process, is not settled, says why, and has an ending other than
  *  TTC_ENDED_BY_VERDICT. A claim that is proved is challenged at some points (challenge/challenge.h) before it is called so.
  *  In: resolver and context as ttc_prove takes them; the worker calls them in its own copy of the memory.
  *  Returns NULL when memory is out, or no process can be made. */

@@ -281,6 +281,7 @@ int main(int argc, char **argv)
 {
     if (!ttc_output_standard("ttc", TTC_EXIT_IO)) return TTC_EXIT_IO;
     signal(SIGXFSZ, SIG_IGN); /* writing beyond the limit then fails, and is reported */
+    signal(SIGCHLD, SIG_DFL); /* where it is ignored, as some parents leave it, no child keeps its status and time for this one */
     ttc_exhaustion_handle(end_without_memory);
     setenv("PATH", "/usr/bin:/bin", 0); /* as a shell has it: a C compiler, too, looks there for its parts */
     if (argc > 2 && strcmp(argv[1], "help") == 0) {

@@ -131,9 +131,10 @@ void jlt_interrupt_begin(void)
     /* Leave ignored signals ignored: a shell starts background jobs with SIGINT ignored, and nohup its command with SIGHUP. */
     for (int i = 0; i < ASKING; i++)
         if (!is_ignored(asking[i])) sigaction(asking[i], &ask, NULL);
-    for (int i = 0; i < ENDING_COUNT; i++)
-        if (!is_ignored(ending[i])) sigaction(ending[i], &end, NULL);
+    for (int i = 0; i < ENDING_COUNT; i++) /* SIGALRM is this program's own clock */
+        if (ending[i] == SIGALRM || !is_ignored(ending[i])) sigaction(ending[i], &end, NULL);
     signal(SIGXFSZ, SIG_IGN); /* so that the write fails, and is reported like any other failure */
+    signal(SIGCHLD, SIG_DFL); /* where it is ignored, as some parents leave it, no child keeps its status to be waited for */
 }
 
 const volatile sig_atomic_t *jlt_interrupt_install(void)

@@ -57,9 +57,24 @@ if [ -d "$scratch/full" ]; then
     done < <(cd "$scratch/full" && find . -type f)
 fi
 
+# Two versions written to one folder at the same time: both runs succeed, and what is left is one of them.
+mkdir "$scratch/edited"
+sed 's/+ a\*w^2/+ 2*a*w^2/' "$model" > "$scratch/edited/${model##*/}"
+expect 0 "an edited table" ttc generate --unproved "$scratch/edited/${model##*/}" --out "$scratch/other"
+cmp -s "$scratch/whole/manifest.tsv" "$scratch/other/manifest.tsv" && fail "the edited table is the same"
+for k in $(seq 1 8); do
+    rm -rf "$scratch/both"
+    ttc generate "$model" --out "$scratch/both" > /dev/null 2> "$scratch/err" &
+    ttc generate --unproved "$scratch/edited/${model##*/}" --out "$scratch/both" > /dev/null 2>&1 ||
+        fail "at the same time, $k: status $?"
+    wait $! || fail "at the same time, $k: $(cat "$scratch/err")"
+    diff -rq "$scratch/both" "$scratch/whole" > /dev/null || diff -rq "$scratch/both" "$scratch/other" > "$scratch/out" ||
+        fail "at the same time, $k: files of both: $(head -1 "$scratch/out")"
+done
+
 # Stopped at eight moments of its life by each signal. Files of an earlier version are there already: afterwards each
 # is the old one or the new one, and only SIGKILL may leave files of both versions, or a temporary file.
-for signal in INT TERM KILL; do
+for signal in INT TERM QUIT XCPU KILL; do
     for k in $(seq 1 8); do
         rm -rf "$scratch/killed"
         cp -r "$scratch/whole" "$scratch/killed"

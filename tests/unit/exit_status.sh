@@ -110,6 +110,15 @@ expect 0 on_stack -Ss jellett continue --along E=2.1:2.15
 expect 0 on_stack -Ss jellett section --start eta=0.1,gamma3=-0.6 --returns 5
 expect 0 on_stack -s jellett models
 grep -q 'the stack is limited to 256 KiB' "$scratch/err" || fail "nothing is said of a small stack: $(cat "$scratch/err")"
+# Nor is the status of a child lost, or a table not compiled, where the parent ignores the ends of children.
+unheeded() { env --ignore-signal=CHLD "$@"; }
+cat > "$scratch/high.scene" << 'SCENE'
+levels = { E = -100; G = 0.0; };
+compute = ( { what = "section"; grid = "4x4"; output = "map.csv"; } );
+SCENE
+expect 3 jellett run "$scratch/high.scene"
+expect 3 unheeded jellett run "$scratch/high.scene"
+expect 0 unheeded jellett simulate "$scratch/good.tt" --set k=1 --start x=1,v=0 --times 1
 for tool in build test run install-deps regenerate; do expect 0 "$JLT_SOURCE_DIR/tools/$tool" --help; done
 for tool in build test run install-deps regenerate test-fresh bench/run bench/stability; do
     (cd / && "${JLT_SOURCE_DIR#/}/tools/$tool" --help) > "$scratch/out" 2> "$scratch/err"

@@ -61,6 +61,15 @@ done
 if [ -x /usr/bin/qepcad ] || [ -x /bin/qepcad ]; then
     env -u PATH "$ttc" build asked.tt > out 2> err || fail "ttc build without PATH: $(cat err)"
 fi
+# Nor does the verdict of a QEPCAD that failed outlast it in the cache.
+{ cat asked.tt; echo 'root r = sqrt(x^4 - x^3*y + y^4 + 1/8)'; echo 'observe side = r'; } > kept.tt
+other 'exit 1'
+PATH=$PWD/bin:$PATH ttc build kept.tt > out 2> err
+grep -q "the root claim 'r' is not settled" err || fail "without an answer of QEPCAD: $(cat out err)"
+other "exec '$real' \"\$@\""
+PATH=$PWD/bin:$PATH ttc build kept.tt > again 2> err
+cmp -s out again && fail "the object made with another QEPCAD is taken: $(cat again err)"
+grep -q 'not settled' err && fail "with QEPCAD: $(cat err)"
 # Signs alone say that the claim's opposite has no point where x is not 0, the solver that the domain has none at x = 0, where
 # x/(1 + r) = (r - 1)/x has a value and its normal form has none.
 cat > at_denominator.tt <<'TABLE'
