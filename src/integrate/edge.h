@@ -2,8 +2,8 @@
  *
  *  Both are functions that are positive inside. At the ends of steps they are evaluated. Within a step they are looked
  *  at as loss.h says, so that an orbit which leaves and comes back within one step is detected if it is outside by more than
- *  jlt_locate_noise, or a condition is negative by more than rounding. A kept state that has been below the least scale is
- *  outside where it comes back above twice that. */
+ *  jlt_locate_noise, or a condition is negative by more than rounding. A kept state, or a group, that has been below the least
+ *  scale is outside where it comes back above twice that. */
 #ifndef JLT_INTEGRATE_EDGE_H
 #define JLT_INTEGRATE_EDGE_H
 
@@ -33,7 +33,7 @@ typedef struct {
     bool is_condition;
     unsigned index; /* of the condition, or of the state */
     bool is_upper;  /* of the interval's ends */
-    bool is_lost;   /* nothing is left of the state, which keeps its sign: its end is 0 */
+    bool is_lost;   /* nothing is left of the state, which keeps its sign or is in a group: its end is 0 */
 } jlt_edge_part;
 
 /** Find the end that the stepper's point is beyond, or comes to first if it goes straight on. Returns false if it comes to none.

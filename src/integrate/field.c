@@ -10,7 +10,7 @@
 bool jlt_field_watches(const jlt_field *field)
 {
     const jlt_domain *domain = &field->domain;
-    bool watches = domain->conditions > 0;
+    bool watches = domain->conditions > 0 || field->groups.count > 0;
 
     for (unsigned i = 0; i < domain->states; i++) {
         const jlt_quantity *interval = domain->intervals != NULL ? &domain->intervals[i] : NULL;

@@ -94,7 +94,7 @@ double jlt_field_small(const jlt_field *field, unsigned i, double size);
  *  are left, and a field that divides by the root of that distance has no correct digits worth speaking of. */
 #define JLT_FIELD_NEAREST 0x1p-37
 
-/** Whether the field's domain restricts orbits: by a finite interval, or a condition. */
+/** Whether the field's domain restricts orbits: by a finite interval, a condition, or states that may be lost near 0. */
 bool jlt_field_watches(const jlt_field *field);
 
 /** Name the state that grows without bound, where an integration has stopped at x, shape (dim,), at physical time t because its

@@ -145,12 +145,33 @@ static void forget_step(jlt_stepper *self)
     memcpy(self->f_start, self->f, size);
 }
 
-/* Whether kept state i is below the least scale, and not because it grows from 0, where no rate keeps it. */
-static bool is_lost(const jlt_stepper *self, unsigned i)
+/* Note state i as lost: nothing is left of it but errors. From 0 itself it would never come back, as no rate moves it there, and
+ * the orbit would seem to go on; so it gets the size of an error. */
+static void lose(jlt_stepper *self, unsigned i)
 {
-    const double before = fabs(self->x_start[i]), now = fabs(self->x[i]);
+    static const double error = DBL_EPSILON * JLT_STEPPER_SCALE_LEAST;
 
-    return now < JLT_STEPPER_SCALE_LEAST && before > 0 && before >= now;
+    jlt_state_set_add(&self->lost, i);
+    if (fabs(self->x[i]) >= error) return;
+    self->x[i] = copysign(error, self->x_start[i]);
+    self->x_low[i] = 0;
+}
+
+/* Whether what had this size is below the least scale, and not because it grows from 0, where no rate keeps it. */
+static bool is_lost(double before, double now) { return now < JLT_STEPPER_SCALE_LEAST && before > 0 && before >= now; }
+
+static void note_lost_groups(jlt_stepper *self)
+{
+    const jlt_state_groups *groups = &self->field->groups;
+    double before[JLT_STATE_SET_MAX] = { 0 }, now[JLT_STATE_SET_MAX] = { 0 };
+
+    for (unsigned i = 0; i < self->field->domain.states; i++) {
+        const unsigned g = groups->of[i];
+        before[g] = jlt_larger(before[g], fabs(self->x_start[i]));
+        now[g] = jlt_larger(now[g], fabs(self->x[i]));
+    }
+    for (unsigned i = 0; i < self->field->domain.states; i++)
+        if (groups->of[i] != 0 && is_lost(before[groups->of[i]], now[groups->of[i]])) lose(self, i);
 }
 
 static void note_lost(jlt_stepper *self)
@@ -158,8 +179,9 @@ static void note_lost(jlt_stepper *self)
     for (unsigned at = 0; at < JLT_STATE_SET_MAX; at += 64) {
         const uint64_t kept = self->field->kept.words[at / 64];
         for (unsigned i = 0; i < 64 && kept >> i != 0; i++)
-            if ((kept >> i & 1) != 0 && is_lost(self, at + i)) jlt_state_set_add(&self->lost, at + i);
+            if ((kept >> i & 1) != 0 && is_lost(fabs(self->x_start[at + i]), fabs(self->x[at + i]))) lose(self, at + i);
     }
+    if (self->field->groups.count > 0) note_lost_groups(self);
 }
 
 jlt_status jlt_stepper_start(jlt_stepper *self, double t, const double *x, double direction, double first_step)

@@ -181,13 +181,13 @@ done
 # What comes back from there is no state any more: x = exp(-a sin t) is 1 again after t = pi, or its orbit ends on the way.
 printf '%s\n' 'model regrown' 'param a' 'default a = 600' 'state x in (0, inf)' 'state z' 'state w' 'eq x = -a*x*w' 'eq z = w' \
     'eq w = -z' > regrown.tt
-is_back() { # COLUMNS of t and x, HOW
-    awk -F, '{ off = $x - 1 } END { exit !(/alive/ ? off*off < 1e-20 : /left_domain|nonfinite/ && $t > 1.3 && $t < 3) }' \
-        t="$1" x="$2" out || fail "$3: $(tail -1 out)"
+is_back() { # COLUMNS of t and x, HOW [HOW MUCH larger errors are than those of a state that keeps its sign]
+    awk -F, '{ off = ($x - 1)/larger } END { exit !(/alive/ ? off*off < 1e-20 : /left_domain|nonfinite/ && $t > 1.3 && $t < 3) }' \
+        t="$1" x="$2" larger="${4:-1}" out || fail "$3: $(tail -1 out)"
 }
 free_of regrown
 for table in regrown free_regrown; do
-    for a in 600 660 690 705 740; do
+    for a in 600 660 690 705 740 1000; do # by rkf45 the last falls to 0 itself
         for method in gauss dop853 taylor rk8pd rkf45 msadams; do
             jellett simulate ./$table.tt --set a=$a --start x=1,z=0,w=1 --times 3.141592653589793 --method $method > out 2> err
             is_back 1 2 "$table, a = $a by $method"
@@ -199,6 +199,21 @@ for table in regrown free_regrown; do
     done
     expect 4 'x is at the end 0 .*the logarithm of its size' jellett simulate ./$table.tt --set a=700 --start x=1,z=0,w=1 --times 3
 done
+# So it is with two that are 0 only together, x = exp(-a sin t) cos 2t and y beside it, whose errors are relative to 64 times them.
+printf '%s\n' 'model paired' 'param a' 'default a = 600' 'state x' 'state y' 'state z' 'state w' 'eq x = -a*x*w - 2*y' \
+    'eq y = -a*y*w + 2*x' 'eq z = w' 'eq w = -z' > paired.tt
+for a in 600 660 705 1000; do
+    for method in gauss dop853 taylor rk8pd rkf45 msadams; do
+        jellett simulate ./paired.tt --set a=$a --start x=1,y=0,z=0,w=1 --times 3.141592653589793 --method $method > out 2> err
+        is_back 1 2 "a pair, a = $a by $method" 64
+    done
+    for how in "" "--method gauss"; do
+        jellett section ./paired.tt --set a=$a --section z=0 --grid x=1:1:1,y=0,w=1 --returns 1 $how > out 2> err
+        is_back 3 4 "a pair, a = $a ${how:-in lanes}" 64
+    done
+done
+expect 4 'what is 0 with it .* nothing is left of their digits' \
+    jellett simulate ./paired.tt --set a=700 --start x=1,y=0,z=0,w=1 --times 3
 # A table may have more than 64 states, and the last of them keep their sign as the first do.
 awk '/^state x/ { for (i = 0; i < 64; i++) print "state y" i "\neq y" i " = 0" } 1' regrown.tt > among.tt
 for method in gauss dop853 taylor; do
