@@ -142,6 +142,17 @@ for phase in 0 4; do
             fail "derivative, $phase, $how: $(cat many.csv)"
     done
 done
+# Where one of two that compete is absent, by any method and in lanes, the derivative over a year has the eigenvalues exp(-2 pi)
+# along the other and exp(2 pi - 4 pi c) across, as the other's mean is 1: both are the same if c is.
+printf '%s\n' 'model compete' 'param c' 'default c = 1' 'state x' 'state y' 'state phase' 'periodic phase = 2*pi' \
+    'angle C S = cos(phase) sin(phase)' 'eq x = x*(1 + C/5 - x - c*y)' 'eq y = y*(1 - S/5 - y - 2*c*x)' 'eq phase = 1' > compete.tt
+for how in "--start x=1.101784835445132,y=0 --method "{gauss,dop853,taylor,rk8pd,rkf45,msadams} \
+    "--grid x=1.101784835445132:1.101784835445132:1,y=0:0.1:2"; do
+    section many.csv ./compete.tt --section phase=0 $how --returns 1 --check
+    awk -F, '/^0,1,/ { n++; off = $7 - 2*exp(-2*3.141592653589793); bad = !(off*off < 1e-20) } END { exit bad || !n }' many.csv ||
+        fail "one that competes, $how: $(cat many.csv)"
+done
+expect 0 '^1,1.10178483544513[^,]*,0,' jellett orbits ./compete.tt --section phase=0 --start x=1.1,y=0
 # However near x is to its end, y beside it ends where it does: y + y^2/2 = 3/2 - t from y = 1. An error of a step, 1e-12, counts
 # 1 + y times in that time, and there are fewer than 1000 steps.
 printf '%s\n' 'model beside' 'state x in (0, inf)' 'state y in (0, inf)' 'state z' 'state w' 'eq x = -50*x' 'eq y = -1/(1 + y)' \
