@@ -153,6 +153,15 @@ for how in "--start x=1.101784835445132,y=0 --method "{gauss,dop853,taylor,rk8pd
         fail "one that competes, $how: $(cat many.csv)"
 done
 expect 0 '^1,1.10178483544513[^,]*,0,' jellett orbits ./compete.tt --section phase=0 --start x=1.1,y=0
+# A bend of a rate within a step shows there too: the integral of 20 |x - 0.3| - 20 x - 1, bent over 1e-4, by quadrature. Where y is
+# 0, an error of a step, 1e-12, counts up to 20 times in that time, and there are fewer than 100 steps.
+printf '%s\n' 'model bent' 'state x' 'state y' 'state phase' 'periodic phase = 2*pi' 'angle C S = cos(phase) sin(phase)' \
+    'root r = sqrt((x - 3/10)^2 + 1e-8)' 'eq x = -x + C' 'eq y = y*(20*r - y - 20*x)' 'eq phase = 1' > bent.tt
+for method in gauss dop853 taylor rk8pd rkf45 msadams; do
+    section many.csv ./bent.tt --section phase=0 --start x=0.5,y=0 --method $method --returns 1 --check
+    awk -F, '/^0,1,/ { n++; off = $9 - 55.4573919178419003; bad = !(off*off < 4e-18) } END { exit bad || !n }' many.csv ||
+        fail "the integral over a bend by $method: $(cat many.csv)"
+done
 # However near x is to its end, y beside it ends where it does: y + y^2/2 = 3/2 - t from y = 1. An error of a step, 1e-12, counts
 # 1 + y times in that time, and there are fewer than 1000 steps.
 printf '%s\n' 'model beside' 'state x in (0, inf)' 'state y in (0, inf)' 'state z' 'state w' 'eq x = -50*x' 'eq y = -1/(1 + y)' \
