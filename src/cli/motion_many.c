@@ -47,7 +47,8 @@ void jlt_motion_many_settle(jlt_motion_options *options, const jlt_system *syste
     options->in_lanes = options->many && options->alone == NULL;
 }
 
-/* Set up the projection onto levels: lanes project orbits at crossings, a single orbit is projected after every step. */
+/* Set up the projection onto levels: lanes project orbits at crossings, a single orbit is projected after every step, and so is one
+ * that a lane leaves to the flow's own method. */
 static jlt_exit set_projection(jlt_section_batch_options *batch_options, const jlt_motion_options *options, jlt_system *system)
 {
     const jlt_descriptor *d = system->instance->descriptor;
@@ -67,7 +68,7 @@ static jlt_exit set_projection(jlt_section_batch_options *batch_options, const j
                                 JLT_INVARIANTS_MAX - 1, d->model, d->integral_count,
                                 system->surface != NULL ? " and --section STATE=VALUE" : "");
     batch_options->project = system->instance;
-    return code;
+    return code == JLT_EXIT_DONE && system->surface == NULL ? jlt_motion_project(system) : code;
 }
 
 jlt_exit jlt_motion_many_open(jlt_section_batch **batch, jlt_section_batch_options *batch_options,

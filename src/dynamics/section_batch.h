@@ -20,7 +20,7 @@
 typedef struct {
     unsigned threads; /* 0 and 1: the caller's alone */
     const jlt_instance *project; /* the flow's instance: lanes restore its integrals, and the relation of a root, at crossings;
-                                    NULL: they do not */
+                                    NULL: they do not. Orbits that go alone are put back onto the levels of flow->kept */
     bool backwards;   /* in time */
     bool watches;     /* the model's conditions: `least` is <= 0 where one has broken, but the least value only if the flow
                          seeks_least */

@@ -2,8 +2,8 @@
  *
  *  Both are functions that are positive inside. They are evaluated at the ends of steps. Within a step they are examined as in
  *  loss.h: an orbit which leaves and comes back within one step is detected if it is outside by more than jlt_locate_noise, or if a
- *  condition is negative by more than rounding. A kept state (jlt_field) that has been below JLT_STEPPER_SCALE_LEAST is lost, as
- *  only errors are left of it: the orbit counts as outside where that state rises above twice this scale. */
+ *  condition is negative by more than rounding. A kept state (jlt_field), or a group, that has been below JLT_STEPPER_SCALE_LEAST is
+ *  lost, as only errors are left of it: the orbit counts as outside where such a state rises above twice this scale. */
 #ifndef JLT_INTEGRATE_EDGE_H
 #define JLT_INTEGRATE_EDGE_H
 
@@ -33,7 +33,7 @@ typedef struct {
     bool is_condition;
     unsigned index; /* of the condition, or of the state */
     bool is_upper;  /* of the interval's ends */
-    bool is_lost;   /* the state keeps its sign and is lost, as above: its end is 0 */
+    bool is_lost;   /* the state, kept or in a group, is lost, as above: its end is 0 */
 } jlt_edge_part;
 
 /** Find the end that the stepper's point is beyond, or comes to first if it goes straight on. Returns false if it comes to none.

@@ -7,16 +7,19 @@
 #include "kernel/batch_isa.h"
 #include "kernel/descriptor.h"
 
-bool jlt_field_watches(const jlt_field *field)
+bool jlt_field_restricts(const jlt_field *field)
 {
     const jlt_domain *domain = &field->domain;
-    bool watches = domain->conditions > 0;
+    bool restricts = domain->conditions > 0;
 
-    for (unsigned i = 0; i < domain->states; i++) {
-        const jlt_quantity *interval = domain->intervals != NULL ? &domain->intervals[i] : NULL;
-        watches |= jlt_field_keeps(field, i) || (interval != NULL && (isfinite(interval->low) || isfinite(interval->high)));
-    }
-    return watches;
+    for (unsigned i = 0; domain->intervals != NULL && i < domain->states; i++)
+        restricts |= isfinite(domain->intervals[i].low) || isfinite(domain->intervals[i].high);
+    return restricts;
+}
+
+bool jlt_field_watches(const jlt_field *field)
+{
+    return jlt_field_restricts(field) || field->groups.count > 0 || jlt_state_set_count(&field->kept) > 0;
 }
 
 unsigned jlt_field_unbounded(const jlt_field *field, const double *x, double t)

@@ -96,6 +96,9 @@ double jlt_field_small(const jlt_field *field, unsigned i, double size);
 #define JLT_FIELD_NEAREST 0x1p-37
 
 /** Whether the field's domain restricts orbits: by a finite interval, or a condition. */
+bool jlt_field_restricts(const jlt_field *field);
+
+/** Whether orbits may end within the field: its domain restricts them, or states may be lost near 0 (edge.h). */
 bool jlt_field_watches(const jlt_field *field);
 
 /** Name the state that grows without bound, where an integration has stopped at x, shape (dim,), at physical time t because its

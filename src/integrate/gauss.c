@@ -160,14 +160,15 @@ static void guess(gauss *self, jlt_stepper *stepper, double h, double growth)
     self->guessed = h;
 }
 
-/* By how much slopes move, relative to the states' sizes, where states are moved by a part of their sizes, or of their values. */
+/* By how much slopes move, relative to the states' sizes, where states are moved by a part of their sizes, or of their values: not
+ * at all where a state stays 0, or a tangent that falls as it does would seem to be driven. */
 static double moved_by(gauss *self, jlt_stepper *stepper, double part, bool of_size)
 {
     const jlt_field *field = stepper->field;
     double *x = self->scratch, *f = self->scratch + field->dim, moved = 0;
 
     for (unsigned c = 0; c < field->dim; c++) {
-        const double value = fabs(stepper->x[c]), scale = stepper->scale[c];
+        const double value = fabs(stepper->x[c]), scale = jlt_field_keeps(field, c) ? 0 : stepper->scale[c];
         const double size = !of_size ? value : scale < INFINITY ? jlt_larger(value, scale) : 0;
         x[c] = stepper->x[c] + (c % 2 == 0 ? part : -part) * size;
     }

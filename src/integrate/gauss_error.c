@@ -57,13 +57,14 @@ static double missed(const jlt_gauss_step *step)
 }
 
 /* By how much the slopes at the end move where states are changed by a part of their values, and by one of their sizes; a binary
- * logarithm. */
+ * logarithm. What keeps its sign has its value as its size: from 0 it would drive tangents that are known to far less. */
 static double noise_of(const jlt_gauss_step *step, double of_value, double of_size)
 {
     double *x = step->work, *slope = step->work + step->columns;
 
     for (unsigned c = 0; c < step->columns; c++) {
-        const double change = of_value * fabs(step->end[c]) + of_size / step->weights[c];
+        const double value = fabs(step->end[c]), size = jlt_field_keeps(step->field, c) ? value : 1 / step->weights[c];
+        const double change = of_value * value + of_size * size;
         x[c] = step->end[c] + (c % 2 == 0 ? change : -change);
     }
     jlt_field_rates(step->field, slope, x);

@@ -40,6 +40,21 @@ void jlt_invariant_restore(double *x, const jlt_invariants *of, const double *le
     if (defect == 0) memcpy(x, near, dim * sizeof *x);
 }
 
+/* The size in which a change of state k is measured: 0 where it stays 0, by itself or with its group, lest it grow from there. */
+static double size_of(const jlt_stepper *stepper, unsigned k)
+{
+    const jlt_field *field = stepper->field;
+    const unsigned group = k < JLT_STATE_SET_MAX ? field->groups.of[k] : 0;
+    const double value = fabs(stepper->x[k]);
+    double largest = value;
+
+    if (jlt_field_keeps(field, k)) return value;
+    for (unsigned i = 0; group != 0 && i < field->domain.states; i++)
+        if (field->groups.of[i] == group) largest = fmax(largest, fabs(stepper->x[i]));
+    if (!isfinite(stepper->scale[k]) || (group != 0 && !(largest > 0))) return 0;
+    return fmax(value, stepper->scale[k]);
+}
+
 jlt_status jlt_invariant_watch_step(jlt_invariant_watch *self, const jlt_invariants *of, jlt_stepper *stepper, bool project)
 {
     const unsigned dim = stepper->field->dim;
@@ -54,7 +69,7 @@ jlt_status jlt_invariant_watch_step(jlt_invariant_watch *self, const jlt_invaria
     }
     if (!project || !off) return JLT_OK;
     memcpy(x, stepper->x, dim * sizeof *x);
-    for (unsigned k = 0; k < dim; k++) size[k] = isfinite(stepper->scale[k]) ? fmax(fabs(x[k]), stepper->scale[k]) : 0;
+    for (unsigned k = 0; k < dim; k++) size[k] = size_of(stepper, k);
     jlt_invariant_restore(x, of, self->level, size, dim);
     return jlt_stepper_replace(stepper, x, NULL);
 }

@@ -45,15 +45,31 @@ static bool fit_scale(jlt_stepper *self, unsigned i, double largest)
     return self->scale[i] < before || self->scale[i] > before;
 }
 
+/* The number of members of the group whose first one is groups->member[first]. */
+static unsigned members_at(const jlt_state_groups *groups, unsigned first)
+{
+    unsigned next = first + 1;
+
+    while (next < groups->members && groups->of[groups->member[next]] == groups->of[groups->member[first]]) next++;
+    return next - first;
+}
+
+static double largest_of(const double *x, const unsigned char *member, unsigned count)
+{
+    double largest = 0;
+
+    for (unsigned k = 0; k < count; k++) largest = jlt_larger(largest, fabs(x[member[k]]));
+    return largest;
+}
+
 /* Fit the scales of the states of a group to the largest of them; where all are 0, those of the components of tangent vectors along
  * them. */
-static void fit_group(jlt_stepper *self, const unsigned char *member, unsigned members)
+static void fit_group(jlt_stepper *self, const unsigned char *member, unsigned count)
 {
     for (unsigned v = 0; v <= self->field->tangents; v++) {
         const unsigned first = v * self->field->domain.states;
-        double largest = 0;
-        for (unsigned k = 0; k < members; k++) largest = jlt_larger(largest, fabs(self->x[first + member[k]]));
-        for (unsigned k = 0; k < members; k++) self->rescaled |= fit_scale(self, first + member[k], largest);
+        const double largest = largest_of(self->x + first, member, count);
+        for (unsigned k = 0; k < count; k++) self->rescaled |= fit_scale(self, first + member[k], largest);
         if (largest > 0 && v == 0) return;
     }
 }
@@ -65,8 +81,7 @@ static void fit_groups(jlt_stepper *self)
 
     self->rescaled = false;
     for (unsigned k = 0, count; k < groups->members; k += count) {
-        count = 1;
-        while (k + count < groups->members && groups->of[groups->member[k + count]] == groups->of[groups->member[k]]) count++;
+        count = members_at(groups, k);
         fit_group(self, groups->member + k, count);
     }
 }
@@ -105,7 +120,6 @@ jlt_status jlt_stepper_create(jlt_stepper **out, const jlt_method *method, const
     self->tolerance = jlt_larger(tolerance * method->share, jlt_smaller(tolerance, finest));
     self->max_step = max_step;
     self->direction = 1;
-    self->watches = jlt_field_watches(field);
     self->columns = field->dim + (field->time_rate != NULL);
     self->controlled = self->columns - (field->controlled != 0 ? field->dim - field->controlled : 0);
     self->stride = (self->columns + JLT_STEPPER_WIDTH - 1) / JLT_STEPPER_WIDTH * JLT_STEPPER_WIDTH;
@@ -151,12 +165,32 @@ static void forget_step(jlt_stepper *self)
     memcpy(self->f_start, self->f, size);
 }
 
-/* Whether kept state i is below the least scale, and not because it grows from 0, where no rate keeps it. */
-static bool is_lost(const jlt_stepper *self, unsigned i)
+/* Note state i as lost: nothing is left of it but errors. From 0 itself it would never come back, as no rate moves it there, and
+ * the orbit would seem to go on; so it gets the size of an error. */
+static void lose(jlt_stepper *self, unsigned i)
 {
-    const double before = fabs(self->x_start[i]), now = fabs(self->x[i]);
+    static const double error = DBL_EPSILON * JLT_STEPPER_SCALE_LEAST;
 
-    return now < JLT_STEPPER_SCALE_LEAST && before > 0 && before >= now;
+    jlt_state_set_add(&self->lost, i);
+    self->watches = true;
+    if (fabs(self->x[i]) >= error) return;
+    self->x[i] = copysign(error, self->x_start[i]);
+    self->x_low[i] = 0;
+}
+
+/* Whether what had this size is below the least scale, and not because it grows from 0, where no rate keeps it. */
+static bool is_lost(double before, double now) { return now < JLT_STEPPER_SCALE_LEAST && before > 0 && before >= now; }
+
+static void note_lost_groups(jlt_stepper *self)
+{
+    const jlt_state_groups *groups = &self->field->groups;
+
+    for (unsigned k = 0, count; k < groups->members; k += count) {
+        const unsigned char *member = groups->member + k;
+        count = members_at(groups, k);
+        if (!is_lost(largest_of(self->x_start, member, count), largest_of(self->x, member, count))) continue;
+        for (unsigned i = 0; i < count; i++) lose(self, member[i]);
+    }
 }
 
 static void note_lost(jlt_stepper *self)
@@ -164,8 +198,9 @@ static void note_lost(jlt_stepper *self)
     for (unsigned at = 0; at < JLT_STATE_SET_MAX; at += 64) {
         const uint64_t kept = self->field->kept.words[at / 64];
         for (unsigned i = 0; i < 64 && kept >> i != 0; i++)
-            if ((kept >> i & 1) != 0 && is_lost(self, at + i)) jlt_state_set_add(&self->lost, at + i);
+            if ((kept >> i & 1) != 0 && is_lost(fabs(self->x_start[at + i]), fabs(self->x[at + i]))) lose(self, at + i);
     }
+    note_lost_groups(self);
 }
 
 jlt_status jlt_stepper_start(jlt_stepper *self, double t, const double *x, double direction, double first_step)
@@ -190,6 +225,7 @@ jlt_status jlt_stepper_start(jlt_stepper *self, double t, const double *x, doubl
     set_scales(self);
     fit_groups(self);
     self->lost = (jlt_state_set){ 0 };
+    self->watches = jlt_field_restricts(self->field);
     note_lost(self);
     self->at_edge = jlt_edge_is_outside(self);
     if (!jlt_guard_finite(self->f, self->columns)) return JLT_ERR_NONFINITE;

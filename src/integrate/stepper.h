@@ -51,8 +51,8 @@ typedef struct {
     double *full_scale;   /* `scale` before it is reduced for small groups (jlt_field.groups) */
     bool rescaled;        /* the last point changed scales */
     unsigned controlled;  /* columns in the error norm */
-    bool watches;         /* jlt_field_watches(field) */
-    jlt_state_set lost;   /* kept states that have been below the least scale, of which only errors are left */
+    bool watches;         /* steps look for ends of the domain: it restricts orbits, or a state is lost */
+    jlt_state_set lost;   /* states, kept or in groups, that have been below the least scale, so that only errors are left of them */
     bool at_edge;         /* the last point counts as the domain's end; the next advance returns DOMAIN */
     unsigned approaches;  /* steps that were shortened because they would have left the domain */
     unsigned leaps;       /* steps since a long one that were taken in spite of their error (leap.h) */

@@ -92,6 +92,11 @@ void jlt_leg_end_text(char *text, const jlt_leg *self, unsigned edge)
         return;
     }
     const char *name = kernel->states[part.index].name;
+    if (part.is_lost && !jlt_field_keeps(&self->field, part.index)) {
+        snprintf(text + used, left, ": %s and what is 0 with it were so near 0 that nothing is left of their digits; to go on, "
+                 "take the logarithm of their size, and their ratios, as states", name);
+        return;
+    }
     const double end = end_of(kernel->states, &part);
     const int told = snprintf(text + used, left, ": %s is at the end %.10g of its interval", name, end);
     if (rests_at(self, &part) && told >= 0 && (size_t)told < left)
