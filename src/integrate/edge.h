@@ -2,8 +2,8 @@
  *
  *  Both are functions that are positive inside. They are evaluated at the ends of steps. Within a step they are examined as in
  *  loss.h: an orbit which leaves and comes back within one step is detected if it is outside by more than jlt_locate_noise, or if a
- *  condition is negative by more than rounding. A kept state (jlt_field), or a group, that has been below JLT_STEPPER_SCALE_LEAST is
- *  lost, as only errors are left of it: the orbit counts as outside where such a state rises above twice this scale. */
+ *  condition is negative by more than rounding. A kept state (jlt_field), or a group, that has been below JLT_STEPPER_SCALE_LEAST
+ *  is lost, as only errors are left of it: the orbit counts as outside where such a state rises above twice this scale. */
 #ifndef JLT_INTEGRATE_EDGE_H
 #define JLT_INTEGRATE_EDGE_H
 
