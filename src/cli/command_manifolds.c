@@ -149,7 +149,7 @@ static void write_end(FILE *file, const char *prefix, const jlt_separatrices *p,
 {
     static const char *const ends[] = { "length reached", "number of points reached", "number of returns reached",
                                         "errors outgrow the spacing on its last part (a connection to another saddle?)",
-                                        "runs into orbits that end", "interrupted" };
+                                        "settles on a periodic orbit", "runs into orbits that end", "interrupted" };
 
     fprintf(file, "%s%s branch, side %+d: %zu points, length %.6g, %s%s\n", prefix, branch_name(k), k % 2 == 0 ? 1 : -1,
             p->curve[k].count, p->curve[k].length[p->curve[k].count - 1], ends[p->curve[k].end],

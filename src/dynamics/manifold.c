@@ -50,7 +50,8 @@ typedef struct {
     jlt_manifold curve;
     corner *list; /* owned */
     size_t count;
-    double returns; /* made for all points so far */
+    double greatest; /* length of a stretch so far */
+    double returns;  /* made for all points so far */
     bool is_last;   /* the branch ends with this stretch, */
     bool is_over;   /* or before it: nothing is left to do */
 } stretch;
@@ -198,12 +199,20 @@ static jlt_status refine(stretch *self, size_t *added)
     return JLT_OK;
 }
 
+/* Whether the last stretch, of this length, only shows errors of its points, although others were much longer. */
+static bool has_settled(stretch *self, double length)
+{
+    self->greatest = fmax(self->greatest, length);
+    return length <= 10 * jlt_map_flow(self->branch->map)->tolerance && length <= 1e-3 * self->greatest;
+}
+
 /* Add the stretch to the polygon, and go on to the next one, which begins at the images of as few points as the spacing allows:
  * steps in sigma stay below `longest`. */
 static jlt_status advance(stretch *self)
 {
     corner *images = calloc(self->count + 1, sizeof *images);
     const double *last = point_at(self, 0);
+    const double before = self->curve.length[self->curve.count - 1];
     double sigma = sigma_at(self, 0);
     size_t n = 0;
 
@@ -222,6 +231,7 @@ static jlt_status advance(stretch *self)
     self->list = images;
     self->count = n;
     self->is_over = self->is_last || self->curve.count >= self->options->points_max;
+    if (!self->is_over && has_settled(self, self->curve.length[self->curve.count - 1] - before)) stop(self, JLT_MANIFOLD_SETTLED);
     return JLT_OK;
 }
 

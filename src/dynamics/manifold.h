@@ -20,6 +20,8 @@ typedef enum {
                              circle */
     JLT_MANIFOLD_BLURRED, /* points whose sigma differs by less than 1e-9 lie apart: errors have grown to what the spacing is, as
                              where the branch follows that of another saddle */
+    JLT_MANIFOLD_SETTLED, /* a stretch of whole fundamental domains is at most ten tolerances long, and a thousandth of the longest:
+                             the branch leads to a periodic orbit, and errors hide the rest */
     JLT_MANIFOLD_POLE,   /* the branch runs into orbits that end, do not return, or grow without bound in finite time (DOMAIN,
                             EMPTY, BUDGET, NO_PROGRESS, NONFINITE of jlt_branch_point) */
     JLT_MANIFOLD_INTERRUPT

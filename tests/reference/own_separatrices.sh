@@ -171,6 +171,17 @@ grep -q 'unstable branch, side +1: .* errors outgrow the spacing' err || { echo 
 awk -F, '/^unstable,1,/ { length_of = $4 } /^unstable,-1,/ { other = $4 } END { exit !(length_of < 3 && other > 20) }' out ||
     { echo "branches between saddles, and to infinity: $(grep '^# .* branch' out)"; status=1; }
 
+# Branches of two competing species end in the sinks at which one of them is left, and in the source without any; these are periodic
+# orbits, on axes that stay invariant, with multipliers exp(-2 pi) and exp(2 pi). A few returns then show all of a branch.
+printf '%s\n' 'model rivals' 'state x' 'state y' 'state phi' 'periodic phi = 2*pi' 'angle c s = cos(phi) sin(phi)' \
+    'eq x = x*(1 + c/5 - x - 2*y)' 'eq y = y*(1 - s/5 - y - 2*x)' 'eq phi = 1' > rivals.tt
+timeout 60 jellett manifolds ./rivals.tt --section phi=0 --start x=0.33,y=0.33 --no-crossings > out 2> err < /dev/null ||
+    fail "branches that end in sinks: status $?, $(cat err)"
+[ "$(grep -c 'unstable branch, .* settles on a periodic orbit' err)" -eq 2 ] || fail "branches that end in sinks: $(cat err)"
+jellett orbits ./rivals.tt --section phi=0 --start x=1.1,y=0 2> /dev/null | grep -v '^#' | tail -1 | cut -d, -f2,3 > sink
+awk -F, 'NR == FNR { x = $1; y = $2; next } /^unstable,-?1,/ { end[$2] = ($5 - x)^2 + ($6 - y)^2 }
+    END { exit !(end[1] < 1e-20 || end[-1] < 1e-20) }' sink out || fail "no branch ends at the sink $(cat sink)"
+
 # Who asks for crossings before which the branches end is told so; who gets some is not.
 jellett manifolds --length 0.3 --crossings points.csv > out 2> err < /dev/null || { echo "short branches: $(cat err)"; status=1; }
 grep -q 'do not cross within --length: 4 of 4 branches end there; ask for a larger one' err ||
