@@ -1,12 +1,12 @@
 #include "dynamics/newton.h"
 
-#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "dynamics/linear.h"
 #include "ext/eigen.h"
+#include "integrate/stepper.h"
 
 enum { D = JLT_CHART_DIM_MAX, ITERATIONS = 40, HALVINGS = 6 };
 
@@ -109,7 +109,7 @@ static bool try_step(jlt_newton *self)
         jlt_chart_unscaled(self->chart, move, self->delta + k * d);
         for (unsigned i = 0; i < d; i++) {
             const double to = self->points[k * d + i] + self->factor * move[i];
-            self->trial[k * d + i] = fabs(to) < DBL_MIN ? 0 : to; /* of what is subnormal no digit may be right */
+            self->trial[k * d + i] = fabs(to) < JLT_STEPPER_SCALE_LEAST ? 0 : to; /* of less no digit may be right */
         }
         jlt_chart_wrap(self->chart, self->trial + k * d);
     }
