@@ -72,6 +72,24 @@ for k in $(seq 1 8); do
         fail "at the same time, $k: files of both: $(head -1 "$scratch/out")"
 done
 
+# A run that waits for another one can be ended, and has changed nothing. It is seen to wait where the kernel lists it so.
+rm -rf "$scratch/both"
+cp -r "$scratch/other" "$scratch/both"
+inode=$(stat -c %i "$scratch/both")
+exec 9< "$scratch/both"
+flock 9
+set -m
+ttc generate "$model" --out "$scratch/both" > /dev/null 2>&1 9<&- &
+job=$!
+set +m
+for _ in $(seq 600); do grep -q -- "-> FLOCK.*:$inode " /proc/locks && break; sleep 0.1; done
+kill -INT $job
+for _ in $(seq 100); do kill -0 $job 2> /dev/null || break; sleep 0.1; done
+kill -0 $job 2> /dev/null && fail "SIGINT does not end a run that waits for another one"
+exec 9<&-
+wait $job 2> /dev/null
+diff -r "$scratch/both" "$scratch/other" || fail "a run that is ended while it waits has written"
+
 # Stopped at eight moments of its life by each signal. Files of an earlier version are there already: afterwards each
 # is the old one or the new one, and only SIGKILL may leave files of both versions, or a temporary file.
 for signal in INT TERM QUIT XCPU KILL; do
