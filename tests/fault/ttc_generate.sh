@@ -57,6 +57,14 @@ if [ -d "$scratch/full" ]; then
     done < <(cd "$scratch/full" && find . -type f)
 fi
 
+# With --keep, a file that is gone is written again.
+cp -r "$scratch/whole" "$scratch/kept"
+(cd "$scratch/whole" && find . -type f) | while IFS= read -r file; do
+    rm "$scratch/kept/$file"
+    ttc generate --keep "$model" --out "$scratch/kept" && diff -r "$scratch/kept" "$scratch/whole" || echo "without $file: $?"
+done > "$scratch/out" 2>&1
+[ ! -s "$scratch/out" ] || fail "with --keep: $(head -5 "$scratch/out")"
+
 # Two versions written to one folder at the same time: both runs succeed, and what is left is one of them.
 mkdir "$scratch/edited"
 sed 's/+ a\*w^2/+ 2*a*w^2/' "$model" > "$scratch/edited/${model##*/}"
