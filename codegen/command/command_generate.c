@@ -195,8 +195,7 @@ static bool tell_unproved(const ttc_catalogue *catalogue, const ttc_proof_report
     return !failed && !all->failed;
 }
 
-/* Warn of defaults in tables of coordinates that differ from this table's defaults of the same parameters, which take precedence.
- * */
+/* Warn of defaults in tables of coordinates where this table has other defaults of the same parameters, which take precedence. */
 static void tell_other_defaults(const ttc_model *model)
 {
     char reason[256];
