@@ -70,12 +70,17 @@ static int make_folder(const char *path, bool *made)
     return error;
 }
 
-/* Wait until no other run writes below the folder: two at once would leave files of both. Returns a descriptor that holds the lock
- * until it is closed, or without one where the file system has no locks; -1: the folder cannot be read, and is not locked. */
-static int lock(const char *folder)
+/* Wait until no other run writes below the folder: two at once would leave files of both. Only while it waits are the signals of
+ * `before` unblocked: they may end this run, which has written nothing. Returns a descriptor that holds the lock until it is
+ * closed, or without one where the file system has no locks; -1: the folder cannot be read, and is not locked. */
+static int lock(const char *folder, const sigset_t *before)
 {
     const int descriptor = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    while (descriptor >= 0 && flock(descriptor, LOCK_EX) != 0 && errno == EINTR) continue;
+    sigset_t blocked;
+    if (descriptor < 0 || flock(descriptor, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return descriptor;
+    pthread_sigmask(SIG_SETMASK, before, &blocked);
+    while (flock(descriptor, LOCK_EX) != 0 && errno == EINTR) continue;
+    pthread_sigmask(SIG_SETMASK, &blocked, NULL);
     return descriptor;
 }
 
@@ -176,12 +181,13 @@ static void end(passage *p)
     free(p->parent);
 }
 
-static int write_all(const ttc_output *output, const char *folder, passage *passages, const char **where, bool *restored)
+static int write_all(const ttc_output *output, const char *folder, const sigset_t *before, passage *passages, const char **where,
+                     bool *restored)
 {
     bool makes_folder = false;
     *where = folder;
     int error = make_folder(folder, &makes_folder);
-    const int held = error == 0 ? lock(folder) : -1;
+    const int held = error == 0 ? lock(folder, before) : -1;
     for (size_t i = 0; i < output->count && error == 0; i++) {
         *where = output->files[i].path;
         error = begin(passages + i, output->files + i, folder) ? stage(passages + i, output->files + i) : ENOMEM;
@@ -211,7 +217,7 @@ int ttc_output_write(const ttc_output *output, const char *folder, const char **
     passage *passages = calloc(output->count + 1, sizeof *passages);
     if (passages == NULL) return ENOMEM;
     pthread_sigmask(SIG_BLOCK, &all, &before);
-    int error = write_all(output, folder, passages, where, restored);
+    int error = write_all(output, folder, &before, passages, where, restored);
     for (size_t i = 0; i < output->count; i++) end(passages + i);
     free(passages);
     pthread_sigmask(SIG_SETMASK, &before, NULL);

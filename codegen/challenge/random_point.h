@@ -36,8 +36,7 @@ typedef struct {
     size_t symbol_count;
     ttc_id *sums;          /* what special points may make zero: sums, and sines and cosines */
     size_t sum_count;
-    ttc_id levels[TTC_PROBE_SPARE]; /* what is solved: the levels of the situation, and a sum together with them or in their place
-    */
+    ttc_id levels[TTC_PROBE_SPARE]; /* what is solved: the levels of the situation, a sum, or both */
     size_t level_count;
     bool solves_levels;    /* whether those of the situation are among them */
     uint32_t pivots[TTC_PROBE_SPARE]; /* symbols that are solved for, one for each level */

@@ -22,7 +22,7 @@ static void add_identity(ttc_text *key, const char *path)
                         found.st_mtim.tv_nsec);
 }
 
-/* A digest of all that determines the object: ttc, QEPCAD and the memory of proofs, on which verdicts depend, the compiler, flags,
+/* A digest of all that determines the object: ttc, QEPCAD and the limits of proofs, on which verdicts depend, the compiler, flags,
  * the table, its file's name, by which others lead back to it, and the tables that its claims lead to. Returns false if one of the
  * latter is wrong: its errors must be reported again. */
 static bool make_key(char digest[65], const ttc_model *model, const char *compiler, unsigned lanes)
@@ -30,8 +30,8 @@ static bool make_key(char digest[65], const ttc_model *model, const char *compil
     bool good = true;
     char *qepcad = ttc_executable_find("qepcad");
     ttc_text key = { 0 };
-    ttc_text_format(&key, "ttc %s\n%s\n%s\n%u MiB\n", JLT_VERSION, ttc_model_base_name(model), model->sha256,
-                    ttc_guard_memory());
+    ttc_text_format(&key, "ttc %s\n%s\n%s\n%u MiB, %u s\n", JLT_VERSION, ttc_model_base_name(model), model->sha256,
+                    ttc_guard_memory(), ttc_guard_processor(TTC_GUARD_SECONDS));
     ttc_compiler_add_flags(&key, lanes);
     add_identity(&key, "/proc/self/exe");
     add_identity(&key, qepcad);

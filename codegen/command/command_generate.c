@@ -1,10 +1,10 @@
 /* ttc generate: writes all files of all tables, or none. */
 #include "command/command.h"
+#include "command/kept.h"
 #include "emit/emit.h"
 #include "emit/emit_registry.h"
 #include "emit/runtime.h"
 #include "base/output.h"
-#include "base/source.h"
 #include "kernels/catalogue.h"
 #include "kernels/unproved.h"
 #include "kernels/wide_number.h"
@@ -14,44 +14,6 @@
 
 #include <stdlib.h>
 #include <string.h>
-
-/* Lists of the folder that is written to; NULL if there are none. */
-typedef struct {
-    char *manifest, *counts;
-} kept_lists;
-
-/* A list of the folder; NULL if there is none, or it cannot be read. */
-static char *read_list(const char *folder, const char *name)
-{
-    ttc_text path = { 0 };
-    size_t length = 0;
-    ttc_text_format(&path, "%s/%s", folder, name);
-    ttc_diagnostics *ignored = ttc_diagnostics_create();
-    char *list = path.failed || ignored == NULL ? NULL : ttc_source_read(ttc_text_string(&path), &length, ignored);
-    ttc_diagnostics_destroy(ignored);
-    ttc_text_clear(&path);
-    return list;
-}
-
-/* Whether the files in the folder name every table that the model's claims lead to by the digest that it has now. */
-static bool names_targets(const char *folder, const ttc_model *model)
-{
-    ttc_text name = { 0 };
-    ttc_text_format(&name, "%s/table.c", model->name);
-    char *claims = name.failed ? NULL : read_list(folder, ttc_text_string(&name));
-    bool named = claims != NULL;
-    for (size_t i = 0; i < model->claim_count && named; i++) {
-        if (model->claims[i].target == NULL) continue;
-        ttc_diagnostics *ignored = ttc_diagnostics_create();
-        ttc_model *target = ignored == NULL ? NULL : ttc_resolve_beside(NULL, model, model->claims[i].target, ignored);
-        named = target != NULL && strstr(claims, target->sha256) != NULL;
-        ttc_model_destroy(target);
-        ttc_diagnostics_destroy(ignored);
-    }
-    free(claims);
-    ttc_text_clear(&name);
-    return named;
-}
 
 /* What the files of one model are made of. */
 typedef struct {
@@ -111,7 +73,7 @@ static bool generate_model(const model_files *f, ttc_kernels **failed)
 
 /* The lists of all tables. Rows of a table that is kept come from the lists there are. */
 static bool generate_lists(ttc_output *output, ttc_model *const *models, const ttc_catalogue *catalogues, size_t count,
-                           const kept_lists *kept)
+                           const ttc_kept *kept)
 {
     ttc_text *counts = ttc_output_add(output, "counts.tsv");
     if (counts == NULL) return false;
@@ -233,8 +195,7 @@ static bool tell_unproved(const ttc_catalogue *catalogue, const ttc_proof_report
     return !failed && !all->failed;
 }
 
-/* Warn of defaults in tables of coordinates that differ from this table's defaults of the same parameters, which take precedence.
- * */
+/* Warn of defaults in tables of coordinates where this table has other defaults of the same parameters, which take precedence. */
 static void tell_other_defaults(const ttc_model *model)
 {
     char reason[256];
@@ -337,16 +298,14 @@ int ttc_command_generate_models(ttc_model *const *models, size_t count, const tt
     int status = TTC_EXIT_DONE;
     ttc_output output = { 0 };
     ttc_catalogue *catalogues = calloc(count + 1, sizeof *catalogues);
-    kept_lists kept = { 0 };
+    ttc_kept kept = { 0 };
     if (catalogues == NULL) {
         fprintf(stderr, "ttc: out of memory\n");
         return TTC_EXIT_MEMORY;
     }
-    if (options->keep) kept = (kept_lists){ read_list(options->out, "manifest.tsv"), read_list(options->out, "counts.tsv") };
+    if (options->keep) ttc_kept_read(&kept, options->out);
     for (size_t i = 0; i < count && status == TTC_EXIT_DONE; i++) {
-        const bool is_kept = kept.manifest != NULL && kept.counts != NULL && ttc_manifest_has(kept.manifest, models[i]) &&
-                             names_targets(options->out, models[i]);
-        if (!is_kept) generate_table(&output, catalogues + i, models[i], options, &status);
+        if (!ttc_kept_has(&kept, options->out, models[i])) generate_table(&output, catalogues + i, models[i], options, &status);
         for (size_t k = 0; k < i && status == TTC_EXIT_DONE; k++)
             if (strcmp(models[k]->name, models[i]->name) == 0) refuse_name(models[i], models[k], &status);
     }
@@ -357,8 +316,7 @@ int ttc_command_generate_models(ttc_model *const *models, size_t count, const tt
         status = TTC_EXIT_MEMORY;
     }
     if (status == TTC_EXIT_DONE) status = write_files(&output, options->out);
-    free(kept.manifest);
-    free(kept.counts);
+    ttc_kept_clear(&kept);
     for (size_t i = 0; i < count; i++) ttc_catalogue_clear(catalogues + i);
     free(catalogues);
     ttc_output_clear(&output);

@@ -90,12 +90,18 @@ static bool send_proof(int descriptor, size_t index, const ttc_proof *proof)
     return ok;
 }
 
-unsigned ttc_guard_memory(void)
+/* What this process may take of a resource, at most `most`. */
+static rlim_t allowed(int resource, rlim_t most)
 {
     struct rlimit own;
-    const bool is_less = getrlimit(RLIMIT_AS, &own) == 0 && own.rlim_cur < (rlim_t)MEMORY_MIB << 20;
-    return is_less ? (unsigned)(own.rlim_cur >> 20) : MEMORY_MIB;
+    return getrlimit(resource, &own) == 0 && own.rlim_cur < most ? own.rlim_cur : most;
 }
+
+static int table_seconds(int claim_seconds) { return 5 * claim_seconds / 2; }
+
+unsigned ttc_guard_memory(void) { return (unsigned)(allowed(RLIMIT_AS, (rlim_t)MEMORY_MIB << 20) >> 20); }
+
+unsigned ttc_guard_processor(int claim_seconds) { return (unsigned)allowed(RLIMIT_CPU, (rlim_t)table_seconds(claim_seconds)); }
 
 /* Runs in the worker. What libraries print when they end it goes to `words`, and the parent reports it. */
 static void work(ttc_proof_run *run, const bool *settled, int descriptor, int words)
@@ -187,8 +193,6 @@ static ttc_proof_ending ending_of(read_result result, int status, const char *wo
     if (result == READ_LATE) return TTC_ENDED_LATE;
     return is_ended_by_system(status) || speak_of_memory(words) ? TTC_ENDED_OUT_OF_MEMORY : TTC_ENDED_BY_FAULT;
 }
-
-static int table_seconds(int claim_seconds) { return 5 * claim_seconds / 2; }
 
 /* Of the seconds left for the table, those that one claim must leave to the other open claims, most of which need little. */
 static double reserved(const bool *settled, size_t count, int claim_seconds, double seconds)

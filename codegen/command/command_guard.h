@@ -10,6 +10,10 @@ enum { TTC_GUARD_SECONDS = 20, TTC_GUARD_SECONDS_FULL = 120 };
 /* MiB that a process which proves claims may take: 1536, or what this process may, where that is less. */
 unsigned ttc_guard_memory(void);
 
+/* Seconds of processor time that it may take, with claim_seconds a claim: 5/2 as many, or what this process may, where that is
+ * less. */
+unsigned ttc_guard_processor(int claim_seconds);
+
 /** Prove every claim in a child process, with claim_seconds > 0 of processor time a claim, 5/2 as many a table, and
  *  memory as above. A claim that passes a bound, or ends its process, is not settled, says why, and has an ending other than
  *  TTC_ENDED_BY_VERDICT. A claim that is proved is challenged at some points (challenge/challenge.h) before it is called so.

@@ -86,8 +86,11 @@ static dimension read_product(const char **at, unsigned depth)
         if (**at == '^') {
             char *end;
             power = strtol(*at + 1, &end, 10);
-            if (labs(power) > TTC_EXPONENT_LIMIT) power = 0;
             *at = end;
+            if (power < -TTC_EXPONENT_LIMIT || power > TTC_EXPONENT_LIMIT) {
+                factor = wrong;
+                power = 1;
+            }
         }
         multiply(&product, &factor, sign * power);
         sign = 1;

@@ -46,8 +46,10 @@ bool ttc_catalogue_create(ttc_catalogue *catalogue, const ttc_model *model, ttc_
     size_t eliminations = extent == TTC_WITHOUT_ELIMINATIONS ? 0 : model->elimination_count;
     size_t most = (model->variant_count + 1) * (model->time_count + 1) * (eliminations + 1);
     *catalogue = (ttc_catalogue){ .model = model, .fields = calloc(most, sizeof *catalogue->fields) };
-    catalogue->failure = "memory is out";
-    if (catalogue->fields == NULL) return false;
+    if (catalogue->fields == NULL) {
+        catalogue->failure = "memory is out";
+        return false;
+    }
     for (size_t v = 0; v <= model->variant_count; v++)
         for (size_t t = 0; t <= model->time_count; t++)
             for (size_t e = 0; e <= eliminations; e++) {

@@ -17,7 +17,7 @@ typedef struct {
     ttc_catalogue_entry *fields; /* general first; the variant varies slowest, the elimination fastest */
     size_t count;
     ttc_place failed_at;     /* after a failure: the record that asks for the failed field */
-    const char *failure;     /* after a failure: the reason, or NULL where no memory was left for the list of fields */
+    const char *failure;     /* after a failure: the reason */
 } ttc_catalogue;
 
 typedef enum { TTC_ALL_FIELDS, TTC_WITHOUT_ELIMINATIONS } ttc_catalogue_extent;

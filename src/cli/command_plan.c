@@ -79,22 +79,18 @@ static bool is_still(const char *name)
 }
 
 /* Give a study's command the first values of what the study runs over, and say so. */
-static jlt_exit give_over(char ***argv, int *argc, const jlt_scene *scene)
+static jlt_exit give_over(char ***argv, int *argc, const jlt_study *study)
 {
-    jlt_grid_axis over[JLT_STUDY_OVER_MAX] = { 0 };
     char place[JLT_GRID_PLACE_MAX];
-    size_t count = 0, all = 1;
 
-    JLT_PASS(jlt_grid_parse(over, &count, JLT_STUDY_OVER_MAX, scene->over, "over"));
-    JLT_PASS(jlt_grid_size(&all, over, count, scene->over, "over"));
-    if (!jlt_study_give(argv, argc, over, count, 0, scene->model)) return jlt_command_no_memory();
-    (void)jlt_grid_place(place, over, count, 0);
-    printf("at %s, the first of %zu points:\n", place, all);
+    if (!jlt_study_give(argv, argc, study->over, study->over_count, 0, study->scene->model)) return jlt_command_no_memory();
+    (void)jlt_grid_place(place, study->over, study->over_count, 0);
+    printf("at %s, the first of %zu points:\n", place, study->outer);
     return JLT_EXIT_DONE;
 }
 
-/* Print a command's plan in a child process, since argp may end the process on an error. */
-static jlt_exit plan_job(const jlt_scene *scene, size_t index)
+/* Print a command's plan in a child process, since argp may end the process on an error. study: NULL, or that of the scene. */
+static jlt_exit plan_job(const jlt_scene *scene, const jlt_study *study, size_t index)
 {
     const jlt_scene_job *job = &scene->jobs[index];
     const jlt_command *command = jlt_command_find(job->what);
@@ -104,7 +100,7 @@ static jlt_exit plan_job(const jlt_scene *scene, size_t index)
 
     printf("%zu. %s (%s:%u)\n", index + 1, job->what, scene->file, job->line);
     if (argv == NULL) return jlt_command_no_memory();
-    if (scene->over != NULL) code = give_over(&argv, &argc, scene);
+    if (study != NULL) code = give_over(&argv, &argc, study);
     if (code == JLT_EXIT_DONE) code = is_still(job->what) ? jlt_common_still() : jlt_job_run(&ending, command, argv, argc);
     jlt_command_free(argv, argc);
     if (ending != 0) jlt_interrupt_end(ending);
@@ -137,6 +133,7 @@ static jlt_exit run(int argc, char **argv)
 {
     options o = { .scene = NULL };
     jlt_scene *scene = NULL;
+    jlt_study study;
     jlt_exit code;
 
     const jlt_command *command = argc > 1 ? jlt_command_find(argv[1]) : NULL;
@@ -149,10 +146,13 @@ static jlt_exit run(int argc, char **argv)
     const char *path = o.scene;
     code = jlt_job_open(&scene, path);
     if (code == JLT_EXIT_IO && strpbrk(path, "/.") == NULL) fprintf(stderr, "jellett: nor is there a command '%s'\n", path);
-    if (code == JLT_EXIT_DONE) code = jlt_job_set(scene, &o.set);
+    const bool is_study = code == JLT_EXIT_DONE && scene->over != NULL;
+    if (is_study) code = jlt_study_make(&study, scene, &o.set);
+    else if (code == JLT_EXIT_DONE) code = jlt_job_set(scene, &o.set);
     if (code == JLT_EXIT_DONE && scene->title[0] != '\0') printf("%s\n", scene->title);
-    for (size_t k = 0; code == JLT_EXIT_DONE && k < scene->count; k++) code = plan_job(scene, k);
-    jlt_scene_destroy(scene);
+    for (size_t k = 0; code == JLT_EXIT_DONE && k < scene->count; k++) code = plan_job(scene, is_study ? &study : NULL, k);
+    if (is_study) jlt_study_clear(&study);
+    else jlt_scene_destroy(scene);
     jlt_assign_clear(&o.set);
     return code;
 }

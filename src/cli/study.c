@@ -212,10 +212,16 @@ static jlt_exit make_manifest(jlt_study *self)
 
 jlt_exit jlt_study_open(jlt_study *out, const char *path, const jlt_assign_list *set)
 {
-    size_t least = 1;
-
     *out = (jlt_study){ .outer = 1 };
     JLT_PASS(jlt_job_open(&out->scene, path));
+    return jlt_study_make(out, out->scene, set);
+}
+
+jlt_exit jlt_study_make(jlt_study *out, jlt_scene *scene, const jlt_assign_list *set)
+{
+    size_t least = 1;
+
+    *out = (jlt_study){ .scene = scene, .outer = 1 };
     JLT_PASS(jlt_job_set(out->scene, set));
     out->job = &out->scene->jobs[0];
     out->command = jlt_command_find(out->job->what);

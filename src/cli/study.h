@@ -24,6 +24,8 @@ typedef struct {
 
 /** Read a scene, and set parameters to the values of `set`. Call jlt_study_clear in the end, whatever is returned. */
 jlt_exit jlt_study_open(jlt_study *out, const char *path, const jlt_assign_list *set);
+/** The same of a scene that is read, which jlt_study_clear then destroys. */
+jlt_exit jlt_study_make(jlt_study *out, jlt_scene *scene, const jlt_assign_list *set);
 void jlt_study_clear(jlt_study *self);
 
 /** Add to a command line, of *argc arguments, the options that give it point number `point` of what a study runs over; over: shape

@@ -54,3 +54,11 @@ grep -q "the equal claim 'same' is not settled (its proof passes the limit of 14
     { echo "little memory:"; cat "$scratch/small" "$scratch/err"; exit 1; }
 ttc build "$scratch/powers.tt" > "$scratch/large" 2> "$scratch/err" && [ ! -s "$scratch/err" ] &&
     ! cmp -s "$scratch/small" "$scratch/large" || { echo "more memory:"; cat "$scratch/large" "$scratch/err"; exit 1; }
+# So for processor time.
+for k in $(seq 2 8); do sed -n "s/^equal same/&$k/p" "$scratch/powers.tt"; done > "$scratch/more"
+cat "$scratch/more" >> "$scratch/powers.tt"
+(ulimit -t 1; exec ttc build "$scratch/powers.tt") > "$scratch/small" 2> "$scratch/err"
+grep -q "is not settled (its proof was ended by the system" "$scratch/err" ||
+    { echo "little time:"; cat "$scratch/small" "$scratch/err"; exit 1; }
+ttc build "$scratch/powers.tt" > "$scratch/large" 2> "$scratch/err" && [ ! -s "$scratch/err" ] &&
+    ! cmp -s "$scratch/small" "$scratch/large" || { echo "more time:"; cat "$scratch/large" "$scratch/err"; exit 1; }

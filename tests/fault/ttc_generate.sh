@@ -57,6 +57,14 @@ if [ -d "$scratch/full" ]; then
     done < <(cd "$scratch/full" && find . -type f)
 fi
 
+# With --keep, a file that is gone is written again.
+cp -r "$scratch/whole" "$scratch/kept"
+(cd "$scratch/whole" && find . -type f) | while IFS= read -r file; do
+    rm "$scratch/kept/$file"
+    ttc generate --keep "$model" --out "$scratch/kept" && diff -r "$scratch/kept" "$scratch/whole" || echo "without $file: $?"
+done > "$scratch/out" 2>&1
+[ ! -s "$scratch/out" ] || fail "with --keep: $(head -5 "$scratch/out")"
+
 # Two versions written to one folder at the same time: both runs succeed, and what is left is one of them.
 mkdir "$scratch/edited"
 sed 's/+ a\*w^2/+ 2*a*w^2/' "$model" > "$scratch/edited/${model##*/}"
@@ -71,6 +79,24 @@ for k in $(seq 1 8); do
     diff -rq "$scratch/both" "$scratch/whole" > /dev/null || diff -rq "$scratch/both" "$scratch/other" > "$scratch/out" ||
         fail "at the same time, $k: files of both: $(head -1 "$scratch/out")"
 done
+
+# A run that waits for another one can be ended, and has changed nothing. It is seen to wait where the kernel lists it so.
+rm -rf "$scratch/both"
+cp -r "$scratch/other" "$scratch/both"
+inode=$(stat -c %i "$scratch/both")
+exec 9< "$scratch/both"
+flock 9
+set -m
+ttc generate "$model" --out "$scratch/both" > /dev/null 2>&1 9<&- &
+job=$!
+set +m
+for _ in $(seq 600); do grep -q -- "-> FLOCK.*:$inode " /proc/locks && break; sleep 0.1; done
+kill -INT $job
+for _ in $(seq 100); do kill -0 $job 2> /dev/null || break; sleep 0.1; done
+kill -0 $job 2> /dev/null && fail "SIGINT does not end a run that waits for another one"
+exec 9<&-
+wait $job 2> /dev/null
+diff -r "$scratch/both" "$scratch/other" || fail "a run that is ended while it waits has written"
 
 # Stopped at eight moments of its life by each signal. Files of an earlier version are there already: afterwards each
 # is the old one or the new one, and only SIGKILL may leave files of both versions, or a temporary file.

@@ -56,6 +56,11 @@ expect 0 '' ttc generate --unproved --out folder units.tt
 printf 'model units\nparam k > 0 [1/s]\nstate x [(((m^64)^64)^64)^16]\nstate y\neq x = k*y\neq y = -k*x\n' > units.tt
 expect 0 '' ttc generate --unproved --out folder units.tt
 ! grep -rq 'scales = 1' folder || fail "units of exponents that wrap count as numbers"
+for power in 65 -9223372036854775808; do # the latter has no absolute value in a long
+    printf 'model units\nparam k > 0 [1/s]\nstate x [m^%s]\nstate y\neq x = k*y\neq y = -k*x\n' "$power" > units.tt
+    expect 0 '' ttc generate --unproved --out folder units.tt
+    ! grep -rq 'scales = 1' folder || fail "m^$power counts as a number"
+done
 rm -r folder
 
 # A table of coordinates alone; beside its model's it is passed over.

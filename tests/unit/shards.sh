@@ -275,6 +275,10 @@ done
 sed '1s/ E = 2.15;//; 1i over = { a3 = (0, 0.5, 2); E = (1, 2, 2); };' map.scene > over.scene
 expect 0 "at a3=0, E=1, the first of 4 points:" jellett plan over.scene
 grep -q '\* level .* balanced ' out && grep -q 'on levels E=1 ' out || fail "the plan of a study: $(tail -4 out)"
+# What is refused as a study has no plan.
+expect 2 "runs over a3 by itself" jellett plan over.scene --set a3=0.2
+expect 3 "portrait cannot be a study" jellett plan <(sed 's/"section"/"portrait"/; s/grid = .*; returns = 3;//' over.scene)
+expect 3 "which the scene also sets" jellett plan <(sed 's/G = -0.56;/& E = 2;/' over.scene)
 expect 3 "leave out 'output'" jellett sweep <(sed 's/returns = 3;/& output = "o.csv";/' map.scene)
 expect 3 "a second entry" jellett sweep "$JLT_SOURCE_DIR/tools/scenes/fig3a.scene"
 expect 5 "" jellett sweep map.scene --into=own.tt
