@@ -121,9 +121,20 @@ bool ttc_command_catalogue(ttc_catalogue *catalogue, const ttc_model *model, con
     return false;
 }
 
+/* Read the tables that claims lead to, so that this process goes by the texts of them that its workers do. */
+static void read_targets(const ttc_model *model)
+{
+    ttc_diagnostics *ignored = ttc_diagnostics_create();
+    for (size_t i = 0; i < model->claim_count && ignored != NULL; i++)
+        if (model->claims[i].target != NULL)
+            ttc_model_destroy(ttc_resolve_beside(NULL, model, model->claims[i].target, ignored));
+    ttc_diagnostics_destroy(ignored);
+}
+
 ttc_proof_report *ttc_command_prove_guarded(const ttc_model *model, const ttc_options *options, int *status)
 {
     const int seconds = options->effort == TTC_EFFORT_FULL ? TTC_GUARD_SECONDS_FULL : TTC_GUARD_SECONDS;
+    read_targets(model);
     ttc_proof_report *report = ttc_prove_guarded(model, seconds, ttc_resolve_beside, NULL);
     if (report == NULL) {
         fprintf(stderr, "ttc: no process can be made that proves claims: %s\n", strerror(errno));

@@ -1,5 +1,7 @@
 #include "prove/prove.h"
 
+#include "base/array.h"
+#include "base/source.h"
 #include "prove/prove_derived.h"
 
 #include <stdlib.h>
@@ -277,7 +279,8 @@ void ttc_proof_report_destroy(ttc_proof_report *report)
     free(report);
 }
 
-ttc_model *ttc_model_beside(const char *of, const char *target, ttc_diagnostics *diagnostics)
+/* The path of the table `target` in the folder of the file `of`, for free(); NULL when memory is out. */
+static char *path_beside(const char *of, const char *target)
 {
     const char *slash = strrchr(of, '/');
     size_t folder = slash == NULL ? 0 : (size_t)(slash - of) + 1;
@@ -285,7 +288,13 @@ ttc_model *ttc_model_beside(const char *of, const char *target, ttc_diagnostics 
     if (path == NULL) return NULL;
     memcpy(path, of, folder);
     memcpy(path + folder, target, strlen(target) + 1);
-    ttc_model *result = ttc_model_read(path, diagnostics);
+    return path;
+}
+
+ttc_model *ttc_model_beside(const char *of, const char *target, ttc_diagnostics *diagnostics)
+{
+    char *path = path_beside(of, target);
+    ttc_model *result = path == NULL ? NULL : ttc_model_read(path, diagnostics);
     free(path);
     return result;
 }
@@ -305,8 +314,41 @@ ttc_model *ttc_resolve(ttc_resolver resolver, void *context, const ttc_model *mo
     return table;
 }
 
+/* The texts that ttc_resolve_beside has read, by path. */
+typedef struct {
+    char *path, *text;
+    size_t length;
+} read_text;
+
+static struct {
+    read_text *items;
+    size_t count;
+} texts;
+
+/* The text of a file when it was first read. NULL after a report, or when memory is out. Takes the path over. */
+static const read_text *read_once(char *path, ttc_diagnostics *diagnostics)
+{
+    read_text new = { .path = path };
+    for (size_t i = 0; i < texts.count; i++) {
+        if (strcmp(texts.items[i].path, path) != 0) continue;
+        free(path);
+        return texts.items + i;
+    }
+    ttc_diagnostics_source(diagnostics, path, NULL, 0);
+    new.text = ttc_source_read(path, &new.length, diagnostics);
+    if (new.text == NULL || !TTC_ARRAY_GROW(texts.items, texts.count)) {
+        free(new.text);
+        free(path);
+        return NULL;
+    }
+    texts.items[texts.count] = new;
+    return texts.items + texts.count++;
+}
+
 ttc_model *ttc_resolve_beside(void *context, const ttc_model *model, const char *target, ttc_diagnostics *diagnostics)
 {
     (void)context;
-    return ttc_model_beside(model->file, target, diagnostics);
+    char *path = path_beside(model->file, target);
+    const read_text *read = path == NULL ? NULL : read_once(path, diagnostics);
+    return read == NULL ? NULL : ttc_model_parse(read->text, read->length, read->path, diagnostics);
 }

@@ -16,7 +16,9 @@ typedef ttc_model *(*ttc_resolver)(void *context, const ttc_model *model, const 
 /* Read the table `target`, FILE.tt, in the folder of the file `of`. Returns NULL after a report, or when memory is out. */
 ttc_model *ttc_model_beside(const char *of, const char *target, ttc_diagnostics *diagnostics);
 
-/* The resolver that reads FILE.tt beside the model's own file; context is ignored. */
+/* The resolver that reads FILE.tt beside the model's own file; context is ignored. A process, and those that it forks later, go by
+ * the text that it has read first, also if the file is edited meanwhile: what is proved of a table, and the digest that is written
+ * with the proof, are of one text. */
 ttc_model *ttc_resolve_beside(void *context, const ttc_model *model, const char *target, ttc_diagnostics *diagnostics);
 
 /** Read a table by the resolver, and give it a symbol for pi (ttc_model_with_pi). Returns NULL on failure, also if the resolver is

@@ -57,6 +57,20 @@ if [ -d "$scratch/full" ]; then
     done < <(cd "$scratch/full" && find . -type f)
 fi
 
+# A table that is edited while a reduction onto it is proved, here by what stands in for QEPCAD: the digest that is written with the
+# verdict is that of the text that was read.
+mkdir "$scratch/bin"
+printf '#!/bin/sh\nsed -i "s/2[*]r/3*r/" "%s"\nexec "%s" "$@"\n' "$scratch/radius.tt" "$(command -v qepcad)" > "$scratch/bin/qepcad"
+chmod +x "$scratch/bin/qepcad"
+printf '%s\n' 'model radius' 'state r' 'eq r = -2*r' > "$scratch/radius.tt"
+printf '%s\n' 'model spiral' 'state x' 'state y' 'eq x = -x + y' 'eq y = -y - x' \
+    'reduction half : onto radius.tt with r = x^2 + y^2' 'positive asked : x^4 - x^3*y + y^4 + 1/8' > "$scratch/spiral.tt"
+digest=$(sha256sum < "$scratch/radius.tt" | cut -d' ' -f1)
+PATH=$scratch/bin:$PATH expect 0 "an edited target" ttc generate "$scratch/spiral.tt" --out "$scratch/targets"
+grep -q '3\*r' "$scratch/radius.tt" || fail "QEPCAD is not asked"
+grep -q "\"reduction\", \"half\", \"\", JLT_PROVED, \"\", \"$digest\"" "$scratch/targets/spiral/table.c" ||
+    fail "an edited target: $(grep '"reduction"' "$scratch/targets/spiral/table.c")"
+
 # With --keep, a file that is gone is written again.
 cp -r "$scratch/whole" "$scratch/kept"
 (cd "$scratch/whole" && find . -type f) | while IFS= read -r file; do
