@@ -52,7 +52,7 @@ typedef struct {
     bool rescaled;        /* the last point changed scales */
     unsigned controlled;  /* columns in the error norm */
     bool watches;         /* steps look for ends of the domain: it restricts orbits, or a state is lost */
-    jlt_state_set lost;   /* states, kept or in groups, that have been below the least scale, so that only errors are left of them */
+    jlt_state_set lost;   /* states, kept or in groups, that have been below the least scale, and are only errors now */
     bool at_edge;         /* the last point counts as the domain's end; the next advance returns DOMAIN */
     unsigned approaches;  /* steps that were shortened because they would have left the domain */
     unsigned leaps;       /* steps since a long one that were taken in spite of their error (leap.h) */
