@@ -13,6 +13,7 @@
  * add up: an eighth of the tolerance is given to each, which shortens them by 8^(-1/p), an eighth at p = 15. */
 #include "integrate/taylor.h"
 
+#include <stddef.h>
 #include <stdlib.h>
 
 #include "core/memory.h"
@@ -61,24 +62,29 @@ static jlt_status start(jlt_stepper *stepper)
     return JLT_OK;
 }
 
-/* Sizes of the jet's coefficients, each relative to the states', and the order up to which doubles hold them: coefficients fall or
- * grow as powers of the rates, and one that underflows would pass for the end of a polynomial. */
+/* Sizes of the jet's coefficients, each relative to the states', and the order up to which doubles hold them: those of a state fall
+ * or grow as powers of its rate, and one that underflows would pass for the end of a polynomial. Those of lost states (edge.h) are
+ * errors, and may underflow. */
 static unsigned measure(double sizes[JLT_JET_ORDER_MAX + 1], const taylor *self, const jlt_stepper *stepper)
 {
-    static const double most = 1e290, least = 1e-290;
+    static const double most = 1e290, least = 0x1p-1018; /* 16 times the least double that has all digits */
     const unsigned columns = stepper->columns;
-    double before = 0, last = 0, largest; /* the largest coefficients of three orders, as they are */
 
-    for (unsigned k = 0; k <= self->order; k++, before = last, last = largest) {
-        sizes[k] = largest = 0;
+    for (unsigned k = 0; k <= self->order; k++) {
+        bool underflows = false, is_held = false;
+        sizes[k] = 0;
         for (unsigned i = 0; i < columns; i++) {
-            const double coefficient = fabs(self->jet[k * (size_t)columns + i]);
+            const double *at = self->jet + k * (size_t)columns + i;
+            const double coefficient = fabs(*at);
             const double size = coefficient / jlt_larger(fabs(stepper->x[i]), stepper->scale[i]);
             if (k > 0 && !(coefficient < most && size < most)) return k - 1;
             sizes[k] = jlt_larger(sizes[k], size);
-            largest = jlt_larger(largest, coefficient);
+            is_held |= coefficient >= least;
+            if (k < 2 || jlt_state_set_has(&stepper->lost, i)) continue;
+            const double last = fabs(at[-(ptrdiff_t)columns]), before = fabs(at[-2 * (ptrdiff_t)columns]);
+            underflows |= last > 0 && last / before < least / last;
         }
-        if (largest < least && last > 0 && last / before < least / last) return k - 1;
+        if (underflows && !is_held) return k - 1;
     }
     return self->order;
 }

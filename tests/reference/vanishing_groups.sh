@@ -103,4 +103,23 @@ for method in gauss dop853 taylor rk8pd rkf45 msadams; do
 done
 expect 0 'alive$' jellett section ./staged.tt --section who=0 --grid S=0.99:0.99:1,E=1e-3,F=1e-3,I=1e-3,turns=1:2:2 --returns 3
 is_small 5 "in lanes"
+# A state whose series is all that doubles may lose, as the others are clocks, is followed by taylor as well: exp(-t) to 665 in at
+# most a step per unit of time, each with an error of 1e-12, and below 1e-290; and 1e-287 exp(5 (1 - cos t)), whose coefficients of
+# odd order are 0 at the start, over a turn in fewer than 100 steps.
+cat > clock.tt << 'T'
+model clock
+state n
+state m
+state s
+angle C S = cos(s) sin(s)
+periodic s = 2*pi
+eq n = - n
+eq m = 5*S*m
+eq s = 1
+T
+expect 0 '^1000,.*,alive$' jellett simulate ./clock.tt --start n=1,m=0,s=0 --times 665,1000 --method taylor
+awk -F, '/^665,/ { n++; off = $2 / 1.5637579633862188e-289 - 1 } END { exit !(n == 1 && off^2 < (665e-12)^2) }' out ||
+    fail "exp(-665): $(grep ^665 out)"
+expect 0 '^0,1,' jellett section ./clock.tt --section s=0 --start n=0,m=1e-287 --returns 1 --method taylor
+awk -F, '/^0,1,/ { n++; off = $5 / 1e-287 - 1 } END { exit !(n == 1 && off^2 < (100e-12)^2) }' out || fail "m: $(tail -1 out)"
 exit $status
