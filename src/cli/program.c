@@ -6,6 +6,7 @@
 #include "cli/shelf.h"
 
 #include <argp.h>
+#include <fenv.h>
 #include <pthread.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -52,6 +53,7 @@ static void widen_stacks_of_threads(void)
 jlt_exit jlt_program_begin(void)
 {
     if (!ttc_output_standard("jellett", JLT_EXIT_IO)) return JLT_EXIT_IO;
+    (void)fesetenv(FE_DFL_ENV); /* a library that is loaded first may have changed how doubles are rounded */
     widen_stack();
     widen_stacks_of_threads();
     jlt_interrupt_begin();

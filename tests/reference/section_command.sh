@@ -163,4 +163,16 @@ for eta in 0.1 0.3 0.6 0.7 -0.9 1.1; do
         grep -q "^0,0,0,$eta,-0.61,.*alive$" out || fail "start $eta: $(grep '^0,0,' out)"
     done
 done
+
+# Rows are the same where a library that is loaded before the program makes doubles round upwards.
+cat > upwards.c << 'LIBRARY'
+#include <fenv.h>
+__attribute__((constructor)) static void round_upwards(void) { fesetround(FE_UPWARD); }
+LIBRARY
+"$JLT_CC" -shared -fPIC -o upwards.so upwards.c -lm || fail "the library that rounds upwards is not compiled"
+expect 0 jellett section --start eta=0.1,gamma3=-0.6 --returns 5
+mv out nearest
+expect 0 env LD_PRELOAD="$PWD/upwards.so" ASAN_OPTIONS=verify_asan_link_order=0 \
+    jellett section --start eta=0.1,gamma3=-0.6 --returns 5
+cmp -s out nearest || fail "rounding is not set back: $(diff out nearest | head -4)"
 exit $status
