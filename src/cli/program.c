@@ -6,6 +6,7 @@
 #include "cli/shelf.h"
 
 #include <argp.h>
+#include <ctype.h>
 #include <fenv.h>
 #include <pthread.h>
 #include <stdint.h>
@@ -50,12 +51,34 @@ static void widen_stacks_of_threads(void)
     pthread_attr_destroy(&attributes);
 }
 
+/* OMP_STACKSIZE is read before main, so that it can only be told of: a number, in KiB or in the unit that follows. */
+static void tell_of_small_stacks(void)
+{
+    const char *const text = getenv("OMP_STACKSIZE");
+    int bits = 10;
+    char *end;
+
+    if (text == NULL) return;
+    const unsigned long long number = strtoull(text, &end, 10);
+    while (isspace((unsigned char)*end)) end++;
+    switch (tolower((unsigned char)*end)) {
+    case 'b': bits = 0; break;
+    case 'm': bits = 20; break;
+    case 'g': bits = 30; break;
+    default: break;
+    }
+    if (number > 0 && number < stack_usual >> bits)
+        fprintf(stderr, "jellett: OMP_STACKSIZE=%s limits the stacks of threads, with which commands may crash: allow %zuK\n", text,
+                stack_usual / 1024);
+}
+
 jlt_exit jlt_program_begin(void)
 {
     if (!ttc_output_standard("jellett", JLT_EXIT_IO)) return JLT_EXIT_IO;
     (void)fesetenv(FE_DFL_ENV); /* a library that is loaded first may have changed how doubles are rounded */
     widen_stack();
     widen_stacks_of_threads();
+    tell_of_small_stacks();
     jlt_interrupt_begin();
     ttc_exhaustion_handle(end_without_memory);
     argp_err_exit_status = JLT_EXIT_USAGE;

@@ -110,6 +110,14 @@ expect 0 on_stack -Ss jellett continue --along E=2.1:2.15
 expect 0 on_stack -Ss jellett section --start eta=0.1,gamma3=-0.6 --returns 5
 expect 0 on_stack -s jellett models
 grep -q 'the stack is limited to 256 KiB' "$scratch/err" || fail "nothing is said of a small stack: $(cat "$scratch/err")"
+for size in 64k 8191 "1 m"; do
+    expect 0 env OMP_STACKSIZE="$size" jellett models
+    grep -q "OMP_STACKSIZE=$size limits the stacks of threads" "$scratch/err" || fail "nothing is said of OMP_STACKSIZE=$size"
+done
+for size in 8192 8M 1G; do
+    expect 0 env OMP_STACKSIZE=$size jellett models
+    [ ! -s "$scratch/err" ] || fail "OMP_STACKSIZE=$size: $(cat "$scratch/err")"
+done
 # Nor is the status of a child lost, or a table not compiled, where the parent ignores the ends of children.
 unheeded() { env --ignore-signal=CHLD "$@"; }
 cat > "$scratch/high.scene" << 'SCENE'
