@@ -331,6 +331,7 @@ static jlt_exit run_all(table *to, jlt_motion_family *family, const jlt_grid_axi
     const jlt_status st = jlt_tree_grow(&left, to->chart, &maps, first, o->direction, o->generations, &run, &sink);
     if (st == JLT_OK) tell_half(axis, first->value, o->direction);
     if (st == JLT_OK && o->generations > 0) tell_left(&left, o->generations);
+    if (st == JLT_ERR_DOMAIN && jlt_motion_family_no_angle(family)) return jlt_motion_family_fail(family, st, "--along", axis, 1);
     return st == JLT_OK || st == JLT_ERR_IO ? JLT_EXIT_DONE : jlt_motion_fail(st, system, "continuation");
 }
 

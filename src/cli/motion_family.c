@@ -28,6 +28,11 @@ static jlt_status make_at(void *context, jlt_system **out, double value, const j
     return JLT_OK;
 }
 
+bool jlt_motion_family_no_angle(const jlt_motion_family *self)
+{
+    return self->surface == NULL && self->no_angle < self->plane.descriptor->state_count;
+}
+
 jlt_exit jlt_motion_family_fail(const jlt_motion_family *self, jlt_status status, const char *option, const jlt_grid_axis *axes,
                                 size_t count)
 {
@@ -41,7 +46,7 @@ jlt_exit jlt_motion_family_fail(const jlt_motion_family *self, jlt_status status
         used += (size_t)snprintf(where + used, sizeof where - used, "%s %s=%.10g", i == 0 ? "" : ",", axes[i].name,
                                  *self->entries[i]);
     if (self->surface != NULL) return jlt_motion_refuse(self->surface, self->values, status, where);
-    if (self->no_angle < self->plane.descriptor->state_count)
+    if (jlt_motion_family_no_angle(self))
         return jlt_command_fail(JLT_EXIT_INPUT, "%s, growing %s by its period changes the equations: narrow the range, or add "
                                 "--modulo %s=0", where, self->plane.descriptor->states[self->no_angle].name,
                                 self->plane.descriptor->states[self->no_angle].name);

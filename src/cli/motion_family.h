@@ -27,6 +27,9 @@ void jlt_motion_family_clear(jlt_motion_family *family);
  *  jlt_surface_system. */
 JLT_CHECKED jlt_status jlt_motion_family_make(jlt_motion_family *family, jlt_system **out);
 
+/** Whether _make has failed last because a state that --modulo calls an angle is none at these values. */
+bool jlt_motion_family_no_angle(const jlt_motion_family *family);
+
 /** Print why _make returned `status`: "OPTION: at NAME=VALUE, ...: reason". axes: as in _open. Returns the exit status for it. */
 jlt_exit jlt_motion_family_fail(const jlt_motion_family *family, jlt_status status, const char *option, const jlt_grid_axis *axes,
                                 size_t count);

@@ -79,7 +79,7 @@ jlt_status jlt_continuation_step_evaluate(const jlt_continuation_runner *self, j
         for (unsigned j = 0; j < d; j++) out->jacobian[i * (d + 1) + j] = out->slope[i * d + j] - (i == j);
         out->jacobian[i * (d + 1) + d] = difference[i] / (up - down);
     }
-    return JLT_OK;
+    return up > down ? JLT_OK : JLT_ERR_DOMAIN; /* the model may end on both sides of the value */
 }
 
 /* Make the bordered matrix [J; t], and return its determinant. */

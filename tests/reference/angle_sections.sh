@@ -256,4 +256,10 @@ for section in strobe f=4; do
     jellett fates ./spun.tt --section $section --grid q=-3:3:5,v=-2:2:5 --returns 10 2> log | grep -v '^#' > $section.csv
 done
 cmp -s f=4.csv strobe.csv || fail "other ends at a section beyond half a turn: $(diff f=4.csv strobe.csv | head -4)"
+# A period at one value of a parameter alone is told of as such where the parameter runs.
+printf '%s\n' 'model lattice' 'param k' 'default k = 1' 'state q' 'state v' 'state f' 'angle C S = cos(k*q) sin(k*q)' \
+    'angle c s = cos(f) sin(f)' 'eq q = v' 'eq v = -S - v/10 + 2*c/5' 'eq f = 1' 'periodic f = 2*pi' > lattice.tt
+expect 3 'along: at k=.*, growing q by its period changes the equations' \
+    jellett continue ./lattice.tt --section f=0 --modulo q=2*pi --start q=0,v=0.1 --along k=1:2
+expect 0 '^0,2,' jellett continue ./lattice.tt --section f=0 --start q=0,v=0.1 --along k=1:2
 exit $status
