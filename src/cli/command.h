@@ -15,7 +15,7 @@ typedef enum {
     JLT_EXIT_FAILED = 1, /* a claim or a check does not hold */
     JLT_EXIT_USAGE = 2,
     JLT_EXIT_INPUT = 3, /* a name, a number or a state that cannot be used */
-    JLT_EXIT_NUMERICAL = 4, /* a method did not reach what was asked, or memory is out */
+    JLT_EXIT_NUMERICAL = 4, /* a method did not reach what was asked, or memory is out, or threads are */
     JLT_EXIT_IO = 5,
     JLT_EXIT_PLANNED =
         6 /* within the program only: the plan has been printed, and nothing else is to be done; the program ends with 0 */

@@ -233,8 +233,11 @@ static jlt_exit compute(sweep *self, size_t position)
 
     if (code != JLT_EXIT_DONE || *worker->interrupt != 0) return code; /* drop an unfinished piece */
     jlt_study_place(at, &self->study, number);
+    if (by == JLT_WORKER_WITHOUT_MEANS)
+        fprintf(stderr, "jellett: piece %zu (%s) lacked memory or threads, and is left out\n%s", number, at,
+                self->lost == 0 ? worker->words : "");
+    else if (by != 0) fprintf(stderr, "jellett: piece %zu (%s) was ended by signal %d, and is left out\n", number, at, by);
     if (by != 0) {
-        fprintf(stderr, "jellett: piece %zu (%s) was ended by signal %d, and is left out\n", number, at, by);
         self->lost++;
         return JLT_EXIT_DONE;
     }
@@ -340,7 +343,7 @@ static jlt_exit run_shard(sweep *self)
             self->study.pieces, self->before);
     code = compute_all(self, &interrupted);
     if (code == JLT_EXIT_DONE && !interrupted && self->lost > 0)
-        code = jlt_command_fail(JLT_EXIT_NUMERICAL, "%zu piece%s ended by signals: --resume tries again", self->lost,
+        code = jlt_command_fail(JLT_EXIT_NUMERICAL, "%zu piece%s left out: --resume tries again", self->lost,
                                 self->lost == 1 ? " was" : "s were");
     /* Fail if no point at all has rows. This needs all pieces: one of several shards may happen to have only such points. */
     if (code == JLT_EXIT_DONE && !interrupted && self->empty == self->study.pieces) code = JLT_EXIT_INPUT;

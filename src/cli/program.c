@@ -27,6 +27,17 @@ static void end_without_memory(void)
     _exit(JLT_EXIT_NUMERICAL);
 }
 
+static bool returned; /* whether the command has returned its status */
+
+/* The runtime of OpenMP calls exit(1) where it cannot start threads; no check has failed there. */
+static void end_without_threads(int status, void *unused)
+{
+    (void)unused;
+    if (status != JLT_EXIT_FAILED || returned) return;
+    jlt_interrupt_abandon();
+    _exit(JLT_EXIT_NUMERICAL);
+}
+
 static void widen_stack(void)
 {
     struct rlimit limit;
@@ -81,6 +92,7 @@ jlt_exit jlt_program_begin(void)
     tell_of_small_stacks();
     jlt_interrupt_begin();
     ttc_exhaustion_handle(end_without_memory);
+    (void)on_exit(end_without_threads, NULL);
     argp_err_exit_status = JLT_EXIT_USAGE;
     /* The column of descriptions is wide enough for --start=STATE=VALUE,...; argp's note on short options says nothing here. */
     setenv("ARGP_HELP_FMT", "opt-doc-col=30,no-dup-args-note", 0);
@@ -109,6 +121,7 @@ jlt_exit jlt_program_run(const jlt_command *command, int argc, char **argv)
     argv[0] = name;
     code = jlt_program_call(command, argc, argv);
     argv[0] = first;
+    returned = true;
     jlt_interrupt_obey();
     return code == JLT_EXIT_PLANNED ? JLT_EXIT_DONE : code;
 }

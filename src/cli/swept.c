@@ -117,7 +117,8 @@ static jlt_exit compute(sweep *self, size_t point)
     if (code != JLT_EXIT_DONE || *self->worker.interrupt != 0) return code;
     tell(self, point, self->worker.words);
     if (by != 0) {
-        fprintf(stderr, "jellett: the command was ended there by signal %d\n", by);
+        if (by == JLT_WORKER_WITHOUT_MEANS) fprintf(stderr, "jellett: the command lacked memory or threads there\n");
+        else fprintf(stderr, "jellett: the command was ended there by signal %d\n", by);
         self->worst = JLT_EXIT_NUMERICAL;
         return JLT_EXIT_DONE;
     }

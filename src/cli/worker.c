@@ -135,8 +135,9 @@ static jlt_exit ask(jlt_worker *self, jlt_exit *status, int *by, const request *
     self->computed++;
     if (!send_all(self->line, wanted, sizeof *wanted) || !receive_all(self->line, &answer, sizeof answer)) {
         const int ending = end(self); /* it ended by a signal, or by exit(), as argp does on wrong options */
-        if (WIFSIGNALED(ending)) *by = WTERMSIG(ending);
         answer = WEXITSTATUS(ending);
+        if (WIFSIGNALED(ending)) *by = WTERMSIG(ending);
+        else if (answer == JLT_EXIT_NUMERICAL) *by = JLT_WORKER_WITHOUT_MEANS;
     }
     *status = (jlt_exit)answer;
     return JLT_EXIT_DONE;

@@ -25,9 +25,12 @@ typedef struct {
 jlt_exit jlt_worker_open(jlt_worker *self, const jlt_work *work);
 void jlt_worker_close(jlt_worker *self);
 
-/** Compute a piece. Out: *status, its command's exit status; *by, 0, or the signal that ended the child, and then *status means
- *  nothing; self->rows and self->words. If a signal ends the child while several pieces are under way, the piece is computed again
- *  by itself, so that a crash counts only for its cause. Returns another status than JLT_EXIT_DONE if the worker itself failed, and
+enum { JLT_WORKER_WITHOUT_MEANS = -1 };
+
+/** Compute a piece. Out: *status, its command's exit status; *by, 0, or what ended the child before the command was done, and then
+ *  *status means nothing: a signal, or JLT_WORKER_WITHOUT_MEANS, memory or threads that were not to be had; self->rows and
+ *  self->words. If the child ends so while several pieces are under way, the piece is computed again by itself, so that a crash
+ *  counts only for its cause. Returns another status than JLT_EXIT_DONE if the worker itself failed, and
  *  says why. Cost: about 0.3 ms besides the command's own. */
 jlt_exit jlt_worker_run(jlt_worker *self, jlt_exit *status, int *by, size_t piece);
 

@@ -288,6 +288,22 @@ kill -TERM $first
 wait $first
 grep -q "was moved, removed or replaced" first || fail "the file of a shard is gone: $(cat first)"
 
+# A piece that cannot start its threads is not taken for done: no space of addresses has room for such stacks.
+cat > threads.scene << 'END'
+over = { a3 = (0.4, 0.5, 2); };
+levels = { G = -0.56; E = 2.15; };
+compute = ( { what = "fates"; grid = "6x4"; returns = 3; } );
+END
+huge=(env OMP_STACKSIZE=200000G OMP_NUM_THREADS=4)
+expect 4 "(a3=0.4, points 0 to 23 of the grid) lacked memory or threads" "${huge[@]}" jellett sweep threads.scene
+grep -q "2 pieces were left out" err || fail "two pieces without threads: $(cat err)"
+expect 4 "lacked memory or threads there" "${huge[@]}" jellett section --grid 6x4 --returns 2 --sweep a3=0.4:0.5:2
+expect 4 "Thread creation failed" "${huge[@]}" jellett fates --grid 6x4 -o huge.csv
+[ ! -e huge.csv ] || fail "rows of a command without threads are there"
+expect 0 "has its 2 pieces; 2 of them now" jellett sweep threads.scene --resume
+expect 0 "" jellett merge threads.shards -o threads.csv
+[ "$(grep -vc '^#' threads.csv)" = 49 ] || fail "rows of pieces that were tried again: $(grep -vc '^#' threads.csv)"
+
 # They are mixed: those of a shard lie at no equal distances.
 gaps=$(jellett sweep map.scene --dry-run --shard=1/4 | sed 's/.*@\([0-9]*\):.*/\1/' | sort -n |
     awk 'NR > 1 { print $1 - last } { last = $1 }' | sort -u | wc -l)
