@@ -48,9 +48,13 @@ void jlt_command_warn_unproved(const jlt_descriptor *descriptor)
         if (tiers[i].table != NULL && tiers[i].table != descriptor && !tiers[i].by_name) warn_of(tiers[i].table);
 }
 
+static bool lacked_memory;
+
+bool jlt_command_lacked_memory(void) { return lacked_memory; }
+
 jlt_exit jlt_command_no_memory(void)
 {
-    return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s", jlt_status_text(JLT_ERR_NOMEM));
+    return jlt_command_fail(jlt_command_exit(JLT_ERR_NOMEM), "%s", jlt_status_text(JLT_ERR_NOMEM));
 }
 
 jlt_exit jlt_command_cannot_write(const char *path)
@@ -69,6 +73,7 @@ jlt_exit jlt_command_exit(jlt_status status)
     case JLT_ERR_EMPTY:
     case JLT_ERR_UNSUPPORTED: return JLT_EXIT_INPUT;
     case JLT_ERR_IO: return JLT_EXIT_IO;
+    case JLT_ERR_NOMEM: lacked_memory = true; return JLT_EXIT_NUMERICAL;
     default: return JLT_EXIT_NUMERICAL;
     }
 }

@@ -56,6 +56,9 @@ jlt_exit jlt_command_cannot_write(const char *path);
 /* The exit status that a library status calls for. Prints nothing. */
 jlt_exit jlt_command_exit(jlt_status status);
 
+/* Whether jlt_command_no_memory or jlt_command_exit has been told that memory is out. */
+bool jlt_command_lacked_memory(void);
+
 /* The prefix of options that the program passes to its own commands: no abbreviation that a user types can match one of them. */
 #define JLT_COMMAND_HIDDEN "--@"
 

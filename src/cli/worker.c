@@ -55,6 +55,7 @@ _Noreturn static void serve(const jlt_worker *self, int line)
     if (dup2(self->output, STDOUT_FILENO) < 0 || dup2(self->error, STDERR_FILENO) < 0) _exit(JLT_EXIT_IO);
     while (receive_all(line, &wanted, sizeof wanted)) {
         const int status = (int)jlt_shelf_run(&shelf, self->work, wanted.piece, wanted.alone != 0);
+        if (jlt_command_lacked_memory() && fflush(stdout) == 0) _exit(JLT_EXIT_NUMERICAL); /* its rows are not all there */
         if (fflush(stdout) != 0 || !send_all(line, &status, sizeof status)) _exit(JLT_EXIT_IO);
     }
     _exit(JLT_EXIT_DONE);

@@ -304,6 +304,17 @@ expect 0 "has its 2 pieces; 2 of them now" jellett sweep threads.scene --resume
 expect 0 "" jellett merge threads.shards -o threads.csv
 [ "$(grep -vc '^#' threads.csv)" = 49 ] || fail "rows of pieces that were tried again: $(grep -vc '^#' threads.csv)"
 
+# Nor is one that lacks memory; sanitizers need more than such a limit.
+if ! nm "$(command -v jellett)" | grep -E '__(asan|tsan)_init' > log; then
+    cat > memory.scene << 'END'
+over = { a3 = (0.4, 0.5, 2); };
+levels = { G = -0.56; E = 2.15; };
+compute = ( { what = "separation"; grid = "4x4"; returns = 2; settle = 0; cells = "30000x30000"; } );
+END
+    (ulimit -v 250000; expect 4 "piece 1 (a3=0.5) lacked memory" jellett sweep memory.scene; exit $status) || status=1
+    expect 0 "has its 2 pieces; 2 of them now" jellett sweep memory.scene --resume
+fi
+
 # They are mixed: those of a shard lie at no equal distances.
 gaps=$(jellett sweep map.scene --dry-run --shard=1/4 | sed 's/.*@\([0-9]*\):.*/\1/' | sort -n |
     awk 'NR > 1 { print $1 - last } { last = $1 }' | sort -u | wc -l)
