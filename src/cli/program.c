@@ -27,7 +27,7 @@ static void end_without_memory(void)
     _exit(JLT_EXIT_NUMERICAL);
 }
 
-static bool returned; /* whether the command has returned its status */
+static bool returned; /* whether the last command has returned its status */
 
 /* The runtime of OpenMP calls exit(1) where it cannot start threads; no check has failed there. */
 static void end_without_threads(int status, void *unused)
@@ -116,6 +116,7 @@ jlt_exit jlt_program_run(const jlt_command *command, int argc, char **argv)
     char name[64], *first = argv[0];
     jlt_exit code;
 
+    returned = false;
     /* argp takes the program's name from argv[0]. */
     snprintf(name, sizeof name, "jellett %s", command->name);
     argv[0] = name;

@@ -138,7 +138,7 @@ static jlt_exit ask(jlt_worker *self, jlt_exit *status, int *by, const request *
         const int ending = end(self); /* it ended by a signal, or by exit(), as argp does on wrong options */
         answer = WEXITSTATUS(ending);
         if (WIFSIGNALED(ending)) *by = WTERMSIG(ending);
-        else if (answer == JLT_EXIT_NUMERICAL) *by = JLT_WORKER_WITHOUT_MEANS;
+        else if (answer == JLT_EXIT_NUMERICAL || answer == JLT_EXIT_FAILED) *by = JLT_WORKER_WITHOUT_MEANS;
     }
     *status = (jlt_exit)answer;
     return JLT_EXIT_DONE;
