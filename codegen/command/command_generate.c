@@ -111,7 +111,8 @@ static bool is_failed(const ttc_output *output)
     return failed;
 }
 
-static void complain(const model_files *f, const ttc_kernels *failed)
+/* Report why kernels could not be written. Returns the exit status. */
+static ttc_exit_status complain(const model_files *f, const ttc_kernels *failed)
 {
     const ttc_model *model = f->catalogue->model;
     ttc_graph_status error = ttc_graph_error(model->graph);
@@ -134,7 +135,11 @@ static void complain(const model_files *f, const ttc_kernels *failed)
     else if (claim != NULL)
         ttc_command_complain(model, claim->place, NULL, "the %s '%s' has no kernel: %s", ttc_claim_kind_name(claim->kind),
                              claim->name, error != TTC_GRAPH_OK ? reason : "memory is out, or a number is divided by zero");
-    else ttc_command_complain(model, place, NULL, "the kernels asked for here cannot be written: %s", reason);
+    else {
+        ttc_command_complain(model, place, NULL, "the kernels asked for here cannot be written: %s", reason);
+        if (error == TTC_GRAPH_OK) return TTC_EXIT_MEMORY;
+    }
+    return error == TTC_GRAPH_NO_MEMORY ? TTC_EXIT_MEMORY : TTC_EXIT_BAD_TABLE;
 }
 
 /* The kernels of a catalogue that rest on a claim, "FIELD: KERNELS; ...". */
@@ -261,10 +266,7 @@ static void generate_table(ttc_output *output, ttc_catalogue *catalogue, const t
     if (ttc_command_catalogue(catalogue, model, options, status, NULL)) report = ttc_command_prove_guarded(model, options, status);
     if (report != NULL && mark_unproved(catalogue, report, options, status, &unproved)) {
         model_files f = { output, catalogue, report, unproved.length > 0 ? ttc_text_string(&unproved) : NULL };
-        if (!generate_model(&f, &failed)) {
-            complain(&f, failed);
-            ttc_command_raise(status, TTC_EXIT_BAD_TABLE);
-        }
+        if (!generate_model(&f, &failed)) ttc_command_raise(status, complain(&f, failed));
         else if (options->effort == TTC_EFFORT_FULL) prove_kernels(catalogue, report, status);
     }
     ttc_proof_report_destroy(report);
