@@ -53,8 +53,9 @@ int ttc_command_cost(const ttc_options *options);
 int ttc_command_show(const ttc_options *options);
 int ttc_command_discover(const ttc_options *options);
 
-/* Write kernels of tables that are read, into the folder options->out. Returns a ttc_exit_status. */
-int ttc_command_generate_models(ttc_model *const *models, size_t count, const ttc_options *options);
+/* Write kernels of tables that are read, into the folder options->out. Returns a ttc_exit_status. Out: *passing, whether the system
+ * ended a proof, so that another run may come to another verdict; may be NULL. */
+int ttc_command_generate_models(ttc_model *const *models, size_t count, const ttc_options *options, bool *passing);
 
 /* Raise *status to `to` if that is larger. */
 void ttc_command_raise(int *status, int to);
