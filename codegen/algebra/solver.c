@@ -25,14 +25,17 @@ static void ignore_errors(Z3_context z3, Z3_error_code code) { (void)z3, (void)c
 
 static void release(void *solver) { Z3_del_context(solver); }
 
-/* One context for each ring: answers depend on questions about this ring alone. Creating one takes longer than most answers. */
+/* One context for each ring: answers depend on questions about this ring alone. Creating one takes longer than most answers.
+ * Returns NULL when memory is out. */
 static Z3_context context_of(ttc_ring *ring)
 {
     if (ring->solver == NULL) {
         Z3_config config = Z3_mk_config();
+        if (config == NULL) return NULL;
         ring->solver = Z3_mk_context(config);
-        ring->release = release;
         Z3_del_config(config);
+        if (ring->solver == NULL) return NULL;
+        ring->release = release;
         Z3_set_error_handler(ring->solver, ignore_errors);
     }
     return ring->solver;
@@ -153,6 +156,7 @@ static ttc_solver_answer check(ttc_question *q)
 static bool begin(ttc_question *q, ttc_witness *point, const ttc_conditions *conditions, bool with_functions)
 {
     *q = (ttc_question){ .point = point, .z3 = context_of(point->ring) };
+    if (q->z3 == NULL) return false;
     q->variables = calloc(point->ring->variable_count + 1, sizeof(Z3_ast));
     if (q->variables == NULL) return false;
     q->real = Z3_mk_real_sort(q->z3);

@@ -20,7 +20,7 @@ struct ttc_diagnostics {
     record *records;
     size_t count;
     size_t kept_of_source;
-    size_t errors, io_errors, warnings, dropped;
+    size_t errors, io_errors, memory_errors, warnings, dropped;
     size_t source;
     const char *file, *text;
     size_t length;
@@ -99,6 +99,8 @@ static void make_printable(char *message)
         if (is_control(*c)) *c = '?';
 }
 
+static bool has_place(ttc_severity severity) { return severity == TTC_ERROR || severity == TTC_WARNING; }
+
 static bool stands_before(const record *a, const record *b)
 {
     if (a->source != b->source) return a->source < b->source;
@@ -118,6 +120,7 @@ void ttc_report(ttc_diagnostics *diagnostics, ttc_severity severity, uint32_t li
     if (severity == TTC_WARNING) diagnostics->warnings++;
     else diagnostics->errors++;
     if (severity == TTC_IO_ERROR) diagnostics->io_errors++;
+    if (severity == TTC_MEMORY_ERROR) diagnostics->memory_errors++;
     if (diagnostics->kept_of_source >= TTC_DIAGNOSTIC_LIMIT || !reserve(diagnostics)) {
         diagnostics->dropped++;
         return;
@@ -137,7 +140,7 @@ void ttc_report(ttc_diagnostics *diagnostics, ttc_severity severity, uint32_t li
     vsnprintf(r.message, MESSAGE_SIZE, format, arguments);
     va_end(arguments);
     make_printable(r.message);
-    if (severity != TTC_IO_ERROR && diagnostics->text != NULL)
+    if (has_place(severity) && diagnostics->text != NULL)
         r.excerpt = make_excerpt(diagnostics->text, diagnostics->length, line, column);
     size_t at = diagnostics->count++;
     for (; at > 0 && stands_before(&r, diagnostics->records + at - 1); at--)
@@ -148,6 +151,7 @@ void ttc_report(ttc_diagnostics *diagnostics, ttc_severity severity, uint32_t li
 
 size_t ttc_error_count(const ttc_diagnostics *diagnostics) { return diagnostics->errors; }
 size_t ttc_io_error_count(const ttc_diagnostics *diagnostics) { return diagnostics->io_errors; }
+size_t ttc_memory_error_count(const ttc_diagnostics *diagnostics) { return diagnostics->memory_errors; }
 size_t ttc_warning_count(const ttc_diagnostics *diagnostics) { return diagnostics->warnings; }
 size_t ttc_diagnostics_size(const ttc_diagnostics *diagnostics) { return diagnostics->count; }
 
@@ -164,7 +168,7 @@ void ttc_diagnostics_first_error(const ttc_diagnostics *diagnostics, char *out, 
     while (i < diagnostics->count && diagnostics->records[i].severity == TTC_WARNING) i++;
     if (i == diagnostics->count) return;
     const record *r = diagnostics->records + i;
-    if (r->severity == TTC_IO_ERROR) snprintf(out, size, "%s: %s", r->file, r->message);
+    if (!has_place(r->severity)) snprintf(out, size, "%s: %s", r->file, r->message);
     else snprintf(out, size, "%s:%u:%u: %s", r->file, (unsigned)r->line, (unsigned)r->column, r->message);
 }
 
@@ -172,7 +176,7 @@ void ttc_diagnostics_print(const ttc_diagnostics *diagnostics, FILE *stream)
 {
     for (size_t i = 0; i < diagnostics->count; i++) {
         const record *r = diagnostics->records + i;
-        if (r->severity == TTC_IO_ERROR) fprintf(stream, "%s: error: %s\n", r->file, r->message);
+        if (!has_place(r->severity)) fprintf(stream, "%s: error: %s\n", r->file, r->message);
         else
             fprintf(stream, "%s:%u:%u: %s: %s\n", r->file, (unsigned)r->line, (unsigned)r->column,
                     r->severity == TTC_ERROR ? "error" : "warning", r->message);

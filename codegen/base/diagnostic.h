@@ -12,8 +12,8 @@
 #include <stdint.h>
 #include <stdio.h>
 
-/* A file that cannot be read is an error without a place: `FILE: error: ...`. */
-typedef enum { TTC_ERROR, TTC_WARNING, TTC_IO_ERROR } ttc_severity;
+/* That a file cannot be read, or that memory is out while it is, is an error without a place: `FILE: error: ...`. */
+typedef enum { TTC_ERROR, TTC_WARNING, TTC_IO_ERROR, TTC_MEMORY_ERROR } ttc_severity;
 
 typedef struct {
     ttc_severity severity;
@@ -35,13 +35,14 @@ void ttc_diagnostics_destroy(ttc_diagnostics *diagnostics); /* legal on NULL */
  * last report about this source; reports keep copies of what they show. */
 void ttc_diagnostics_source(ttc_diagnostics *diagnostics, const char *file, const char *text, size_t length);
 
-/* Record one error or warning. line, column: 1-based, 0 for TTC_IO_ERROR. Messages longer than 511 bytes are cut. */
+/* Record one error or warning. line, column: 1-based, 0 for an error without a place. Messages longer than 511 bytes are cut. */
 TTC_PRINTF(5, 6)
 void ttc_report(ttc_diagnostics *diagnostics, ttc_severity severity, uint32_t line, uint32_t column, const char *format, ...);
 
-/* Numbers of reports, including those beyond the limit: errors of both kinds; TTC_IO_ERROR alone; warnings. */
+/* Numbers of reports, including those beyond the limit: all errors; TTC_IO_ERROR alone; TTC_MEMORY_ERROR alone; warnings. */
 size_t ttc_error_count(const ttc_diagnostics *diagnostics);
 size_t ttc_io_error_count(const ttc_diagnostics *diagnostics);
+size_t ttc_memory_error_count(const ttc_diagnostics *diagnostics);
 size_t ttc_warning_count(const ttc_diagnostics *diagnostics);
 
 /* The reports that were kept, in the order in which they are printed. Strings live as long as `diagnostics`. */

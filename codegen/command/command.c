@@ -49,6 +49,12 @@ json_t *ttc_command_failure(const char *path, json_t *problems)
     return json_pack("{s:o, s:b, s:o}", "file", ttc_command_string(path), "ok", 0, "problems", problems);
 }
 
+ttc_exit_status ttc_command_unread(const ttc_diagnostics *diagnostics)
+{
+    if (ttc_io_error_count(diagnostics) > 0) return TTC_EXIT_IO;
+    return ttc_memory_error_count(diagnostics) > 0 ? TTC_EXIT_MEMORY : TTC_EXIT_BAD_TABLE;
+}
+
 ttc_model *ttc_command_read(const char *path, int *status, json_t *problems)
 {
     ttc_diagnostics *diagnostics = ttc_diagnostics_create();
@@ -60,7 +66,7 @@ ttc_model *ttc_command_read(const char *path, int *status, json_t *problems)
     ttc_diagnostics_print(diagnostics, stderr);
     if (problems != NULL) ttc_command_add_problems(problems, diagnostics);
     if (model == NULL)
-        ttc_command_raise(status, ttc_io_error_count(diagnostics) > 0 ? TTC_EXIT_IO : TTC_EXIT_BAD_TABLE);
+        ttc_command_raise(status, ttc_command_unread(diagnostics));
     ttc_diagnostics_destroy(diagnostics);
     return model;
 }
@@ -117,7 +123,7 @@ bool ttc_command_catalogue(ttc_catalogue *catalogue, const ttc_model *model, con
     if (ttc_catalogue_create(catalogue, model, options->extent, options->effort)) return true;
     ttc_command_complain(model, catalogue->failed_at, problems, "the kernels asked for here cannot be made: %s",
                          catalogue->failure);
-    ttc_command_raise(status, TTC_EXIT_BAD_TABLE);
+    ttc_command_raise(status, catalogue->memory_is_out ? TTC_EXIT_MEMORY : TTC_EXIT_BAD_TABLE);
     return false;
 }
 

@@ -53,8 +53,9 @@ int ttc_command_cost(const ttc_options *options);
 int ttc_command_show(const ttc_options *options);
 int ttc_command_discover(const ttc_options *options);
 
-/* Write kernels of tables that are read, into the folder options->out. Returns a ttc_exit_status. */
-int ttc_command_generate_models(ttc_model *const *models, size_t count, const ttc_options *options);
+/* Write kernels of tables that are read, into the folder options->out. Returns a ttc_exit_status. Out: *passing, whether the system
+ * ended a proof, so that another run may come to another verdict; may be NULL. */
+int ttc_command_generate_models(ttc_model *const *models, size_t count, const ttc_options *options, bool *passing);
 
 /* Raise *status to `to` if that is larger. */
 void ttc_command_raise(int *status, int to);
@@ -63,6 +64,9 @@ void ttc_command_raise(int *status, int to);
  *  TTC_EXIT_IO or TTC_EXIT_MEMORY. problems: an array that errors and warnings are added to; may be NULL. The caller destroys the
  *  model. */
 ttc_model *ttc_command_read(const char *path, int *status, json_t *problems);
+
+/* The exit status where a table could not be read, from what was reported of it. */
+ttc_exit_status ttc_command_unread(const ttc_diagnostics *diagnostics);
 
 /* Report an error at a place of a table: on stderr, and in `problems` unless NULL. */
 TTC_PRINTF(4, 5) void ttc_command_complain(const ttc_model *model, ttc_place place, json_t *problems, const char *format, ...);

@@ -43,10 +43,7 @@ int ttc_command_check(const ttc_options *options)
             break;
         }
         ttc_model *model = ttc_model_read(options->files[i], diagnostics);
-        if (model == NULL) {
-            int reason = ttc_io_error_count(diagnostics) > 0 ? TTC_EXIT_IO : TTC_EXIT_BAD_TABLE;
-            if (reason > status) status = reason;
-        }
+        if (model == NULL) ttc_command_raise(&status, ttc_command_unread(diagnostics));
         if (options->json) json_array_append_new(results, describe(options->files[i], model, diagnostics));
         else tell(options->files[i], model, diagnostics);
         ttc_model_destroy(model);

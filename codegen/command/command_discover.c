@@ -207,14 +207,16 @@ static int extend(work *w, const ttc_model *table)
         if (strpbrk(options->denominators, "\r\n#") != NULL || !split(w->denominators, &w->denominator_count,
                                                                       options->denominators))
             return refuse(w, TTC_EXIT_USAGE, "--denominator '%s' is no list (expected EXPR,...)", options->denominators);
-        for (size_t i = 0; i < w->denominator_count; i++) ttc_text_format(&text, "let denominator_%zu = %s\n", i + 1,
-                                                                          w->denominators[i]);
+        for (size_t i = 0; i < w->denominator_count; i++)
+            ttc_text_format(&text, "let denominator_%zu = %s\n", i + 1, w->denominators[i]);
     }
     ttc_diagnostics *diagnostics = ttc_diagnostics_create();
     if (!text.failed && diagnostics != NULL) w->model = ttc_model_parse(ttc_text_string(&text), text.length, table->file,
                                                                         diagnostics);
-    if (w->model == NULL && diagnostics != NULL) ttc_diagnostics_print(diagnostics, stderr);
-    if (w->model == NULL && diagnostics != NULL && w->problems != NULL) ttc_command_add_problems(w->problems, diagnostics);
+    const char *const option = options->denominators == NULL ? "--when" : "--when or --denominator"; /* the table was read before */
+    for (size_t i = 0; w->model == NULL && diagnostics != NULL && i < ttc_diagnostics_size(diagnostics); i++)
+        if (ttc_diagnostics_at(diagnostics, i).severity != TTC_WARNING)
+            refuse(w, TTC_EXIT_BAD_TABLE, "%s: %s", option, ttc_diagnostics_at(diagnostics, i).message);
     ttc_diagnostics_destroy(diagnostics);
     ttc_text_clear(&text);
     return w->model == NULL ? TTC_EXIT_BAD_TABLE : TTC_EXIT_DONE;

@@ -111,7 +111,8 @@ static bool is_failed(const ttc_output *output)
     return failed;
 }
 
-static void complain(const model_files *f, const ttc_kernels *failed)
+/* Report why kernels could not be written. Returns the exit status. */
+static ttc_exit_status complain(const model_files *f, const ttc_kernels *failed)
 {
     const ttc_model *model = f->catalogue->model;
     ttc_graph_status error = ttc_graph_error(model->graph);
@@ -134,7 +135,11 @@ static void complain(const model_files *f, const ttc_kernels *failed)
     else if (claim != NULL)
         ttc_command_complain(model, claim->place, NULL, "the %s '%s' has no kernel: %s", ttc_claim_kind_name(claim->kind),
                              claim->name, error != TTC_GRAPH_OK ? reason : "memory is out, or a number is divided by zero");
-    else ttc_command_complain(model, place, NULL, "the kernels asked for here cannot be written: %s", reason);
+    else {
+        ttc_command_complain(model, place, NULL, "the kernels asked for here cannot be written: %s", reason);
+        if (error == TTC_GRAPH_OK) return TTC_EXIT_MEMORY;
+    }
+    return error == TTC_GRAPH_NO_MEMORY ? TTC_EXIT_MEMORY : TTC_EXIT_BAD_TABLE;
 }
 
 /* The kernels of a catalogue that rest on a claim, "FIELD: KERNELS; ...". */
@@ -252,7 +257,7 @@ static void prove_kernels(const ttc_catalogue *catalogue, ttc_proof_report *repo
 /* All files of one table. Kernels are proved after they are written, for proofs add to the expression graph, which would change
  * them. */
 static void generate_table(ttc_output *output, ttc_catalogue *catalogue, const ttc_model *model, const ttc_options *options,
-                           int *status)
+                           int *status, bool *passing)
 {
     ttc_text unproved = { 0 };
     ttc_kernels *failed = NULL;
@@ -261,12 +266,10 @@ static void generate_table(ttc_output *output, ttc_catalogue *catalogue, const t
     if (ttc_command_catalogue(catalogue, model, options, status, NULL)) report = ttc_command_prove_guarded(model, options, status);
     if (report != NULL && mark_unproved(catalogue, report, options, status, &unproved)) {
         model_files f = { output, catalogue, report, unproved.length > 0 ? ttc_text_string(&unproved) : NULL };
-        if (!generate_model(&f, &failed)) {
-            complain(&f, failed);
-            ttc_command_raise(status, TTC_EXIT_BAD_TABLE);
-        }
+        if (!generate_model(&f, &failed)) ttc_command_raise(status, complain(&f, failed));
         else if (options->effort == TTC_EFFORT_FULL) prove_kernels(catalogue, report, status);
     }
+    for (size_t i = 0; report != NULL && i < report->proof_count; i++) *passing |= report->proofs[i].ending == TTC_ENDED_BY_SYSTEM;
     ttc_proof_report_destroy(report);
     ttc_text_clear(&unproved);
 }
@@ -293,9 +296,10 @@ static void refuse_name(const ttc_model *model, const ttc_model *other, int *sta
     ttc_command_raise(status, TTC_EXIT_BAD_TABLE);
 }
 
-int ttc_command_generate_models(ttc_model *const *models, size_t count, const ttc_options *options)
+int ttc_command_generate_models(ttc_model *const *models, size_t count, const ttc_options *options, bool *passing)
 {
     int status = TTC_EXIT_DONE;
+    bool is_passing = false;
     ttc_output output = { 0 };
     ttc_catalogue *catalogues = calloc(count + 1, sizeof *catalogues);
     ttc_kept kept = { 0 };
@@ -305,7 +309,8 @@ int ttc_command_generate_models(ttc_model *const *models, size_t count, const tt
     }
     if (options->keep) ttc_kept_read(&kept, options->out);
     for (size_t i = 0; i < count && status == TTC_EXIT_DONE; i++) {
-        if (!ttc_kept_has(&kept, options->out, models[i])) generate_table(&output, catalogues + i, models[i], options, &status);
+        if (!ttc_kept_has(&kept, options->out, models[i]))
+            generate_table(&output, catalogues + i, models[i], options, &status, &is_passing);
         for (size_t k = 0; k < i && status == TTC_EXIT_DONE; k++)
             if (strcmp(models[k]->name, models[i]->name) == 0) refuse_name(models[i], models[k], &status);
     }
@@ -320,6 +325,7 @@ int ttc_command_generate_models(ttc_model *const *models, size_t count, const tt
     for (size_t i = 0; i < count; i++) ttc_catalogue_clear(catalogues + i);
     free(catalogues);
     ttc_output_clear(&output);
+    if (passing != NULL) *passing = is_passing;
     return status;
 }
 
@@ -341,7 +347,7 @@ int ttc_command_generate(const ttc_options *options)
         if (models[count] == NULL || !ttc_command_passes_over(models[count], options)) count++;
         else ttc_model_destroy(models[count]), models[count] = NULL;
     }
-    if (status == TTC_EXIT_DONE) status = ttc_command_generate_models(models, count, options);
+    if (status == TTC_EXIT_DONE) status = ttc_command_generate_models(models, count, options, NULL);
     for (size_t i = 0; i < count; i++) ttc_model_destroy(models[i]);
     free(models);
     return status;

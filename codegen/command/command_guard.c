@@ -191,7 +191,8 @@ static bool is_ended_by_system(int status)
 static ttc_proof_ending ending_of(read_result result, int status, const char *words)
 {
     if (result == READ_LATE) return TTC_ENDED_LATE;
-    return is_ended_by_system(status) || speak_of_memory(words) ? TTC_ENDED_OUT_OF_MEMORY : TTC_ENDED_BY_FAULT;
+    if (is_ended_by_system(status)) return TTC_ENDED_BY_SYSTEM;
+    return speak_of_memory(words) ? TTC_ENDED_OUT_OF_MEMORY : TTC_ENDED_BY_FAULT;
 }
 
 /* Of the seconds left for the table, those that one claim must leave to the other open claims, most of which need little. */
@@ -209,7 +210,7 @@ static void give_up(ttc_proof_run *run, bool *settled, int claim_seconds, ttc_pr
     if (ending == TTC_ENDED_LATE)
         snprintf(text, sizeof text, "its proof passes the limit of %d s of processor time a claim, or of %d s a table",
                  claim_seconds, table_seconds(claim_seconds));
-    else if (is_ended_by_system(status))
+    else if (ending == TTC_ENDED_BY_SYSTEM)
         snprintf(text, sizeof text, "its proof was ended by the system, where memory or processor time is out");
     else if (ending == TTC_ENDED_OUT_OF_MEMORY)
         snprintf(text, sizeof text, "its proof passes the limit of %u MiB", ttc_guard_memory());

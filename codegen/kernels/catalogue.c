@@ -31,6 +31,13 @@ static const char *reason_of(const ttc_model *model, const ttc_catalogue_entry *
     return error != TTC_GRAPH_OK ? ttc_graph_status_text(error) : "memory is out, or a number is divided by zero";
 }
 
+/* Whether the graph knows of no other reason. */
+static bool lacks_memory(const ttc_model *model, const ttc_catalogue_entry *entry)
+{
+    const ttc_graph_status error = ttc_graph_error(model->graph);
+    return entry->status != TTC_FIELD_DIVIDES_BY_ZERO && (error == TTC_GRAPH_OK || error == TTC_GRAPH_NO_MEMORY);
+}
+
 /* Comes after all fields are made: this adds nodes to the graph, on whose ids the programs of other fields depend. */
 static bool complete(ttc_catalogue *catalogue, ttc_effort effort)
 {
@@ -48,6 +55,7 @@ bool ttc_catalogue_create(ttc_catalogue *catalogue, const ttc_model *model, ttc_
     *catalogue = (ttc_catalogue){ .model = model, .fields = calloc(most, sizeof *catalogue->fields) };
     if (catalogue->fields == NULL) {
         catalogue->failure = "memory is out";
+        catalogue->memory_is_out = true;
         return false;
     }
     for (size_t v = 0; v <= model->variant_count; v++)
@@ -59,14 +67,16 @@ bool ttc_catalogue_create(ttc_catalogue *catalogue, const ttc_model *model, ttc_
                 entry->elimination = e == 0 ? NULL : model->eliminations + e - 1;
                 const bool is_made = make_kernels(entry, entry - t * (eliminations + 1), model, effort);
                 if (is_made && (entry->kernels != NULL || catalogue->count > 1)) continue;
-                ttc_catalogue failed = { .failed_at = ttc_catalogue_place(entry, model), .failure = reason_of(model, entry) };
+                ttc_catalogue failed = { .failed_at = ttc_catalogue_place(entry, model), .failure = reason_of(model, entry),
+                                         .memory_is_out = lacks_memory(model, entry) };
                 ttc_catalogue_clear(catalogue);
                 *catalogue = failed;
                 return false;
             }
     if (complete(catalogue, effort)) return true;
     ttc_catalogue failed = { .failed_at = ttc_catalogue_place(&catalogue->fields[0], model),
-                             .failure = reason_of(model, &catalogue->fields[0]) };
+                             .failure = reason_of(model, &catalogue->fields[0]),
+                             .memory_is_out = lacks_memory(model, &catalogue->fields[0]) };
     ttc_catalogue_clear(catalogue);
     *catalogue = failed;
     return false;

@@ -18,13 +18,14 @@ typedef struct {
     size_t count;
     ttc_place failed_at;     /* after a failure: the record that asks for the failed field */
     const char *failure;     /* after a failure: the reason */
+    bool memory_is_out;      /* after a failure: whether this is the reason, as far as is known */
 } ttc_catalogue;
 
 typedef enum { TTC_ALL_FIELDS, TTC_WITHOUT_ELIMINATIONS } ttc_catalogue_extent;
 
 /** Make the fields of all combinations of a variant, a time and an elimination, or none of each. A field that divides by zero
  *  identically is skipped, and so it is in every time. Returns false if the general field does so, when memory is out, or when an
- *  expression outgrows the graph; only failed_at and failure are then set. */
+ *  expression outgrows the graph; only failed_at, failure and memory_is_out are then set. */
 bool ttc_catalogue_create(ttc_catalogue *catalogue, const ttc_model *model, ttc_catalogue_extent extent, ttc_effort effort);
 /* The record that asks for a field: its elimination, its time, its variant, or the first equation. */
 ttc_place ttc_catalogue_place(const ttc_catalogue_entry *entry, const ttc_model *model);

@@ -30,10 +30,16 @@ typedef enum { TTC_PROVED, TTC_REFUTED, TTC_UNSETTLED } ttc_proof_status;
 
 const char *ttc_proof_status_name(ttc_proof_status status); /* "proved", "refuted", "not settled" */
 
-/* How the search for a proof ended: by a verdict; at a bound on time or memory, see command/command_guard.h; or by a fault of
- * the prover: a crash of its process, or a proof that a second witness contradicts. All but the first leave the claim not
- * settled. */
-typedef enum { TTC_ENDED_BY_VERDICT, TTC_ENDED_LATE, TTC_ENDED_OUT_OF_MEMORY, TTC_ENDED_BY_FAULT } ttc_proof_ending;
+/* How the search for a proof ended: by a verdict; at a bound on time or memory, see command/command_guard.h; by the system, which
+ * may let it end another day; or by a fault of the prover: a crash of its process, or a proof that a second witness contradicts.
+ * All but the first leave the claim not settled. */
+typedef enum {
+    TTC_ENDED_BY_VERDICT,
+    TTC_ENDED_LATE,
+    TTC_ENDED_OUT_OF_MEMORY,
+    TTC_ENDED_BY_SYSTEM,
+    TTC_ENDED_BY_FAULT
+} ttc_proof_ending;
 
 typedef struct {
     char *name;

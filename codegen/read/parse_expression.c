@@ -172,6 +172,14 @@ static ttc_id parse_base(ttc_parser *parser)
     return TTC_NONE;
 }
 
+/* Whether a factor begins here, in the line of the factor before it, where only an operator may stand between them. */
+static bool lacks_operator(ttc_parser *parser)
+{
+    const ttc_token *token = ttc_parse_peek(parser);
+    const bool is_name = token->kind == TTC_TOKEN_NAME && token->keyword == TTC_KEYWORD_NONE;
+    return (is_name || token->kind == TTC_TOKEN_NUMBER || ttc_parse_at_mark(parser, '(')) && token->line == token[-1].line;
+}
+
 static ttc_id parse_term(ttc_parser *parser)
 {
     size_t first = parser->operand_count;
@@ -191,6 +199,10 @@ static ttc_id parse_term(ttc_parser *parser)
         if (!push_operand(parser, id, exponent, factor_place)) return TTC_NONE;
         divides = ttc_parse_at_mark(parser, '/');
     } while (ttc_parse_accept_mark(parser, '*') || ttc_parse_accept_mark(parser, '/'));
+    if (lacks_operator(parser)) {
+        ttc_parse_unexpected(parser, "an operator before it, such as *, or the end of the record");
+        return TTC_NONE;
+    }
     size_t count = parser->operand_count - first;
     parser->operand_count = first;
     ttc_id id = count == 1 && parser->exponents[first] == 1

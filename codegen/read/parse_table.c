@@ -159,7 +159,7 @@ static ttc_model *parse(const char *text, size_t length, const char *file, bool 
         if (with_pi && !ttc_parse_find(&parser, &pi, &symbol)) ttc_parse_pi(&parser, &pi, &symbol);
         if (!parser.out_of_memory) ttc_parse_resolve(&parser);
     }
-    if (parser.out_of_memory) ttc_report(diagnostics, TTC_ERROR, 1, 1, "out of memory");
+    if (parser.out_of_memory) ttc_report(diagnostics, TTC_MEMORY_ERROR, 0, 0, "out of memory");
     free(tokens);
     free(parser.hashes);
     free(parser.used);

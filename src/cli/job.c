@@ -34,10 +34,7 @@ jlt_exit jlt_job_open(jlt_scene **scene, const char *path)
                                 "%s is a table, no scene: it is the model of a command, as in 'jellett simulate %s ...' or "
                                 "'jellett plan simulate %s ...'", path, path, path);
     if (st != JLT_OK && message[0] != '\0') fprintf(stderr, "%s\n", message);
-    return st == JLT_OK          ? JLT_EXIT_DONE
-           : st == JLT_ERR_IO    ? JLT_EXIT_IO
-           : st == JLT_ERR_NOMEM ? JLT_EXIT_NUMERICAL
-                                 : JLT_EXIT_INPUT;
+    return jlt_command_exit(st);
 }
 
 jlt_exit jlt_job_set(jlt_scene *scene, const jlt_assign_list *set)

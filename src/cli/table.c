@@ -310,7 +310,7 @@ jlt_status jlt_table_of(const jlt_descriptor **out, jlt_way_tables *others, cons
     switch (code) {
     case JLT_EXIT_DONE: return JLT_OK;
     case JLT_EXIT_IO: return JLT_ERR_IO;
-    case JLT_EXIT_NUMERICAL: return JLT_ERR_NOMEM;
+    case JLT_EXIT_NUMERICAL: return JLT_ERR_NO_CONVERGENCE; /* not NOMEM, which the scene would report as its own */
     default: return JLT_ERR_ARG;
     }
 }

@@ -58,7 +58,8 @@ static const char *skip_text(const char *at)
 }
 
 /* The end of the number, without a sign, that begins here. Out: *too_large, it is an integer that overflows; *outside, it is no
- * integer, and no double is near it; *other_base, it is hexadecimal, binary or octal. */
+ * integer, and no double is near it, or a point without digits; *other_base, it is hexadecimal, binary or octal, as whole numbers
+ * with zeros in front are for some versions of libconfig, and not for others. */
 static const char *skip_number(const char *at, bool *too_large, bool *outside, bool *other_base)
 {
     const char *end = at;
@@ -74,7 +75,7 @@ static const char *skip_number(const char *at, bool *too_large, bool *outside, b
     errno = 0;
     const unsigned long long value = strtoull(at, &last, 10);
     const unsigned long long most = *last == 'L' ? LLONG_MAX : INT_MAX;
-    *other_base = at[0] == '0' && at[1] != '\0' && strchr("xXbBoOqQ", at[1]) != NULL;
+    *other_base = at[0] == '0' && at[1] != '\0' && (strchr("xXbBoOqQ", at[1]) != NULL || (whole && isdigit((unsigned char)at[1])));
     *too_large = whole && (errno == ERANGE || value > most);
     *outside = !whole && jlt_number_parse(&ignored, at, (size_t)(end - at)) != JLT_OK;
     return end;
@@ -90,9 +91,10 @@ static jlt_status check(const char *text, const jlt_value_reader *r)
         next = skip_text(at);
         if (next == NULL && strncmp(at, "@include", 8) == 0)
             return jlt_value_complain(r, line, "@include is not for scenes: a scene is one file");
-        if (next == NULL && isdigit((unsigned char)at[*at == '.'])) next = skip_number(at, &too_large, &outside, &other_base);
+        if (next == NULL && (isdigit((unsigned char)*at) || *at == '.')) next = skip_number(at, &too_large, &outside, &other_base);
         if (other_base)
-            return jlt_value_complain(r, line, "%.*s: numbers are decimal", next - at > 64 ? 64 : (int)(next - at), at);
+            return jlt_value_complain(r, line, "%.*s: numbers are decimal, and whole ones have no zeros in front",
+                                      next - at > 64 ? 64 : (int)(next - at), at);
         if (outside)
             return jlt_value_complain(r, line, "%.*s is no number in the range of doubles, 2.3e-308 to 1.8e308",
                                       next - at > 64 ? 64 : (int)(next - at), at);

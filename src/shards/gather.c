@@ -2,6 +2,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -64,12 +65,21 @@ static jlt_status take_study(jlt_gather *self, FILE *words, char *study, const c
     return st;
 }
 
-static jlt_status take_record(jlt_gather *self, FILE *words, size_t file, off_t at, const jlt_shard_record *record)
+/* The place of a record, at offset `at` of file number `file`. */
+static place place_of(size_t file, off_t at, const jlt_shard_record *record)
 {
     const unsigned char status = (unsigned char)record->status;
     const size_t size = record->rows_size + record->words_size;
-    const place here = { file + 1, at, size,
-                         crc32_z(crc32_z(record->rows_size % 0xffffffff, &status, 1), (const unsigned char *)record->rows, size) };
+
+    return (place){ file + 1, at, size,
+                    crc32_z(crc32_z(record->rows_size % 0xffffffff, &status, 1), (const unsigned char *)record->rows, size) };
+}
+
+static bool is_alike(const place *a, const place *b) { return a->size == b->size && a->sum == b->sum; }
+
+static jlt_status take_record(jlt_gather *self, FILE *words, size_t file, off_t at, const jlt_shard_record *record)
+{
+    const place here = place_of(file, at, record);
     place *before;
 
     if (record->piece >= self->pieces) {
@@ -78,7 +88,7 @@ static jlt_status take_record(jlt_gather *self, FILE *words, size_t file, off_t 
     }
     before = &self->places[record->piece];
     if (before->file == 0) *before = here;
-    else if (before->size != size || before->sum != here.sum) {
+    else if (!is_alike(before, &here)) {
         fprintf(words, "%s and %s: piece %zu differs: were they computed by one program, on processors of one kind?\n",
                 self->paths[before->file - 1], self->paths[file], record->piece);
         return JLT_ERR_ARG;
@@ -172,5 +182,10 @@ jlt_status jlt_gather_piece(jlt_gather *self, jlt_shard_record *record, size_t p
 {
     const place *at = &self->places[piece];
 
-    return at->file == 0 ? JLT_ERR_EMPTY : jlt_shard_reader_at(&self->readers[at->file - 1], record, at->at);
+    if (at->file == 0) return JLT_ERR_EMPTY;
+    JLT_PASS(jlt_shard_reader_at(&self->readers[at->file - 1], record, at->at));
+    const place now = place_of(at->file - 1, at->at, record);
+    if (record->piece == piece && is_alike(at, &now)) return JLT_OK;
+    errno = ESTALE; /* the file was begun anew meanwhile */
+    return JLT_ERR_IO;
 }

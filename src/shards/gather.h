@@ -23,7 +23,8 @@ size_t jlt_gather_missing(const jlt_gather *self, size_t *first);
 /** The path of the file that a piece is read from; the piece is not missing. */
 const char *jlt_gather_path(const jlt_gather *self, size_t piece);
 
-/** Read a piece; the bytes of *record are valid until the next call. Errors: EMPTY, the piece is missing; IO; NOMEM. */
+/** Read a piece; the bytes of *record are valid until the next call. Errors: EMPTY, the piece is missing; IO, it cannot be
+ *  read, or is not what it was in jlt_gather_open (errno: ESTALE); NOMEM. */
 JLT_CHECKED jlt_status jlt_gather_piece(jlt_gather *self, jlt_shard_record *record, size_t piece);
 
 #endif

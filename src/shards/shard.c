@@ -154,7 +154,9 @@ jlt_status jlt_shard_reader_at(jlt_shard_reader *self, jlt_shard_record *record,
     off_t next = 0;
     const jlt_status st = read_record(self, record, kind, key, &next, at);
 
-    return st == JLT_ERR_EMPTY || st == JLT_ERR_ARG ? JLT_ERR_IO : st;
+    if (st != JLT_ERR_EMPTY && st != JLT_ERR_ARG && (st != JLT_OK || strcmp(key, self->key) == 0)) return st;
+    errno = ESTALE;
+    return JLT_ERR_IO;
 }
 
 /* ---- writing ---- */

@@ -47,6 +47,7 @@ printf '%s\n' 'model powers' 'param a' 'param b' 'state x' 'state y' 'state z' '
     'eq x = y' 'eq y = -x' 'eq z = w' 'eq w = -z' \
     'equal same : (x + y + z + w + a + b)^24*(x - y + z - a)^12 = ((x + y + z + w + a + b)^2*(x - y + z - a))^12' \
     > "$scratch/powers.tt"
+cp "$scratch/powers.tt" "$scratch/more.tt"
 export XDG_CACHE_HOME=$scratch/cache
 (ulimit -v 147456; exec ttc build "$scratch/powers.tt") > "$scratch/small" 2> "$scratch/err"
 if grep -q 'AddressSanitizer\|ThreadSanitizer' "$scratch/err"; then echo "skipped: a sanitizer needs more memory"; exit 0; fi
@@ -54,7 +55,23 @@ grep -q "the equal claim 'same' is not settled (its proof passes the limit of 14
     { echo "little memory:"; cat "$scratch/small" "$scratch/err"; exit 1; }
 ttc build "$scratch/powers.tt" > "$scratch/large" 2> "$scratch/err" && [ ! -s "$scratch/err" ] &&
     ! cmp -s "$scratch/small" "$scratch/large" || { echo "more memory:"; cat "$scratch/large" "$scratch/err"; exit 1; }
-# So for processor time.
+# Where memory is out before the solver begins, the proof does not fail by a signal.
+for limit in $(seq 50000 1000 75000); do
+    (ulimit -v $limit; exec ttc prove "$scratch/hill.tt") > "$scratch/out" 2>&1
+    ! grep 'by signal' "$scratch/out" || { echo "within $limit KiB"; exit 1; }
+done
+# Where the system kills a proof, the next run tries again.
+ttc build "$scratch/more.tt" > "$scratch/small" 2> "$scratch/err" &
+build=$!
+for wait in $(seq 100); do
+    pkill -KILL -P $build && break
+    sleep 0.02
+done
+wait $build && grep -q "is not settled (its proof was ended by the system" "$scratch/err" && [ -s "$(cat "$scratch/small")" ] ||
+    { echo "a proof is killed:"; cat "$scratch/small" "$scratch/err"; exit 1; }
+ttc build "$scratch/more.tt" > "$scratch/large" 2> "$scratch/err" && [ ! -s "$scratch/err" ] &&
+    ! cmp -s "$scratch/small" "$scratch/large" || { echo "after a proof was killed:"; cat "$scratch/large" "$scratch/err"; exit 1; }
+# A limit of processor time is named and forgotten likewise.
 for k in $(seq 2 8); do sed -n "s/^equal same/&$k/p" "$scratch/powers.tt"; done > "$scratch/more"
 cat "$scratch/more" >> "$scratch/powers.tt"
 (ulimit -t 1; exec ttc build "$scratch/powers.tt") > "$scratch/small" 2> "$scratch/err"

@@ -169,8 +169,8 @@ static void memory_is_bounded(void **unused)
 static void the_system_has_bounds_of_its_own(void **unused)
 {
     (void)unused;
-    expect(be_killed, TTC_GUARD_SECONDS, TTC_ENDED_OUT_OF_MEMORY, "by the system, where memory or processor time is out");
-    expect(run_out_of_time, TTC_GUARD_SECONDS, TTC_ENDED_OUT_OF_MEMORY, "by the system, where memory or processor time is out");
+    expect(be_killed, TTC_GUARD_SECONDS, TTC_ENDED_BY_SYSTEM, "by the system, where memory or processor time is out");
+    expect(run_out_of_time, TTC_GUARD_SECONDS, TTC_ENDED_BY_SYSTEM, "by the system, where memory or processor time is out");
 }
 
 /* What else runs takes the clock's time, not the proof's. */

@@ -48,6 +48,15 @@ mkdir -p "$scratch/new/manifest.tsv"
 expect 5 "a folder in place of a file of a new set" ttc generate "$model" --out "$scratch/new"
 [ "$(cd "$scratch/new" && find .)" = "$(printf '.\n./manifest.tsv')" ] || fail "a new set: leaves $(ls "$scratch/new")"
 
+# Where memory is out while the table is read, or while its kernels are made, the status says so. How much is too little is the
+# system's: of these limits some are.
+for limit in $(seq 44000 500 49500); do
+    (ulimit -v $limit; ttc generate "$JLT_SOURCE_DIR/codegen/models/spherical_top.tt" --effort quick --out "$scratch/small") \
+        > "$scratch/out" 2> "$scratch/err"
+    code=$?
+    [ $code -eq 4 ] || ! grep -E 'error: (out of memory|the kernels .*memory is out)' "$scratch/err" || fail "$limit KiB: $code"
+done
+
 # A full disk, played by a limit on the size of files.
 full() { (ulimit -f 4; trap '' XFSZ; ttc generate "$model" --out "$1"); }
 expect 5 "disk full" full "$scratch/full"

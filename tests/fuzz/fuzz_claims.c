@@ -58,7 +58,7 @@ static void count_ending(uint64_t seed, const ttc_proof *proof, tally *sum)
 {
     if (proof->ending == TTC_ENDED_BY_VERDICT) return;
     sum->late += proof->ending == TTC_ENDED_LATE;
-    sum->out_of_memory += proof->ending == TTC_ENDED_OUT_OF_MEMORY;
+    sum->out_of_memory += proof->ending == TTC_ENDED_OUT_OF_MEMORY || proof->ending == TTC_ENDED_BY_SYSTEM;
     sum->failures += proof->ending == TTC_ENDED_BY_FAULT;
     printf("seed %llu, line %u: the %s claim %s is given up: %s\n", (unsigned long long)seed, (unsigned)proof->place.line,
            proof->kind, proof->name, proof->remainder != NULL ? proof->remainder : "");

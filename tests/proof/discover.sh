@@ -87,6 +87,10 @@ for line in 'integral F1 = b*x^2 + y^2 when a=0' 'measure rho2 = 1 when a=0' \
 done
 # Conditions that no point of the domain meets are told of once, before anything is looked for.
 sed 's/param b/param b > 0/' "$scratch/spring.tt" > "$scratch/stiff.tt"
+# What is wrong in the command line is no line of the table.
+ttc discover "$scratch/stiff.tt" --when 'b=2 a' > "$scratch/finds" 2> "$scratch/err"
+[ $? -eq 3 ] && grep -q "^ttc discover: --when: unexpected 'a'" "$scratch/err" && ! grep -q 'error:' "$scratch/err" ||
+    fail "an operator is missing: $(cat "$scratch/err")"
 ttc discover "$scratch/stiff.tt" --when b=-1 > "$scratch/finds" 2> "$scratch/err"
 [ $? -eq 3 ] && [ ! -s "$scratch/finds" ] && grep -q "^ttc discover: --when 'b=-1': no point of the domain of spring is known" \
     "$scratch/err" || fail "stiff: $(cat "$scratch/finds" "$scratch/err")"
@@ -265,7 +269,7 @@ ttc discover --seek factors --degree 2 "$scratch/conic.tt" | grep -q "# factors 
     fail "conics: $(ttc discover --seek factors --degree 2 "$scratch/conic.tt")"
 printf '%s\n' 'model hyperbola' 'state x' 'state y' 'eq x = x' 'eq y = -y' > "$scratch/hyperbola.tt"
 refused 3 "has no parameter 'q' (expected one of sigma rho beta)" --when q=1 codegen/models/lorenz.tt
-refused 3 "error:" --when 'rho=(1' codegen/models/lorenz.tt
+refused 3 "ttc discover: --when: " --when 'rho=(1' codegen/models/lorenz.tt
 refused 2 "sets nothing" --when rho codegen/models/lorenz.tt
 refused 3 "expected" --denominator 'x+unknown' codegen/models/lorenz.tt
 for seek in integrals,factors,densities factors; do

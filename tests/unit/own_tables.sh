@@ -382,4 +382,12 @@ printf '%s\n' 'model plunge' 'state r' 'state p' 'state q' 'eq r = p' 'eq p = -1
 expect 4 "runs into a singularity, or hardly ever meets the section" jellett lyapunov ./plunge.tt --section q=-2 --start r=1,p=0
 expect 3 "need a section of two coordinates, not of 3: --level and --solve leave fewer" \
     jellett manifolds restricted_three_body --section y=0 --start x=0.5,vx=0,vy=1
+
+# That ttc was killed is all that is said, also of a scene.
+printf 'model = "./plunge.tt";\ncompute = ( { what = "eigen"; } );\n' > killed.scene
+XDG_CACHE_HOME=$scratch/cache_of_killed jellett run killed.scene > out 2> err &
+run=$!
+for wait in $(seq 100); do pkill -KILL -P $run ttc && break; sleep 0.02; done
+wait $run
+[ $? -eq 4 ] && [ "$(cat err)" = "jellett: ttc was ended by signal 9" ] || fail "of a scene's ttc that was killed: $(cat err)"
 exit $status

@@ -157,7 +157,8 @@ refuse 2 "jacobian knows no --method" jellett bench jacobian --method gauss
 refuse 2 "slope knows no --form" jellett bench slope --reference "$data/slopes_regular_51.csv" --form five
 refuse 2 "eigenvalues knows no --reference" jellett bench eigenvalues --reference "$data/grid_regular_51.csv"
 refuse 3 "section: nothing goes by these names" jellett bench section --reference "$data/grid_regular_51.csv" --form none
-refuse 3 "slope: nothing goes by these names" jellett bench slope --reference "$data/slopes_regular_51.csv" --method none
+refuse 3 "slope: nothing goes by these names; without --method" \
+    jellett bench slope --reference "$data/slopes_regular_51.csv" --method none
 refuse 5 "cannot read 'none': No such file" jellett bench section --reference none
 refuse 3 "is no such table" jellett bench section --reference /dev/null
 refuse 5 "cannot read 'folder': Is a directory" jellett check folder

@@ -42,7 +42,7 @@ static const mistake mistakes[] = {
     { HEAD "+ a\n", "7:1: error: '+' opens no record (expected a keyword, or an indented line that continues the record "
                     "above)" },
     { HEAD "  pram b\n", "7:3: error: unexpected 'pram' (expected the end of the record)" },
-    { HEAD "let b = a a\n", "7:11: error: unexpected 'a' (expected the end of the record)" },
+    { HEAD "let b = a a\n", "7:11: error: unexpected 'a' (expected an operator before it, such as *, or the end of the record)" },
     { HEAD "let b = a, x\n", "7:10: error: unexpected ',' (expected the end of the record)" },
     { HEAD "let state = a\n", "7:5: error: 'state' is a keyword and names nothing (expected a name for the expression)" },
     { HEAD "let when = a\n", "7:5: error: 'when' is a keyword and names nothing (expected a name for the expression)" },

@@ -71,6 +71,9 @@ static void operators_bind_as_in_the_grammar(void **unused)
     reads("x^64", "x^64");
     reads("(((((x)))))", "x");
     reads("1/(a - b) + 1/(b - a)", "0");
+    for (const char *const *line = (const char *const[]){ "let e = 2*(3 a)", "let e = (a + 1)(a - 1)", "let e = a^2 3", NULL };
+         *line != NULL; line++)
+        refuses("model t\nparam a\nstate x\neq x = a\n", *line, "(expected an operator before it, such as *, or");
 }
 
 static void records_may_be_indented_and_continued(void **unused)

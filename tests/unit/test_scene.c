@@ -173,6 +173,9 @@ static void every_mistake_is_named_with_its_line(void **unused)
         { "parameters = { a3 = 3000000000; };\ncompute = ( { what = \"section\"; } );",
           ":1: error: the whole number 3000000000 is too large" },
         { "compute = ( { what = \"section\"; returns = 0x80000000; } );", ":1: error: 0x80000000: numbers are decimal" },
+        { "parameters = { a3 = -010; };\ncompute = ( { what = \"section\"; } );", ":1: error: 010: numbers are decimal" },
+        { "parameters = { a3 = 0.0; R = 00; };\ncompute = ( { what = \"section\"; } );", ":1: error: 00: numbers are decimal" },
+        { "parameters = { a3 = 0.;\nm = .; };\ncompute = ( { what = \"section\"; } );", ":2: error: . is no number" },
         { "# 99999999999\n/* 99999999999\n*/ title = \"99999999999 \\\" 99999999999\"; // 99999999999\n"
           "parameters = { a3 = 99999999999999999999L; };\ncompute = ( { what = \"section\"; } );",
           ":4: error: the whole number 99999999999999999999L is too large" },

@@ -31,7 +31,8 @@ static const struct argp_option option_table[] = {
     { "repeats", 'k', "N", 0, "Measure N runs, after one that is not counted; default 3", 0 },
     { "threads", 't', "N", 0, "Also measure batches on N threads; default 1", 0 },
     { "quick", 'q', NULL, 0, "Measure only at every third tolerance", 0 },
-    { "list", 'l', NULL, 0, "Measure nothing, but list the tiers and methods of section, or the methods of slope", 0 },
+    { "list", 'l', NULL, 0,
+      "Measure nothing, but list the tiers and methods of section, or the methods of slope; --reference is needed here too", 0 },
     { "output", 'o', "FILE", 0, "Write the table to FILE; default standard output", 0 },
     { 0 },
 };
@@ -137,8 +138,8 @@ static jlt_exit run(int argc, char **argv)
     code = o.kind->run(output.stream, &o.bench);
     if (code == JLT_EXIT_DONE && ftell(output.stream) == before)
         code = jlt_command_fail(JLT_EXIT_INPUT,
-                                "%s: nothing goes by these names; without --form and --method, --list shows what there is",
-                                o.kind->name);
+                                "%s: nothing goes by these names; without %s--method, --list shows what there is", o.kind->name,
+                                strchr(o.kind->takes, 'f') != NULL ? "--form and " : "");
     if (code == JLT_EXIT_DONE) code = jlt_command_deliver(&output, o.output);
 done:
     jlt_command_discard(&output);
