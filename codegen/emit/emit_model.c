@@ -4,6 +4,9 @@
 
 #include "prove/section_chart.h"
 
+#include <stdio.h>
+#include <string.h>
+
 /* An array of characters: a conforming compiler need not accept so long a string literal. */
 static void add_table(ttc_text *text, const ttc_model *model)
 {
@@ -45,6 +48,16 @@ static void add_target(ttc_text *text, const ttc_catalogue *catalogue, const ttc
     ttc_diagnostics_destroy(ignored);
 }
 
+/* Add why a claim is not proved: a screen of terms would hide the rest of the message that it stands in. */
+static void add_reason(ttc_text *text, const char *reason)
+{
+    char shown[300];
+
+    snprintf(shown, sizeof shown, "%s", reason);
+    ttc_text_add_escaped(text, shown);
+    if (strlen(reason) >= sizeof shown) ttc_text_add(text, " ... (ttc prove shows more)");
+}
+
 static void add_claims(ttc_text *text, const ttc_catalogue *catalogue, const ttc_proof_report *report)
 {
     static const char *const verdicts[] = { "JLT_PROVED", "JLT_REFUTED", "JLT_UNSETTLED" };
@@ -61,7 +74,7 @@ static void add_claims(ttc_text *text, const ttc_catalogue *catalogue, const ttc
         for (size_t k = 0; claim != NULL && claim->target != NULL && k < claim->modulo_count; k++)
             ttc_text_format(text, "%s%s = 0", k + claim->when.count > 0 ? ", " : "", model->claims[claim->modulo[k]].name);
         ttc_text_format(text, "\", %s, \"", verdicts[proof->status]);
-        if (proof->status != TTC_PROVED && proof->remainder != NULL) ttc_text_add_escaped(text, proof->remainder);
+        if (proof->status != TTC_PROVED && proof->remainder != NULL) add_reason(text, proof->remainder);
         ttc_text_add(text, "\", ");
         add_target(text, catalogue, claim);
         ttc_text_add(text, " },\n");

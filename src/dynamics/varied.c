@@ -123,15 +123,9 @@ static bool stays(const jlt_field *plain, const double *x, unsigned i)
 
 bool jlt_varied_is_kept(const jlt_field *plain, const double *x)
 {
-    bool is_zero[JLT_STATE_SET_MAX], is_kept = false; /* is_zero: of groups */
-
-    for (unsigned g = 0; g <= plain->groups.count; g++) is_zero[g] = g > 0;
-    for (unsigned i = 0; i < plain->dim; i++) {
-        is_kept = is_kept || stays(plain, x, i);
-        if (x[i] != 0) is_zero[plain->groups.of[i]] = false;
-    }
-    for (unsigned g = 1; g <= plain->groups.count; g++) is_kept = is_kept || is_zero[g];
-    return is_kept;
+    for (unsigned i = 0; i < plain->dim; i++)
+        if (stays(plain, x, i) || !(jlt_field_group_size(plain, x, i) > 0)) return true;
+    return false;
 }
 
 void jlt_varied_begin(jlt_varied *self, const double *x)

@@ -22,6 +22,24 @@ bool jlt_field_watches(const jlt_field *field)
     return jlt_field_restricts(field) || field->groups.count > 0 || jlt_state_set_count(&field->kept) > 0;
 }
 
+double jlt_field_group_size(const jlt_field *field, const double *x, unsigned i)
+{
+    const jlt_state_groups *groups = &field->groups;
+    double size = INFINITY;
+
+    if (!jlt_state_set_has(&groups->any, i)) return size;
+    for (unsigned g = 0; g < groups->count; g++) {
+        double largest = 0;
+        bool has = false;
+        for (unsigned k = groups->first[g]; k < groups->first[g + 1]; k++) {
+            largest = fmax(largest, fabs(x[groups->member[k]]));
+            has = has || groups->member[k] == i;
+        }
+        if (has) size = fmin(size, largest);
+    }
+    return size;
+}
+
 unsigned jlt_field_unbounded(const jlt_field *field, const double *x, double t)
 {
     const double rate = jlt_field_time_rate(field, x);

@@ -49,8 +49,8 @@ typedef struct {
                                       against max(|x_i|, scale_i). NULL: 1, and 0 for the root and the kept states,
                                       whose errors are relative */
     jlt_state_set kept;            /* the kept states: each keeps its sign, as its rate goes to 0 with it; its error is relative */
-    jlt_state_groups groups;       /* of states that are 0 only together: their errors are relative to JLT_FIELD_SPREAD times the
-                                      largest of the group, where that is less than their scales */
+    jlt_state_groups groups;       /* of states that are 0 only together: their errors are relative to JLT_FIELD_SPREAD times
+                                      jlt_field_group_size, where that is less than their scales */
     unsigned tangents;             /* how many tangent vectors along the domain's states follow these: where a group is 0, a
                                       vector's components along it are 0 only together */
     jlt_state_set angles;          /* these may grow by whole turns: in lanes other states' errors are not relative to them */
@@ -97,6 +97,9 @@ double jlt_field_small(const jlt_field *field, unsigned i, double size);
 
 /** Whether the field's domain restricts orbits: by a finite interval, or a condition. */
 bool jlt_field_restricts(const jlt_field *field);
+
+/** The largest |x_j| in the smallest of the groups that state i is in; INFINITY where it is in none. */
+double jlt_field_group_size(const jlt_field *field, const double *x, unsigned i);
 
 /** Whether orbits may end within the field: its domain restricts them, or states may be lost near 0 (edge.h). */
 bool jlt_field_watches(const jlt_field *field);

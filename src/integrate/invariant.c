@@ -40,18 +40,14 @@ void jlt_invariant_restore(double *x, const jlt_invariants *of, const double *le
     if (defect == 0) memcpy(x, near, dim * sizeof *x);
 }
 
-/* The size in which a change of state k is measured: 0 where it stays 0, by itself or with its group, lest it grow from there. */
+/* The size in which a change of state k is measured: 0 where it stays 0, by itself or with a group, lest it grow from there. */
 static double size_of(const jlt_stepper *stepper, unsigned k)
 {
     const jlt_field *field = stepper->field;
-    const unsigned group = k < JLT_STATE_SET_MAX ? field->groups.of[k] : 0;
     const double value = fabs(stepper->x[k]);
-    double largest = value;
 
     if (jlt_field_keeps(field, k)) return value;
-    for (unsigned i = 0; group != 0 && i < field->domain.states; i++)
-        if (field->groups.of[i] == group) largest = fmax(largest, fabs(stepper->x[i]));
-    if (!isfinite(stepper->scale[k]) || (group != 0 && !(largest > 0))) return 0;
+    if (!isfinite(stepper->scale[k]) || !(jlt_field_group_size(field, stepper->x, k) > 0)) return 0;
     return fmax(value, stepper->scale[k]);
 }
 

@@ -28,10 +28,9 @@ static bool group_grows(const jlt_field *field, unsigned group, const double *x,
     unsigned members[JLT_JACOBIAN_DIM_MAX], n = 0;
     bool is_zero = true;
 
-    for (unsigned i = 0; i < field->dim; i++) {
-        if (field->groups.of[i] != group) continue;
-        is_zero = is_zero && x[i] == 0;
-        members[n++] = i;
+    for (unsigned k = field->groups.first[group]; k < field->groups.first[group + 1]; k++) {
+        members[n] = field->groups.member[k];
+        is_zero = is_zero && x[members[n++]] == 0;
     }
     for (unsigned i = 0; i < n; i++)
         for (unsigned j = 0; j < n; j++) part[i * n + j] = jacobian[members[i] * field->dim + members[j]];
@@ -49,7 +48,7 @@ static bool any_group_grows(const jlt_field *field, const double *x, double dire
 
     if (field->groups.count == 0 || field->jacobian == NULL || field->dim > JLT_JACOBIAN_DIM_MAX) return false;
     field->jacobian(x, field->p, jacobian);
-    for (unsigned group = 1; group <= field->groups.count; group++)
+    for (unsigned group = 0; group < field->groups.count; group++)
         if (group_grows(field, group, x, jacobian, direction)) return true;
     return false;
 }

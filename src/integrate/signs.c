@@ -5,6 +5,7 @@
 enum {
     PLACES = 32,
     FIRST = 4, /* places that are enough to look for groups: what is found there is tested at all PLACES */
+    LOOKS = 200, /* sets in the search for groups */
     N = JLT_DOMAIN_STATES_MAX
 };
 
@@ -12,6 +13,14 @@ typedef struct {
     const jlt_field *field;
     const jlt_quantity *states; /* whose intervals */
 } rates;
+
+static jlt_state_set without(const jlt_state_set *set, const jlt_state_set *left_out)
+{
+    jlt_state_set rest;
+
+    for (unsigned k = 0; k < JLT_STATE_SET_WORDS; k++) rest.words[k] = set->words[k] & ~left_out->words[k];
+    return rest;
+}
 
 /* Compute the rates, shape (dim,), where the states of the set have the value `at`, and the others are spread over their intervals,
  * in different parts of these, so that terms do not cancel; where an interval is infinite, at distances of all sizes from its end,
@@ -96,18 +105,21 @@ static void shrink(const rates *self, jlt_state_set *set)
     }
 }
 
-/* Find the drivers of each state of `all`: itself; each j such that its rate is not 0 where j alone is not 0; and the drivers of
- * these. drivers: shape (dim,). */
-static void find_drivers(const rates *self, jlt_state_set *drivers, const jlt_state_set *all)
+/* Find the drivers of each state of `all` while those of `left_out` are not 0: itself; each j such that its rate is not 0 where j
+ * and those alone are not 0; and the drivers of these. drivers: shape (dim,). */
+static void find_drivers(const rates *self, jlt_state_set *drivers, const jlt_state_set *all, const jlt_state_set *left_out)
 {
     const unsigned dim = self->field->dim;
     double f[N];
 
     for (unsigned j = 0; j < dim; j++) {
-        if (!jlt_state_set_has(all, j)) continue;
-        jlt_state_set others = *all;
+        drivers[j] = (jlt_state_set){ 0 };
+        if (jlt_state_set_has(all, j)) jlt_state_set_add(&drivers[j], j);
+    }
+    for (unsigned j = 0; j < dim; j++) {
+        if (!jlt_state_set_has(all, j) || jlt_state_set_has(left_out, j)) continue;
+        jlt_state_set others = without(all, left_out);
         jlt_state_set_remove(&others, j);
-        jlt_state_set_add(&drivers[j], j);
         for (unsigned place = 0; place < FIRST; place++) {
             rates_at(self, f, &others, 0, place);
             for (unsigned i = 0; i < dim; i++)
@@ -119,24 +131,111 @@ static void find_drivers(const rates *self, jlt_state_set *drivers, const jlt_st
             if (jlt_state_set_has(&drivers[i], via)) jlt_state_set_join(&drivers[i], &drivers[via]);
 }
 
-/* Make the set a group if its states vanish together, and none of them is in a group. */
-static void add_group(const rates *self, jlt_state_groups *groups, const jlt_state_set *set)
+typedef struct {
+    const rates *rates;
+    const jlt_state_set *all;
+    jlt_state_groups *groups;
+    unsigned looks; /* how many sets may still be looked at */
+} search;
+
+/* Whether the set holds a group that has state i. */
+static bool holds_group(const search *self, const jlt_state_set *set, unsigned i)
 {
-    for (unsigned i = 0; i < self->field->dim; i++)
-        if (jlt_state_set_has(set, i) && groups->of[i] != 0) return;
-    if (!vanish_together(self, set)) return;
-    groups->count++;
-    for (unsigned i = 0; i < self->field->dim; i++) {
-        if (!jlt_state_set_has(set, i)) continue;
-        groups->of[i] = (unsigned char)groups->count;
-        groups->member[groups->members++] = (unsigned char)i;
+    const jlt_state_groups *groups = self->groups;
+
+    for (unsigned g = 0; g < groups->count; g++) {
+        bool has = false, within = true;
+        for (unsigned k = groups->first[g]; k < groups->first[g + 1]; k++) {
+            has = has || groups->member[k] == i;
+            within = within && jlt_state_set_has(set, groups->member[k]);
+        }
+        if (has && within) return true;
     }
+    return false;
+}
+
+/* Make the set a group if its states vanish together, and there is room. */
+static void add_group(const search *self, const jlt_state_set *set)
+{
+    jlt_state_groups *groups = self->groups;
+    unsigned end = groups->first[groups->count];
+
+    if (groups->count == JLT_STATE_GROUPS_MAX || end + jlt_state_set_count(set) > JLT_STATE_MEMBERS_MAX) return;
+    if (!vanish_together(self->rates, set)) return;
+    for (unsigned i = 0; i < self->rates->field->dim; i++)
+        if (jlt_state_set_has(set, i)) groups->member[end++] = (unsigned char)i;
+    groups->first[++groups->count] = end;
+    jlt_state_set_join(&groups->any, set);
+}
+
+/* Find a state by which a rate of the set's states, 0 where these are 0 together with it, is not 0 where these alone are 0; dim if
+ * they all are 0. */
+static unsigned find_factor(const search *self, const jlt_state_set *set, const jlt_state_set *left_out)
+{
+    const unsigned dim = self->rates->field->dim;
+    const jlt_state_set rest = without(self->all, left_out);
+    double f[N], there[N];
+
+    for (unsigned place = 0; place < FIRST; place++) {
+        rates_at(self->rates, f, set, 0, place);
+        if (!(size(self->rates, f, set) > 0)) continue;
+        for (unsigned j = 0; j < dim; j++) {
+            jlt_state_set with = *set;
+            if (!jlt_state_set_has(&rest, j) || jlt_state_set_has(set, j)) continue;
+            jlt_state_set_add(&with, j);
+            rates_at(self->rates, there, &with, 0, place);
+            for (unsigned i = 0; i < dim; i++)
+                if (jlt_state_set_has(set, i) && fabs(f[i] - there[i]) > 0) return j;
+        }
+    }
+    return dim;
+}
+
+/* Whether states of the set have rates where all but those that are left out are 0. */
+static bool is_driven(const search *self, const jlt_state_set *set, const jlt_state_set *left_out)
+{
+    const jlt_state_set rest = without(self->all, left_out);
+    double f[N];
+
+    for (unsigned place = 0; place < FIRST; place++) {
+        rates_at(self->rates, f, &rest, 0, place);
+        if (size(self->rates, f, set) > 0) return true;
+    }
+    return false;
+}
+
+/* Add the least groups that have state i, hold the set, and have no state that is left out. Where a product drives one of the set,
+ * one of its factors must be in the group: groups with the factor are found first, then those without it. drivers: while those that
+ * are left out are not 0. */
+static void find_groups(search *self, unsigned i, jlt_state_set set, const jlt_state_set *left_out, const jlt_state_set *drivers)
+{
+    const unsigned dim = self->rates->field->dim;
+
+    for (unsigned j = 0; j < dim; j++)
+        if (jlt_state_set_has(&set, j)) jlt_state_set_join(&set, &drivers[j]);
+    if (jlt_state_set_count(&set) >= dim || holds_group(self, &set, i) || self->looks == 0) return;
+    self->looks--;
+    if (is_driven(self, &set, left_out)) return;
+    const unsigned factor = find_factor(self, &set, left_out);
+    if (factor == dim) {
+        if (jlt_state_set_count(&set) > 1) add_group(self, &set);
+        return;
+    }
+    jlt_state_set with = set, without_it = *left_out, then[N];
+    jlt_state_set_add(&with, factor);
+    find_groups(self, i, with, left_out, drivers);
+    if (self->looks == 0) return;
+    jlt_state_set_add(&without_it, factor);
+    find_drivers(self->rates, then, self->all, &without_it);
+    find_groups(self, i, set, &without_it, then);
 }
 
 void jlt_signs_find(jlt_field *field, const jlt_quantity *states)
 {
     const rates self = { field, states };
-    jlt_state_set all = { 0 }, drivers[N] = { 0 };
+    const jlt_state_set none = { 0 };
+    jlt_state_set all = { 0 }, drivers[N];
+    search of = { &self, &all, &field->groups, LOOKS };
 
     for (unsigned i = 0; i < field->dim; i++) {
         jlt_state_set alone = { 0 };
@@ -146,8 +245,7 @@ void jlt_signs_find(jlt_field *field, const jlt_quantity *states)
         else if (states[i].low <= 0 && states[i].high >= 0) jlt_state_set_add(&all, i);
     }
     shrink(&self, &all);
-    find_drivers(&self, drivers, &all);
-    for (unsigned count = 2; count < field->dim; count++) /* small groups first */
-        for (unsigned i = 0; i < field->dim; i++)
-            if (jlt_state_set_count(&drivers[i]) == count) add_group(&self, &field->groups, &drivers[i]);
+    find_drivers(&self, drivers, &all, &none);
+    for (unsigned i = 0; i < field->dim; i++)
+        if (jlt_state_set_has(&all, i)) find_groups(&of, i, drivers[i], &none, drivers);
 }

@@ -17,13 +17,6 @@ static inline bool jlt_state_set_has(const jlt_state_set *set, unsigned i)
     return i < JLT_STATE_SET_MAX && (set->words[i / 64] >> i % 64 & 1) != 0;
 }
 
-/* Disjoint groups of states: state i is in group of[i], 1 to count, or in none, 0. The states of each stand together in the list
- * of all members. */
-typedef struct {
-    unsigned count, members;
-    unsigned char of[JLT_STATE_SET_MAX], member[JLT_STATE_SET_MAX];
-} jlt_state_groups;
-
 /* i < JLT_STATE_SET_MAX. */
 static inline void jlt_state_set_add(jlt_state_set *set, unsigned i) { set->words[i / 64] |= (uint64_t)1 << i % 64; }
 
@@ -41,5 +34,15 @@ static inline unsigned jlt_state_set_count(const jlt_state_set *set)
     for (unsigned i = 0; i < JLT_STATE_SET_MAX; i++) count += jlt_state_set_has(set, i);
     return count;
 }
+
+enum { JLT_STATE_GROUPS_MAX = 32, JLT_STATE_MEMBERS_MAX = 2 * JLT_STATE_SET_MAX };
+
+/* Groups of states, which may share some: those of group g are member[first[g]] to member[first[g + 1] - 1]. */
+typedef struct {
+    unsigned count;
+    unsigned first[JLT_STATE_GROUPS_MAX + 1];
+    unsigned char member[JLT_STATE_MEMBERS_MAX];
+    jlt_state_set any; /* the states that are in a group */
+} jlt_state_groups;
 
 #endif

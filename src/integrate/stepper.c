@@ -35,7 +35,7 @@ static void set_scales(jlt_stepper *self)
     memcpy(self->full_scale, self->scale, self->stride * sizeof *self->scale);
 }
 
-/* Fit the scale of state i, if it is controlled, to the largest of its group. Returns whether it changes. */
+/* Fit the scale of state i, if it is controlled, to the size of its group. Returns whether it changes. */
 static bool fit_scale(jlt_stepper *self, unsigned i, double largest)
 {
     const double before = self->scale[i], full = self->full_scale[i];
@@ -45,44 +45,37 @@ static bool fit_scale(jlt_stepper *self, unsigned i, double largest)
     return self->scale[i] < before || self->scale[i] > before;
 }
 
-/* The number of members of the group whose first one is groups->member[first]. */
-static unsigned members_at(const jlt_state_groups *groups, unsigned first)
-{
-    unsigned next = first + 1;
-
-    while (next < groups->members && groups->of[groups->member[next]] == groups->of[groups->member[first]]) next++;
-    return next - first;
-}
-
-static double largest_of(const double *x, const unsigned char *member, unsigned count)
+/* The largest state of a group; x: the states, or the components of a tangent vector along them. */
+static double largest_of(const double *x, const jlt_state_groups *groups, unsigned g)
 {
     double largest = 0;
 
-    for (unsigned k = 0; k < count; k++) largest = jlt_larger(largest, fabs(x[member[k]]));
+    for (unsigned k = groups->first[g]; k < groups->first[g + 1]; k++) largest = jlt_larger(largest, fabs(x[groups->member[k]]));
     return largest;
 }
 
-/* Fit the scales of the states of a group to the largest of them; where all are 0, those of the components of tangent vectors along
- * them. */
-static void fit_group(jlt_stepper *self, const unsigned char *member, unsigned count)
-{
-    for (unsigned v = 0; v <= self->field->tangents; v++) {
-        const unsigned first = v * self->field->domain.states;
-        const double largest = largest_of(self->x + first, member, count);
-        for (unsigned k = 0; k < count; k++) self->rescaled |= fit_scale(self, first + member[k], largest);
-        if (largest > 0 && v == 0) return;
-    }
-}
-
-/* Fit the scales of each group of states that vanish together. */
+/* Fit the scales of states that are 0 only together to the largest of them, in the smallest of a state's groups; where a group is
+ * 0, those of the components of tangent vectors along it. */
 static void fit_groups(jlt_stepper *self)
 {
     const jlt_state_groups *groups = &self->field->groups;
+    const unsigned members = groups->first[groups->count];
+    double size[JLT_STATE_SET_MAX];
 
     self->rescaled = false;
-    for (unsigned k = 0, count; k < groups->members; k += count) {
-        count = members_at(groups, k);
-        fit_group(self, groups->member + k, count);
+    for (unsigned v = 0; v <= self->field->tangents && members > 0; v++) {
+        const unsigned first = v * self->field->domain.states;
+        for (unsigned k = 0; k < members; k++) size[groups->member[k]] = INFINITY;
+        for (unsigned g = 0; g < groups->count; g++) {
+            if (v > 0 && largest_of(self->x, groups, g) > 0) continue;
+            const double largest = largest_of(self->x + first, groups, g);
+            for (unsigned k = groups->first[g]; k < groups->first[g + 1]; k++)
+                size[groups->member[k]] = jlt_smaller(largest, size[groups->member[k]]);
+        }
+        for (unsigned k = 0; k < members; k++) {
+            const unsigned i = groups->member[k];
+            if (size[i] < INFINITY) self->rescaled |= fit_scale(self, first + i, size[i]);
+        }
     }
 }
 
@@ -185,11 +178,9 @@ static void note_lost_groups(jlt_stepper *self)
 {
     const jlt_state_groups *groups = &self->field->groups;
 
-    for (unsigned k = 0, count; k < groups->members; k += count) {
-        const unsigned char *member = groups->member + k;
-        count = members_at(groups, k);
-        if (!is_lost(largest_of(self->x_start, member, count), largest_of(self->x, member, count))) continue;
-        for (unsigned i = 0; i < count; i++) lose(self, member[i]);
+    for (unsigned g = 0; g < groups->count; g++) {
+        if (!is_lost(largest_of(self->x_start, groups, g), largest_of(self->x, groups, g))) continue;
+        for (unsigned k = groups->first[g]; k < groups->first[g + 1]; k++) lose(self, groups->member[k]);
     }
 }
 

@@ -5,8 +5,8 @@
 #include "kernel/descriptor.h"
 #include "kernel/way.h"
 
-/* Sizes of the terms of E, G, F0 and M at (gamma3, 1, 1, 1, 1), from their values where one velocity is 1 and the others are 0: E
- * and F0 are of second degree in the velocities, G is linear, and M is the length of a linear vector. */
+/* Bounds of the terms of E, G, F0 and M at gamma3 and velocities of at most 1, from their values where one velocity is 1 and the
+ * others are 0: E and F0 are of second degree in the velocities, G is linear, and M is the length of a linear vector. */
 static jlt_balanced_levels sizes_at(const jlt_top *top, double gamma3)
 {
     jlt_balanced_levels size = { 0 };
@@ -56,10 +56,10 @@ static bool levels_have_form(const jlt_top *top, const double *x, const jlt_bala
     jlt_balanced_shares(&of_F0, &of_G, &of_M, top);
     jlt_balanced_levels_of(&here, top, x);
     jlt_balanced_from_state(top, &gamma3, &v_slip, &psi, x);
-    const double F_v = on_family(top, gamma3, 1, 0).F0, F_w = on_family(top, gamma3, 0, 1).F0;
+    const double F_v = on_family(top, gamma3, 1, 0).F0, F_w = on_family(top, gamma3, 0, 1).F0, omega3 = x[JLT_TOP_OMEGA3];
     return jlt_top_agrees(here.E, of_F0 * here.F0 + of_G * here.G * here.G + of_M * here.M * here.M,
                           of_F0 * size->F0 + of_G * size->G * size->G + of_M * size->M * size->M)
-           && jlt_top_agrees(here.F0, F_v * v_slip * v_slip + F_w, size->F0);
+           && jlt_top_agrees(here.F0, F_v * v_slip * v_slip + F_w * omega3 * omega3, size->F0);
 }
 
 /* Whether gamma3 and psi rest where omega_tau and omega_n are 0, and nowhere else: all fixed points are then on the family. */
@@ -113,12 +113,10 @@ static bool spin_has_form(const jlt_top *top, double gamma3)
 
 bool jlt_balanced_form_holds(const jlt_top *top)
 {
-    static const double tilts[] = { -0.8, -0.28, 0.6 };
-
-    for (unsigned i = 0; i < sizeof tilts / sizeof *tilts; i++) {
-        const double x[JLT_TOP_STATES] = { tilts[i], 1, 1, 1, 1 };
-        const jlt_balanced_levels size = sizes_at(top, tilts[i]);
-        if (!family_has_form(top, tilts[i], &size) || !levels_have_form(top, x, &size) || !spin_has_form(top, tilts[i])
+    for (unsigned i = 0; i < JLT_TOP_SAMPLES; i++) {
+        const double *x = jlt_top_samples[i], gamma3 = x[JLT_TOP_GAMMA3];
+        const jlt_balanced_levels size = sizes_at(top, gamma3);
+        if (!family_has_form(top, gamma3, &size) || !levels_have_form(top, x, &size) || !spin_has_form(top, gamma3)
             || !rates_have_form(top, x, &size))
             return false;
     }

@@ -167,29 +167,31 @@ static void take_coefficients(jlt_rod *rod)
     rod->barrier = 2 * rotation_energy(&rod->top, JLT_TOP_OMEGA_N, 0) * rod->turning * rod->turning;
 }
 
-/* Whether E1, E2, G and the rates of gamma3 and v_nu have the form that rod.h says, at a few tilts. An edited table may prove other
- * integrals of these names; with E1, E2 and G constant, these rates determine all. */
+/* Whether E1, E2, G and the rates of gamma3 and v_nu have the form that rod.h says, at jlt_top_samples. An edited table may prove
+ * other integrals of these names; with E1, E2 and G constant, these rates determine all. */
 static bool has_form(const jlt_top *top)
 {
-    static const double tilts[] = { -0.8, -0.28, 0.6 };
     jlt_rod rod = { .top = *top, .G = 1 };
 
     take_coefficients(&rod);
-    for (unsigned i = 0; i < sizeof tilts / sizeof *tilts; i++) {
-        const double gamma3 = tilts[i], s = jlt_top_sine(gamma3), x[JLT_TOP_STATES] = { gamma3, 1, 1, 1, 1 };
+    for (unsigned i = 0; i < JLT_TOP_SAMPLES; i++) {
+        const double *x = jlt_top_samples[i], gamma3 = x[JLT_TOP_GAMMA3], s = jlt_top_sine(gamma3);
+        const double v_nu = x[JLT_TOP_V_NU], omega_tau = x[JLT_TOP_OMEGA_TAU], omega_n = x[JLT_TOP_OMEGA_N];
         const double v_tau = jlt_top_v_tau(top, x), reach = fabs(top->a3) + 2 * fabs(top->R); /* of v_tau */
         const double potential = rod.weight * gamma3, tilting = rod.inertia_pole * gamma3 * gamma3 + rod.inertia_equator * s * s;
         const double upright = rod.barrier / (rod.turning * rod.turning), lever = 1 / rod.turning;
         double rates[JLT_TOP_STATES];
         if (!jlt_top_rates(top, variant, rates, x)) return false;
-        if (!jlt_top_agrees(rates[JLT_TOP_GAMMA3], s, s) || !jlt_top_agrees(rates[JLT_TOP_V_NU], v_tau / s, reach / s)
+        if (!jlt_top_agrees(rates[JLT_TOP_GAMMA3], s * omega_tau, s)
+            || !jlt_top_agrees(rates[JLT_TOP_V_NU], omega_n * v_tau / s, reach / s)
             || !jlt_top_agrees(rotation_energy(top, JLT_TOP_GAMMA3, gamma3), potential, fabs(potential))
             || !jlt_top_agrees(2 * rotation_energy(top, JLT_TOP_OMEGA_TAU, gamma3), tilting, tilting)
-            || !jlt_top_agrees(2 * jlt_top_integral(top, variant, "E2", x), tilting + upright + 2 * potential,
-                     tilting + upright + 2 * fabs(potential))
-            || !jlt_top_agrees(2 * jlt_top_integral(top, variant, "E1", x), top->m * (1 + v_tau * v_tau),
+            || !jlt_top_agrees(2 * jlt_top_integral(top, variant, "E2", x),
+                               tilting * omega_tau * omega_tau + upright * omega_n * omega_n + 2 * potential,
+                               tilting + upright + 2 * fabs(potential))
+            || !jlt_top_agrees(2 * jlt_top_integral(top, variant, "E1", x), top->m * (v_nu * v_nu + v_tau * v_tau),
                                top->m * (1 + reach * reach))
-            || !jlt_top_agrees(jlt_top_integral(top, variant, "G", x), lever * s, fabs(lever)))
+            || !jlt_top_agrees(jlt_top_integral(top, variant, "G", x), lever * s * omega_n, fabs(lever)))
             return false;
     }
     return true;

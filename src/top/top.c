@@ -11,6 +11,10 @@ enum { LIFTED = JLT_TOP_STATES + 1 }; /* the states and s */
 
 static const char lifting[] = "regular";
 
+const double jlt_top_samples[JLT_TOP_SAMPLES][JLT_TOP_STATES] = {
+    { -0.8, 0.93, -0.71, 0.83, -0.59 }, { -0.28, -0.67, 0.89, 0.73, 0.97 }, { 0.6, 0.79, 0.61, -0.87, 0.53 }
+};
+
 typedef struct {
     const char *name;
     double *value;

@@ -45,6 +45,11 @@ bool jlt_top_rates(const jlt_top *top, const char *variant, double *rates, const
 /** The way from JLT_DEFAULT_MODEL to the table of this name, both in the time in which s is a state; NULL if there is none. */
 const jlt_way *jlt_top_way(const char *model);
 
+/** States at which the form of an edited table is compared with one that is known. They are in general position, so that a term
+ *  which vanishes where two velocities are equal or opposite is seen; velocities are at most 1. */
+enum { JLT_TOP_SAMPLES = 3 };
+extern const double jlt_top_samples[JLT_TOP_SAMPLES][JLT_TOP_STATES];
+
 /** Whether a value is the wanted one within rounding of terms of this size; false if one of them is NaN. */
 bool jlt_top_agrees(double value, double wanted, double size);
 
