@@ -172,7 +172,6 @@ static void tell_consequence(const ttc_model *model, const ttc_proof *proof, con
         ttc_command_complain(model, proof->place, NULL, "the %s claim '%s' is %s, and kernels rest on it (%.200s%s): correct it, "
                              "or write them marked as unproved with --unproved", proof->kind, proof->name, status,
                              ttc_text_string(resting), cut);
-    else if (refuse) return;
     else if (resting->length > 0)
         ttc_command_warn(model, proof->place, "the %s claim '%s' is %s: kernels that rest on it are marked as unproved "
                          "(%.200s%s)", proof->kind, proof->name, status, ttc_text_string(resting), cut);
