@@ -133,16 +133,19 @@ static bool qepcad_agrees(const ttc_question *q, double seconds)
     return none;
 }
 
-static void digest_of(char digest[DIGEST_SIZE], const ttc_question *q)
+/* Returns false if the question has no text, as where memory is out: all such questions would have one digest. */
+static bool digest_of(char digest[DIGEST_SIZE], const ttc_question *q)
 {
     const char *text = Z3_solver_to_string(q->z3, q->solver);
+    if (Z3_get_error_code(q->z3) != Z3_OK) return false;
     ttc_sha256(digest, text, strlen(text));
+    return true;
 }
 
 static ttc_solver_answer check(ttc_question *q)
 {
     char question[DIGEST_SIZE];
-    digest_of(question, q);
+    if (!digest_of(question, q)) return TTC_SOLVER_SILENT;
     if (is_settled(question)) return TTC_SOLVER_NO_POINT;
     const double begin = seconds_now();
     const Z3_lbool answer = Z3_solver_check(q->z3, q->solver);
@@ -187,8 +190,7 @@ bool ttc_solver_has_excluded(ttc_witness *point, const ttc_conditions *condition
     char question[DIGEST_SIZE];
     ttc_question q;
     if (settled_count == 0 || !begin(&q, point, conditions, false)) return false;
-    if (!q.too_large) digest_of(question, &q);
-    const bool excluded = !q.too_large && is_settled(question);
+    const bool excluded = !q.too_large && digest_of(question, &q) && is_settled(question);
     end(&q);
     return excluded;
 }
