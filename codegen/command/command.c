@@ -49,7 +49,7 @@ json_t *ttc_command_failure(const char *path, json_t *problems)
     return json_pack("{s:o, s:b, s:o}", "file", ttc_command_string(path), "ok", 0, "problems", problems);
 }
 
-ttc_exit_status ttc_command_unread(const ttc_diagnostics *diagnostics)
+int ttc_command_unread(const ttc_diagnostics *diagnostics)
 {
     if (ttc_io_error_count(diagnostics) > 0) return TTC_EXIT_IO;
     return ttc_memory_error_count(diagnostics) > 0 ? TTC_EXIT_MEMORY : TTC_EXIT_BAD_TABLE;

@@ -66,7 +66,7 @@ void ttc_command_raise(int *status, int to);
 ttc_model *ttc_command_read(const char *path, int *status, json_t *problems);
 
 /* The exit status where a table could not be read, from what was reported of it. */
-ttc_exit_status ttc_command_unread(const ttc_diagnostics *diagnostics);
+int ttc_command_unread(const ttc_diagnostics *diagnostics);
 
 /* Report an error at a place of a table: on stderr, and in `problems` unless NULL. */
 TTC_PRINTF(4, 5) void ttc_command_complain(const ttc_model *model, ttc_place place, json_t *problems, const char *format, ...);

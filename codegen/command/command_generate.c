@@ -112,7 +112,7 @@ static bool is_failed(const ttc_output *output)
 }
 
 /* Report why kernels could not be written. Returns the exit status. */
-static ttc_exit_status complain(const model_files *f, const ttc_kernels *failed)
+static int complain(const model_files *f, const ttc_kernels *failed)
 {
     const ttc_model *model = f->catalogue->model;
     ttc_graph_status error = ttc_graph_error(model->graph);

@@ -1,9 +1,11 @@
 #include "scene/plan.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "integrate/field.h"
 #include "kernel/descriptor.h"
 #include "scene/course_more.h"
 #include "top/rod.h"
@@ -61,6 +63,54 @@ void jlt_plan_refusal(char *text, size_t size, const jlt_candidate *candidate)
     else snprintf(text, size, "%s (%s %s: %s)", candidate->refusal, claim->kind, claim->name, claim->reason);
 }
 
+/* Refuse the tier if x, the states to which its rounded coordinates lead back, are not near the start, both in the units in which
+ * the orbit has this size: if one is off by more than the default tolerance, as errors of a motion are measured, and by more than
+ * what states as large as the largest lose by rounding. Returns whether it is refused. */
+static bool refuse_moved(jlt_candidate *c, const double *x, const double *start, const jlt_descriptor *model)
+{
+    double largest = 0;
+
+    for (unsigned i = 0; i < model->state_count; i++) largest = fmax(largest, fabs(start[i]));
+    for (unsigned i = 0; i < model->state_count; i++) {
+        const double near = fmax(0x1p-40 * fmax(fabs(start[i]), jlt_field_size(largest)), 16 * DBL_EPSILON * largest);
+        if (fabs(x[i] - start[i]) <= near) continue;
+        snprintf(c->refusal, sizeof c->refusal, "its coordinates lose digits of %s there", model->states[i].name);
+        return true;
+    }
+    return false;
+}
+
+/* Refuse the tier if a rounding of one of its coordinates y of the start, or of a parameter of its tables, moves the start: a level
+ * that is a difference of large numbers, or that underflows, has lost the digits of a small state. */
+static void refuse_lost(jlt_candidate *c, const jlt_tier_view *view, const double *y, const jlt_question *question)
+{
+    const jlt_descriptor *model = question->model;
+    double start[JLT_WAY_VALUES_MAX], x[JLT_WAY_VALUES_MAX], near[JLT_WAY_VALUES_MAX];
+    jlt_tier_view other = *view;
+    jlt_units units = { 0 };
+    bool refused = false;
+
+    if (!model->scales || jlt_instance_units(&units, model, question->params, question->start) != JLT_OK) units = (jlt_units){ 0 };
+    jlt_units_count(start, question->start, model->states, model->state_count, &units);
+    memcpy(near, y, view->instance->descriptor->state_count * sizeof *near);
+    for (unsigned k = 0; k < view->instance->descriptor->state_count && !refused; k++) {
+        near[k] = nextafter(y[k], INFINITY);
+        jlt_tier_extract(view, x, near);
+        jlt_units_count(x, x, model->states, model->state_count, &units);
+        refused = refuse_moved(c, x, start, model);
+        near[k] = y[k];
+    }
+    for (unsigned i = 0; i < view->tier.way_count; i++) {
+        for (unsigned k = 0; k < view->tier.ways[i]->param_count && !refused; k++) {
+            other.params[i + 1][k] = nextafter(view->params[i + 1][k], INFINITY);
+            jlt_tier_extract(&other, x, y);
+            jlt_units_count(x, x, model->states, model->state_count, &units);
+            refused = refuse_moved(c, x, start, model);
+            other.params[i + 1][k] = view->params[i + 1][k];
+        }
+    }
+}
+
 /* Find the tier's kernel, and whether its own conditions hold for the question. Errors: NOMEM. */
 static jlt_status try_tier(jlt_candidate *c, const jlt_question *question)
 {
@@ -70,6 +120,9 @@ static jlt_status try_tier(jlt_candidate *c, const jlt_question *question)
 
     if (st == JLT_OK) {
         c->descriptor = view.instance->descriptor;
+        const bool is_own = c->tier.way_count == 0 && c->tier.elimination[0] == '\0';
+        const bool is_named = question->tier != NULL || c->tier.by_name; /* to be compared, say */
+        if (question->start != NULL && !is_named && !is_own) refuse_lost(c, &view, y, question);
         jlt_tier_close(&view);
         return st;
     }

@@ -143,4 +143,35 @@ run 0 simulate ./spring.tt --start x=0,v=1 --times 0.5,1,4
 grep -q 'from t = 0.92872535.* on the tier both in place of one' err || fail "the change of tier: $(cat err)"
 grep -v '^#' out | tail -1 | awk -F, '{ d = $2 - 0.27716620375722104; exit !(d < 1e-13 && d > -1e-13) }' \
     || fail "after a turning point: $(tail -1 out)" # Taylor's method, 30 digits; and A sn(t/A)
+
+# A level that is a difference of large numbers loses the digits of a small state: the tier on it is taken only if it is named.
+cat > saddle.tt <<'T'
+model saddle
+state x
+state y
+eq x = y
+eq y = x
+integral L = x^2 - y^2
+tier both "place and velocity"
+reduction up : by branch.tt with x = x, L = L where y > 0
+T
+cat > branch.tt <<'T'
+model branch
+param L
+default L = 1
+state x
+domain inside : x^2 - L > 0
+root y = sqrt(x^2 - L)
+eq x = y
+tier one "place alone"
+embedding saddle : into saddle.tt with x = x, y = y
+T
+run 0 simulate ./saddle.tt --start x=2,y=1 --times 0.001
+grep -q '^# tier one' out || fail "not the smallest tier: $(cat out)"
+run 0 simulate ./saddle.tt --start x=12345.678,y=1 --times 0.001
+grep -q '^# tier both' out || fail "a tier without the digits of y: $(cat out)"
+grep -v '^#' out | tail -1 | awk -F, '{ d = $3 - 13.345680557613147; exit !(d < 1e-12 && d > -1e-12) }' \
+    || fail "y at t = 0.001: $(tail -1 out)" # x sinh t + y cosh t
+expect 0 "no: its coordinates lose digits of y there" jellett plan simulate ./saddle.tt --start x=12345.678,y=1 --times 0.001
+run 0 simulate ./saddle.tt --start x=12345.678,y=1 --times 0.001 --tier one
 exit $status
