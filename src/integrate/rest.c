@@ -29,8 +29,8 @@ static bool group_grows(const jlt_field *field, unsigned group, const double *x,
     bool is_zero = true;
 
     for (unsigned k = field->groups.first[group]; k < field->groups.first[group + 1]; k++) {
-        members[n] = field->groups.member[k];
-        is_zero = is_zero && x[members[n++]] == 0;
+        members[n++] = field->groups.member[k];
+        is_zero = is_zero && x[field->groups.member[k]] == 0;
     }
     for (unsigned i = 0; i < n; i++)
         for (unsigned j = 0; j < n; j++) part[i * n + j] = jacobian[members[i] * field->dim + members[j]];

@@ -76,7 +76,7 @@ at_rest() { # START OPTION...: follow an orbit that never comes to the section, 
     jellett fates ./beside.tt --section u=-1 --start "$1,w=1" --returns 1 "${@:2}" > out 2> err
     grep -q ',equilibrium,' out
 }
-for how in "" "--set a=0,b=1"; do
+for how in "" "--set a=0,b=1" "--set a=0,b=1 --method dop853"; do
     at_rest x=0,y=0 $how || fail "exactly there, ${how:-a focus}: $(tail -1 out)"
     ! at_rest x=1e-30,y=0 $how || fail "near ${how:-a focus}: $(tail -1 out)"
 done
