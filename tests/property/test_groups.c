@@ -1,5 +1,5 @@
-/* Which states are 0 only together: the groups that are found by a field's rates against all subsets of the states, of random sparse
- * polynomial fields, whose terms tell which of these the flow keeps at 0. */
+/* Which states are 0 only together: the groups that are found by a field's rates against all subsets of the states, of random
+ * sparse polynomial fields, whose terms tell which of these the flow keeps at 0. */
 #include "unit/check.h"
 
 #include <string.h>
