@@ -211,7 +211,7 @@ static void give_up(ttc_proof_run *run, bool *settled, int claim_seconds, ttc_pr
         snprintf(text, sizeof text, "its proof passes the limit of %d s of processor time a claim, or of %d s a table",
                  claim_seconds, table_seconds(claim_seconds));
     else if (ending == TTC_ENDED_BY_SYSTEM)
-        snprintf(text, sizeof text, "its proof was ended by the system, where memory or processor time is out");
+        snprintf(text, sizeof text, TTC_GUARD_BY_SYSTEM);
     else if (ending == TTC_ENDED_OUT_OF_MEMORY)
         snprintf(text, sizeof text, "its proof passes the limit of %u MiB", ttc_guard_memory());
     else

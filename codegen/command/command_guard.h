@@ -7,6 +7,9 @@
 /* Processor time for a claim; FULL where a verdict is needed on any machine. */
 enum { TTC_GUARD_SECONDS = 20, TTC_GUARD_SECONDS_FULL = 120 };
 
+/* The remainder of a proof with TTC_ENDED_BY_SYSTEM. */
+#define TTC_GUARD_BY_SYSTEM "its proof was ended by the system, where memory or processor time is out"
+
 /* MiB that a process which proves claims may take: 1536, or what this process may, where that is less. */
 unsigned ttc_guard_memory(void);
 

@@ -2,6 +2,7 @@
 
 #include "base/source.h"
 #include "command/command.h"
+#include "command/command_guard.h"
 #include "emit/emit.h"
 #include "emit/emit_registry.h"
 
@@ -34,24 +35,25 @@ void ttc_kept_clear(ttc_kept *kept)
     *kept = (ttc_kept){ 0 };
 }
 
-/* Whether the files in the folder name every table that the model's claims lead to by the digest that it has now. */
-static bool names_targets(const char *folder, const ttc_model *model)
+/* Whether the verdicts in the folder would be found again: they name every table that the model's claims lead to by the digest that
+ * it has now, and the system ended none of their proofs. */
+static bool has_verdicts(const char *folder, const ttc_model *model)
 {
     ttc_text name = { 0 };
     ttc_text_format(&name, "%s/table.c", model->name);
     char *claims = name.failed ? NULL : read_file(folder, ttc_text_string(&name));
-    bool named = claims != NULL;
-    for (size_t i = 0; i < model->claim_count && named; i++) {
+    bool has = claims != NULL && strstr(claims, TTC_GUARD_BY_SYSTEM) == NULL;
+    for (size_t i = 0; i < model->claim_count && has; i++) {
         if (model->claims[i].target == NULL) continue;
         ttc_diagnostics *ignored = ttc_diagnostics_create();
         ttc_model *target = ignored == NULL ? NULL : ttc_resolve_beside(NULL, model, model->claims[i].target, ignored);
-        named = target != NULL && strstr(claims, target->sha256) != NULL;
+        has = target != NULL && strstr(claims, target->sha256) != NULL;
         ttc_model_destroy(target);
         ttc_diagnostics_destroy(ignored);
     }
     free(claims);
     ttc_text_clear(&name);
-    return named;
+    return has;
 }
 
 /* Whether the folder has MODEL/NAMEEXTENSION. */
@@ -87,5 +89,5 @@ static bool has_files(const ttc_kept *kept, const char *folder, const char *mode
 bool ttc_kept_has(const ttc_kept *kept, const char *folder, const ttc_model *model)
 {
     return kept->manifest != NULL && kept->counts != NULL && ttc_manifest_has(kept->manifest, model) &&
-           has_files(kept, folder, model->name) && names_targets(folder, model);
+           has_files(kept, folder, model->name) && has_verdicts(folder, model);
 }

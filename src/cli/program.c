@@ -62,10 +62,11 @@ static void widen_stacks_of_threads(void)
     pthread_attr_destroy(&attributes);
 }
 
-/* OMP_STACKSIZE is read before main, so that it can only be told of: a number, in KiB or in the unit that follows. */
+/* OMP_STACKSIZE, or without it GOMP_STACKSIZE, is read before main, so that it can only be told of: a number, in KiB or in the unit
+ * that follows. */
 static void tell_of_small_stacks(void)
 {
-    const char *const text = getenv("OMP_STACKSIZE");
+    const char *const name = getenv("OMP_STACKSIZE") != NULL ? "OMP_STACKSIZE" : "GOMP_STACKSIZE", *const text = getenv(name);
     int bits = 10;
     char *end;
 
@@ -79,7 +80,7 @@ static void tell_of_small_stacks(void)
     default: break;
     }
     if (number > 0 && number < stack_usual >> bits)
-        fprintf(stderr, "jellett: OMP_STACKSIZE=%s limits the stacks of threads, with which commands may crash: allow %zuK\n", text,
+        fprintf(stderr, "jellett: %s=%s limits the stacks of threads, with which commands may crash: allow %zuK\n", name, text,
                 stack_usual / 1024);
 }
 

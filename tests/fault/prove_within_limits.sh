@@ -71,6 +71,17 @@ wait $build && grep -q "is not settled (its proof was ended by the system" "$scr
     { echo "a proof is killed:"; cat "$scratch/small" "$scratch/err"; exit 1; }
 ttc build "$scratch/more.tt" > "$scratch/large" 2> "$scratch/err" && [ ! -s "$scratch/err" ] &&
     ! cmp -s "$scratch/small" "$scratch/large" || { echo "after a proof was killed:"; cat "$scratch/large" "$scratch/err"; exit 1; }
+# So with --keep, which leaves files that another run would write.
+ttc generate --out "$scratch/kept" "$scratch/more.tt" 2> "$scratch/err" &
+generate=$!
+for wait in $(seq 100); do
+    pkill -KILL -P $generate && break
+    sleep 0.02
+done
+wait $generate && grep -q "is not settled (its proof was ended by the system" "$scratch/err" &&
+    ttc generate --keep --out "$scratch/kept" "$scratch/more.tt" &&
+    grep -q '"same", "", JLT_PROVED' "$scratch/kept/powers/table.c" ||
+    { echo "with --keep, after a proof was killed:"; cat "$scratch/err"; grep '"same"' "$scratch/kept/powers/table.c"; exit 1; }
 # A limit of processor time is named and forgotten likewise.
 for k in $(seq 2 8); do sed -n "s/^equal same/&$k/p" "$scratch/powers.tt"; done > "$scratch/more"
 cat "$scratch/more" >> "$scratch/powers.tt"

@@ -110,9 +110,9 @@ expect 0 on_stack -Ss jellett continue --along E=2.1:2.15
 expect 0 on_stack -Ss jellett section --start eta=0.1,gamma3=-0.6 --returns 5
 expect 0 on_stack -s jellett models
 grep -q 'the stack is limited to 256 KiB' "$scratch/err" || fail "nothing is said of a small stack: $(cat "$scratch/err")"
-for size in 64k 8191 "1 m"; do
-    expect 0 env OMP_STACKSIZE="$size" jellett models
-    grep -q "OMP_STACKSIZE=$size limits the stacks of threads" "$scratch/err" || fail "nothing is said of OMP_STACKSIZE=$size"
+for small in OMP_STACKSIZE=64k OMP_STACKSIZE=8191 "OMP_STACKSIZE=1 m" GOMP_STACKSIZE=16; do
+    expect 0 env "$small" jellett models
+    grep -q "^jellett: $small limits the stacks of threads" "$scratch/err" || fail "nothing is said of $small"
 done
 for size in 8192 8M 1G; do
     expect 0 env OMP_STACKSIZE=$size jellett models
