@@ -168,8 +168,7 @@ static void add_group(const search *self, const jlt_state_set *set)
     jlt_state_set_join(&groups->any, set);
 }
 
-/* Find a state by which a rate of the set's states, 0 where these are 0 together with it, is not 0 where these alone are 0; dim if
- * they all are 0. */
+/* Find a state outside the set on which rates of the set's states depend while these are 0; dim if there is none. */
 static unsigned find_factor(const search *self, const jlt_state_set *set, const jlt_state_set *left_out)
 {
     const unsigned dim = self->rates->field->dim;
