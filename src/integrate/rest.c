@@ -19,22 +19,25 @@ static bool grows(const jlt_field *field, unsigned i, double f, double x, double
     return jlt_field_keeps(field, i) && x != 0 && (f * direction > 0) == (x > 0);
 }
 
-/* Whether states that are 0 only together are not 0, and move away from it: their part of the Jacobian has an eigenvalue of
- * positive real part, as time goes. */
-static bool group_grows(const jlt_field *field, unsigned group, const double *x, const double *jacobian, double direction)
+/* Whether states that are 0 only together are not slower than `speed`, relative to the largest of them, and move away from 0: their
+ * part of the Jacobian has an eigenvalue of positive real part, as time goes. */
+static bool group_grows(const jlt_field *field, unsigned group, const double *f, const double *x, const double *jacobian,
+                        double speed, double direction)
 {
     double part[JLT_JACOBIAN_DIM_MAX * JLT_JACOBIAN_DIM_MAX], re[JLT_JACOBIAN_DIM_MAX], im[JLT_JACOBIAN_DIM_MAX];
-    double fastest = 0, growth = 0;
+    double fastest = 0, growth = 0, largest = 0, rate = 0;
     unsigned members[JLT_JACOBIAN_DIM_MAX], n = 0;
-    bool is_zero = true;
 
     for (unsigned k = field->groups.first[group]; k < field->groups.first[group + 1]; k++) {
-        members[n++] = field->groups.member[k];
-        is_zero = is_zero && x[field->groups.member[k]] == 0;
+        const unsigned i = field->groups.member[k];
+        members[n++] = i;
+        largest = fmax(largest, fabs(x[i]));
+        rate = fmax(rate, fabs(f[i]));
     }
+    if (!(rate > speed * largest)) return false;
     for (unsigned i = 0; i < n; i++)
         for (unsigned j = 0; j < n; j++) part[i * n + j] = jacobian[members[i] * field->dim + members[j]];
-    if (is_zero || jlt_eigen_values(re, im, part, n) != JLT_OK) return false;
+    if (jlt_eigen_values(re, im, part, n) != JLT_OK) return false;
     for (unsigned i = 0; i < n; i++) {
         fastest = fmax(fastest, hypot(re[i], im[i]));
         growth = fmax(growth, re[i] * direction);
@@ -42,14 +45,14 @@ static bool group_grows(const jlt_field *field, unsigned group, const double *x,
     return growth > 1e-8 * fastest; /* less may be a defective 0 */
 }
 
-static bool any_group_grows(const jlt_field *field, const double *x, double direction)
+static bool any_group_grows(const jlt_field *field, const double *f, const double *x, double speed, double direction)
 {
     double jacobian[JLT_JACOBIAN_DIM_MAX * JLT_JACOBIAN_DIM_MAX];
 
     if (field->groups.count == 0 || field->jacobian == NULL || field->dim > JLT_JACOBIAN_DIM_MAX) return false;
     field->jacobian(x, field->p, jacobian);
     for (unsigned group = 0; group < field->groups.count; group++)
-        if (group_grows(field, group, x, jacobian, direction)) return true;
+        if (group_grows(field, group, f, x, jacobian, speed, direction)) return true;
     return false;
 }
 
@@ -59,7 +62,7 @@ static bool slower(const jlt_field *field, const double *f, const double *x, dou
         const double own = grows(field, i, f[i], x[i], direction) ? fabs(x[i]) : jlt_larger(fabs(x[i]), size);
         if (!(fabs(f[i]) < speed * own)) return false;
     }
-    return !any_group_grows(field, x, direction);
+    return !any_group_grows(field, f, x, speed, direction);
 }
 
 bool jlt_rest_is_slower(const jlt_field *field, const double *x, double size, double speed, double direction)

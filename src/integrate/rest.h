@@ -3,8 +3,8 @@
  *  Time never ends there, but the rest of the motion is less than the errors of the method. Speeds are changes in a unit of
  *  physical time, relative to the state or the size of the orbit's start (jlt_field_size): near a pole everything slows down in
  *  tau, and that is no rest. An orbit is not at rest while a kept state (jlt_field) grows, as an epidemic does from 1e-20: the
- *  speed of such a state is relative to the state alone. Nor is it while states that are 0 only together grow. `direction` is that
- *  of time, +1 or -1. */
+ *  speed of such a state is relative to the state alone. Nor is it while states that are 0 only together grow, relative to the
+ *  largest of them. `direction` is that of time, +1 or -1. */
 #ifndef JLT_INTEGRATE_REST_H
 #define JLT_INTEGRATE_REST_H
 

@@ -241,10 +241,10 @@ void jlt_signs_find(jlt_field *field, const jlt_quantity *states)
         jlt_state_set_add(&alone, i);
         if ((int)i == field->root) continue; /* it has a scale of its own */
         if (vanish_together(&self, &alone)) jlt_state_set_add(&field->kept, i);
-        else if (states[i].low <= 0 && states[i].high >= 0) jlt_state_set_add(&all, i);
+        if (states[i].low <= 0 && states[i].high >= 0) jlt_state_set_add(&all, i);
     }
     shrink(&self, &all);
     find_drivers(&self, drivers, &all, &none);
     for (unsigned i = 0; i < field->dim; i++)
-        if (jlt_state_set_has(&all, i)) find_groups(&of, i, drivers[i], &none, drivers);
+        if (jlt_state_set_has(&all, i) && !jlt_state_set_has(&field->kept, i)) find_groups(&of, i, drivers[i], &none, drivers);
 }

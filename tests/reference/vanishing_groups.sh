@@ -81,6 +81,15 @@ for how in "" "--set a=0,b=1" "--set a=0,b=1 --method dop853"; do
     ! at_rest x=1e-30,y=0 $how || fail "near ${how:-a focus}: $(tail -1 out)"
 done
 at_rest x=1,y=0 --set a=-1/10 || fail "a focus that attracts: $(tail -1 out)"
+# Nor does a group grow where it is at rest: x = z = R = 1 attracts, by eigenvalues -1 and (-9 +- sqrt(41))/2, though with z = 1
+# held it would repel x. Rates are below 1e-9 from t = 21 on, and an orbit is at rest 64 steps later, none of which is longer
+# than 1.
+printf '%s\n' 'model held' 'state x' 'state z' 'state R' 'state q' 'eq x = x*(x - z)' 'eq z = 10*(2*x - 1 - z)' 'eq R = x - R' \
+    'eq q = -q' > held.tt
+for method in gauss taylor; do
+    expect 0 ',equilibrium,' jellett fates ./held.tt --section q=-1 --start x=1.1,z=1,R=0.3 --returns 1 --method $method
+    awk -F, '/equilibrium/ && $5 < 100 { n++ } END { exit !n }' out || fail "at rest late, by $method: $(tail -1 out)"
+done
 # The infected of an epidemic, in three stages that feed each other, fall to 1e-29 between two outbreaks: the same orbit in their
 # logarithms. `who` turns beside it, so that the orbit has a section.
 printf '%s\n' 'model staged' 'state S' 'state E' 'state F' 'state I' 'state who' 'state turns' 'eq S = (1 - S)/50 - 100*S*I' \
@@ -155,6 +164,24 @@ eq s = 1
 integral hosts = H + I
 integral vectors = V + J
 T
+# A state that keeps its sign may drive others that are 0 only with it: R + i T is I (exp((2 + 5 i) t) - 1)/(2 + 5 i), where I is
+# 1e-20 exp(-t).
+cat > driven.tt << 'T'
+model driven
+state I
+state R
+state T
+state u
+state v
+state s
+periodic s = 2*pi
+eq I = - I
+eq R = I + R - 5*T
+eq T = 5*R + T
+eq u = v
+eq v = - u
+eq s = 1
+T
 is_grown() { # COLUMN VALUE WHAT: the last row of `out`, after fewer than 400 steps
     awk -F, -v at="$1" -v right="$2" '/^[0-9]/ { off = $at/right - 1 } END { exit !(off^2 < (64*400*1e-12)^2) }' out ||
         fail "$3 has not grown to $2: $(tail -1 out)"
@@ -164,11 +191,16 @@ for method in gauss dop853 taylor rk8pd rkf45 msadams; do
     is_grown 2 0.42670736530497844 "a body's wobble, by $method,"
     expect 0 ',alive$' jellett simulate ./vectors.tt --start H=1,I=1e-20,V=1,J=0,s=0 --times 30 --method $method
     is_grown 3 0.036199530466018979 "an epidemic, by $method,"
+    expect 0 ',alive$' jellett simulate ./driven.tt --start I=1e-20,R=0,T=0,u=0,v=1,s=0 --times 46 --method $method
+    is_grown 3 -0.15245243351797816 "what a kept state drives, by $method,"
 done
 for how in "" "--project" "--method gauss --project"; do
     expect 0 ',alive$' jellett section ./body.tt --section s=0 --grid p=1e-20:1e-20:2,q=1,r=0 --returns 7 $how
     is_grown 4 0.063004909007938892 "a body's wobble on a section $how"
     expect 0 ',alive$' jellett section ./vectors.tt --section s=0 --grid H=1,I=1e-20:1e-20:2,V=1,J=0 --returns 4 $how
     is_grown 5 3.3124067142914556e-5 "an epidemic on a section $how"
+    [ "${how%--project}" = "$how" ] || continue
+    expect 0 ',alive$' jellett section ./driven.tt --section s=0 --grid I=1e-20:1e-20:2,R=0,T=0,u=0,v=1 --returns 7 $how
+    is_grown 5 0.0087076497413244689 "what a kept state drives, on a section $how"
 done
 exit $status
