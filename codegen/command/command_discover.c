@@ -128,11 +128,12 @@ static bool prove(void *context, const char *claims, bool *is_smooth)
     return proved;
 }
 
-/* Parts between commas outside of parentheses, without blanks around them. Returns false if there are too many, or one is empty. */
+/* Parts between commas outside of parentheses, without blanks around them. False if too many or empty, or of several lines. */
 static bool split(char **parts, size_t *count, const char *list)
 {
     int depth = 0;
     *count = 0;
+    if (strpbrk(list, "\r\n#") != NULL) return false;
     for (const char *begin = list, *c = list;; c++) {
         depth += (*c == '(') - (*c == ')');
         if (*c != '\0' && (*c != ',' || depth > 0)) continue;
@@ -196,30 +197,29 @@ static int extend(work *w, const ttc_model *table)
     size_t count = 0;
     ttc_text_format(&text, "%s\n", table->text);
     if (options->when != NULL) {
-        const bool good = strpbrk(options->when, "\r\n#") == NULL && split(parts, &count, options->when);
-        int status = good ? check_conditions(w, table, parts, count)
-                          : refuse(w, TTC_EXIT_USAGE, "--when '%s' is no list (expected PARAM=EXPR,...)", options->when);
+        int status = split(parts, &count, options->when) ? check_conditions(w, table, parts, count)
+                     : refuse(w, TTC_EXIT_USAGE, "--when '%s' is no list (expected PARAM=EXPR,...)", options->when);
         free_parts(parts, count);
         if (status != TTC_EXIT_DONE) return status;
         ttc_text_format(&text, "variant when_ : %s\n", options->when);
     }
     if (options->denominators != NULL) {
-        if (strpbrk(options->denominators, "\r\n#") != NULL || !split(w->denominators, &w->denominator_count,
-                                                                      options->denominators))
+        if (!split(w->denominators, &w->denominator_count, options->denominators))
             return refuse(w, TTC_EXIT_USAGE, "--denominator '%s' is no list (expected EXPR,...)", options->denominators);
         for (size_t i = 0; i < w->denominator_count; i++)
             ttc_text_format(&text, "let denominator_%zu = %s\n", i + 1, w->denominators[i]);
     }
-    ttc_diagnostics *diagnostics = ttc_diagnostics_create();
-    if (!text.failed && diagnostics != NULL) w->model = ttc_model_parse(ttc_text_string(&text), text.length, table->file,
-                                                                        diagnostics);
+    ttc_diagnostics *diagnostics = text.failed ? NULL : ttc_diagnostics_create();
+    if (diagnostics != NULL) w->model = ttc_model_parse(ttc_text_string(&text), text.length, table->file, diagnostics);
+    const int status = w->model != NULL ? TTC_EXIT_DONE : diagnostics == NULL ? TTC_EXIT_MEMORY : ttc_command_unread(diagnostics);
+    if (status == TTC_EXIT_MEMORY) refuse(w, status, "memory is out");
     const char *const option = options->denominators == NULL ? "--when" : "--when or --denominator"; /* the table was read before */
-    for (size_t i = 0; w->model == NULL && diagnostics != NULL && i < ttc_diagnostics_size(diagnostics); i++)
+    for (size_t i = 0; status == TTC_EXIT_BAD_TABLE && i < ttc_diagnostics_size(diagnostics); i++)
         if (ttc_diagnostics_at(diagnostics, i).severity != TTC_WARNING)
-            refuse(w, TTC_EXIT_BAD_TABLE, "%s: %s", option, ttc_diagnostics_at(diagnostics, i).message);
+            refuse(w, status, "%s: %s", option, ttc_diagnostics_at(diagnostics, i).message);
     ttc_diagnostics_destroy(diagnostics);
     ttc_text_clear(&text);
-    return w->model == NULL ? TTC_EXIT_BAD_TABLE : TTC_EXIT_DONE;
+    return status;
 }
 
 static void bind(work *w)

@@ -114,10 +114,10 @@ static const command commands[] = {
 enum { COMMAND_COUNT = sizeof commands / sizeof *commands };
 
 static const char exit_text[] =
-    "\vExit status: 0 done; 1 a claim is refuted, a mutant survives, or kernels that generate should write rest on a claim that is "
-    "not proved; 2 the command line is wrong; 3 a table is wrong, or a claim is not settled; 4 memory is out, or processes are; "
-    "5 a file cannot be read or written, or the program qepcad is missing; 70 a point contradicts a verdict, which is an error of "
-    "this program.";
+    "\vExit status: 0 done; 1 prove refutes a claim, a mutant survives, or kernels that generate should write rest on a claim that "
+    "is not proved; 2 the command line is wrong; 3 a table is wrong, or prove or discover does not settle a claim; 4 memory is "
+    "out, or processes are; 5 a file cannot be read or written, or the program qepcad is missing; 70 a point contradicts a "
+    "verdict, which is an error of this program.";
 
 static uint64_t parse_number(const char *option, const char *text, uint64_t least, uint64_t most, struct argp_state *state)
 {

@@ -81,6 +81,13 @@ static const char *skip_number(const char *at, bool *too_large, bool *outside, b
     return end;
 }
 
+/* Whether a number begins here, without a sign. A point does so, even without digits, but not before a name. */
+static bool begins_number(const char *at)
+{
+    if (*at != '.') return isdigit((unsigned char)*at);
+    return !isalpha((unsigned char)at[1]) || (tolower((unsigned char)at[1]) == 'e' && !isalpha((unsigned char)at[2]));
+}
+
 static jlt_status check(const char *text, const jlt_value_reader *r)
 {
     const char *at = text, *next;
@@ -91,7 +98,7 @@ static jlt_status check(const char *text, const jlt_value_reader *r)
         next = skip_text(at);
         if (next == NULL && strncmp(at, "@include", 8) == 0)
             return jlt_value_complain(r, line, "@include is not for scenes: a scene is one file");
-        if (next == NULL && (isdigit((unsigned char)*at) || *at == '.')) next = skip_number(at, &too_large, &outside, &other_base);
+        if (next == NULL && begins_number(at)) next = skip_number(at, &too_large, &outside, &other_base);
         if (other_base)
             return jlt_value_complain(r, line, "%.*s: numbers are decimal, and whole ones have no zeros in front",
                                       next - at > 64 ? 64 : (int)(next - at), at);

@@ -284,4 +284,33 @@ refused 3 "has no equations" tests/proof/models/henon_heiles_section.tt
 refused 5 "absent.tt" "$scratch/absent.tt"
 # Said before anything is allocated: 100 MiB would not hold a thousandth of it.
 (ulimit -v 400000; refused 4 "takes a matrix of 28856 columns, 9.47 GiB" --degree 40 $top; exit $status) || status=1
+# Where memory is out while the table is read with the conditions, this is said, and no fault of theirs. Sanitizers have an
+# allocator of their own.
+if ! nm "$(command -v ttc)" | grep -E '__(asan|tsan)_init' > "$scratch/out"; then
+    cat > "$scratch/scarce.c" << 'LIBRARY'
+#define _GNU_SOURCE
+#include <dlfcn.h>
+#include <stdlib.h>
+static long left = -1;
+void *malloc(size_t size)
+{
+    static void *(*usual)(size_t);
+    if (usual == NULL) {
+        usual = (void *(*)(size_t))dlsym(RTLD_NEXT, "malloc");
+        left = atol(getenv("ALLOCATIONS"));
+    }
+    return left > 0 ? left--, usual(size) : NULL;
+}
+LIBRARY
+    "$JLT_CC" -shared -fPIC -o "$scratch/scarce.so" "$scratch/scarce.c" || fail "the library is not compiled"
+    printf '%s\n' 'model scarce' 'param b' 'state x' 'state y' 'eq x = b*y' 'eq y = -x' > "$scratch/scarce.tt"
+    for allocations in $(seq 10 4 200); do
+        ALLOCATIONS=$allocations LD_PRELOAD=$scratch/scarce.so ttc discover "$scratch/scarce.tt" --when b=1 --degree 1 \
+            > "$scratch/finds" 2> "$scratch/err"
+        code=$?
+        [ $code -ne 3 ] || grep -q . "$scratch/err" || fail "$allocations allocations: status 3 without a word"
+        [ $code -eq 4 ] || ! grep '^ttc discover: memory is out$' "$scratch/err" ||
+            fail "$allocations allocations: status $code"
+    done
+fi
 exit $status

@@ -176,6 +176,9 @@ static void every_mistake_is_named_with_its_line(void **unused)
         { "parameters = { a3 = -010; };\ncompute = ( { what = \"section\"; } );", ":1: error: 010: numbers are decimal" },
         { "parameters = { a3 = 0.0; R = 00; };\ncompute = ( { what = \"section\"; } );", ":1: error: 00: numbers are decimal" },
         { "parameters = { a3 = 0.;\nm = .; };\ncompute = ( { what = \"section\"; } );", ":2: error: . is no number" },
+        { "parameters = { a3 = .e5; };\ncompute = ( { what = \"section\"; } );", ":1: error: .e5 is no number" },
+        { "parameters.a3 = 1;\ncompute = ( { what = \"section\"; } );", ":1: error: syntax error (expected NAME = VALUE" },
+        { "levels.eta = 1;\ncompute = ( { what = \"section\"; } );", ":1: error: syntax error (expected NAME = VALUE" },
         { "# 99999999999\n/* 99999999999\n*/ title = \"99999999999 \\\" 99999999999\"; // 99999999999\n"
           "parameters = { a3 = 99999999999999999999L; };\ncompute = ( { what = \"section\"; } );",
           ":4: error: the whole number 99999999999999999999L is too large" },
